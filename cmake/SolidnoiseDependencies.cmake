@@ -1,0 +1,37 @@
+# Every package the project uses, found once. The work-arounds are for Debian 12's packages.
+find_package(Threads REQUIRED)
+find_package(TBB 2021 CONFIG REQUIRED)
+find_package(glm CONFIG REQUIRED)
+find_package(hwy 1.0 CONFIG REQUIRED)
+find_package(fmt CONFIG REQUIRED)
+find_package(Eigen3 3.4 CONFIG REQUIRED)
+find_package(nlohmann_json 3.11 CONFIG REQUIRED)
+
+if(SOLIDNOISE_BUILD_VOLUME)
+  # OpenVDB ships a find module, not a config file, in a folder of its own.
+  file(GLOB _openvdb_modules /usr/lib/*/cmake/OpenVDB)
+  list(APPEND CMAKE_MODULE_PATH ${_openvdb_modules})
+  find_package(OpenVDB 10 REQUIRED COMPONENTS openvdb)
+endif()
+
+if(SOLIDNOISE_BUILD_IMAGE)
+  find_package(OpenImageIO 2.4 CONFIG REQUIRED)
+  # Debian's package exports an include folder of OpenCV that does not exist.
+  foreach(_property INTERFACE_INCLUDE_DIRECTORIES INTERFACE_SYSTEM_INCLUDE_DIRECTORIES)
+    get_target_property(_folders OpenImageIO::OpenImageIO ${_property})
+    if(_folders)
+      list(FILTER _folders EXCLUDE REGEX "opencv")
+      set_target_properties(OpenImageIO::OpenImageIO PROPERTIES ${_property} "${_folders}")
+    endif()
+  endforeach()
+endif()
+
+if(SOLIDNOISE_BUILD_TOOLS AND SOLIDNOISE_BUILD_VOLUME)
+  find_package(CLI11 CONFIG REQUIRED)
+endif()
+if(SOLIDNOISE_BUILD_TESTS)
+  find_package(GTest CONFIG REQUIRED)
+endif()
+if(SOLIDNOISE_BUILD_BENCH)
+  find_package(benchmark CONFIG REQUIRED)
+endif()

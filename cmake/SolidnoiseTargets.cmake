@@ -1,0 +1,43 @@
+# Settings that every target of the project shares, and one function per kind of target.
+
+add_library(solidnoise_settings INTERFACE)
+target_compile_features(solidnoise_settings INTERFACE cxx_std_20)
+# Contraction would give each instruction set its own rounding; explicit multiply-adds stay.
+target_compile_options(solidnoise_settings INTERFACE -ffp-contract=off)
+set(_warnings -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual)
+if(SOLIDNOISE_WARNINGS_AS_ERRORS)
+  list(APPEND _warnings -Werror)
+endif()
+
+# solidnoise_library(NAME PUBLIC ... PRIVATE ...): the library of the folder NAME, made of all its .cpp files,
+# with the libraries that its headers (PUBLIC) and its sources (PRIVATE) use.
+function(solidnoise_library name)
+  cmake_parse_arguments(arg "" "" "PUBLIC;PRIVATE" ${ARGN})
+  file(GLOB _sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
+  if(NOT _sources)
+    return()
+  endif()
+  add_library(solidnoise_${name} ${_sources})
+  add_library(solidnoise::${name} ALIAS solidnoise_${name})
+  set_target_properties(solidnoise_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  target_include_directories(solidnoise_${name} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  target_compile_features(solidnoise_${name} PUBLIC cxx_std_20)
+  target_compile_options(solidnoise_${name} PRIVATE ${_warnings} -ffp-contract=off)
+  target_link_libraries(solidnoise_${name} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
+  set_property(GLOBAL APPEND PROPERTY SOLIDNOISE_LIBRARIES solidnoise_${name})
+endfunction()
+
+# solidnoise_test(NAME LIBRARIES ...): one test program for the folder tests/NAME.
+function(solidnoise_test name)
+  file(GLOB _sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
+  if(NOT _sources)
+    return()
+  endif()
+  add_executable(${name}_tests ${_sources})
+  target_include_directories(${name}_tests PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+  target_compile_options(${name}_tests PRIVATE ${_warnings})
+  target_compile_definitions(${name}_tests PRIVATE SOLIDNOISE_TEST_DATA="${PROJECT_SOURCE_DIR}/tests")
+  target_link_libraries(${name}_tests PRIVATE solidnoise_settings ${ARGN} GTest::gtest_main)
+  gtest_discover_tests(${name}_tests TEST_PREFIX "${name}/" DISCOVERY_TIMEOUT 60)
+endfunction()

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+namespace solidnoise {
+
+// Where a coordinate lies in a one-dimensional grid of cells.
+struct CellPosition {
+  std::int64_t cell = 0;  // the cell's index
+  float fraction = 0.0f;  // position in the cell, 0 to 1, a whole multiple of 2^-20
+};
+
+// One axis of a grid of cells. Positions are rounded to 2^-20 of a cell; every difference between two
+// positions less than 16 cells apart is then exact in single precision, so that whatever is computed from
+// such differences does not depend on the block or batch it is computed in, and is as accurate a million
+// units from the origin as at 0.
+class CellAxis {
+ public:
+  static constexpr int kFractionBits = 20;
+  static constexpr double kMaxSpan = 12.0;  // cells a block may span, with a margin of 4 for its neighbours
+
+  CellAxis() = default;
+  // `size` in world units, > 0. The grid repeats after `period_cells` cells, or never if that is 0.
+  explicit CellAxis(double size, std::int64_t period_cells = 0)
+      : size_(size), cells_per_unit_(1.0 / size), period_cells_(period_cells) {}
+
+  double size() const { return size_; }
+  std::int64_t period_cells() const { return period_cells_; }
+
+  CellPosition locate(double coordinate) const {
+    constexpr double kQuanta = 1 << kFractionBits;
+    const double quanta = std::floor(coordinate * cells_per_unit_ * kQuanta + 0.5);
+    const double cell = std::floor(quanta / kQuanta);
+    return {static_cast<std::int64_t>(cell), static_cast<float>((quanta - cell * kQuanta) / kQuanta)};
+  }
+
+  // The cell that holds the random content of `cell`: itself, or its representative in the first period.
+  std::int64_t wrap(std::int64_t cell) const {
+    if (period_cells_ == 0) return cell;
+    const std::int64_t remainder = cell % period_cells_;
+    return remainder < 0 ? remainder + period_cells_ : remainder;
+  }
+
+ private:
+  double size_ = 1.0;
+  double cells_per_unit_ = 1.0;
+  std::int64_t period_cells_ = 0;
+};
+
+}  // namespace solidnoise

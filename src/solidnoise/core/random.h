@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+
+#include "solidnoise/core/vec.h"
+
+namespace solidnoise {
+
+// Bijective mixing of 64 bits: each output bit depends on each input bit. (Stafford's variant 13 of the
+// MurmurHash3 finalizer, as used by SplitMix64.)
+constexpr std::uint64_t mix_bits(std::uint64_t z) {
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
+  return z ^ (z >> 31);
+}
+
+inline constexpr std::uint64_t kGoldenGamma = 0x9e3779b97f4a7c15ULL;
+
+// A key for independent random streams of one seed: one per purpose, octave or level.
+constexpr std::uint64_t derive_seed(std::uint64_t seed, std::uint64_t stream) {
+  return mix_bits(mix_bits(seed + kGoldenGamma) ^ (stream * kGoldenGamma + 0x632be59bd9b4e019ULL));
+}
+
+// The key of a cell's random stream: a hash of all of its coordinates and the seed; it never repeats by
+// construction.
+template <int Dim>
+std::uint64_t hash_cell(const Index<Dim>& cell, std::uint64_t key) {
+  std::uint64_t hash = key;
+  for (int axis = 0; axis < Dim; ++axis) {
+    hash = mix_bits(hash + kGoldenGamma + static_cast<std::uint64_t>(cell[axis]));
+  }
+  return hash;
+}
+
+// Counter-based random numbers: draw k of a stream is a hash of the stream's key and k. Name each draw: the
+// order of the draws is part of the noise's definition.
+class RandomStream {
+ public:
+  explicit RandomStream(std::uint64_t key) : state_(key) {}
+
+  std::uint64_t next() { return mix_bits(state_ += kGoldenGamma); }
+
+  // Uniform on [0, 1), in steps of 2^-53.
+  double next_unit() { return static_cast<double>(next() >> 11) * 0x1.0p-53; }
+
+ private:
+  std::uint64_t state_;
+};
+
+}  // namespace solidnoise

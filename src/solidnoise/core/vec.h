@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+
+#include <glm/detail/qualifier.hpp>
+#include <glm/ext/vector_double1.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+namespace solidnoise {
+
+// A position, size or frequency in Dim dimensions, in double precision. In 4D the axes are x, y, z, t.
+template <int Dim>
+using Vec = glm::vec<Dim, double, glm::defaultp>;
+
+// An integer position: a voxel's index, a cell's coordinates.
+template <int Dim>
+using Index = glm::vec<Dim, std::int64_t, glm::defaultp>;
+
+}  // namespace solidnoise

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "solidnoise/noise/noise.h"
+
+namespace solidnoise {
+
+// How octaves of a noise are summed: octave k has frequency F lacunarity^k, amplitude gain^k and a seed of
+// its own.
+struct FractalOptions {
+  int octaves = 1;  // 1 to 16
+  double lacunarity =
+      2.0;            // frequency ratio of consecutive octaves; > 1; a whole number where there is a period
+  double gain = 0.5;  // amplitude ratio of consecutive octaves; > 0
+  bool renormalize = true;  // scale the sum to unit variance, by the closed form
+
+  // Throws std::invalid_argument naming the field, its value and what is allowed.
+  void validate() const;
+
+  friend bool operator==(const FractalOptions&, const FractalOptions&) = default;
+};
+
+// A weighted sum of independent noises. Variances, spectra and fourth cumulants add.
+template <int Dim>
+class FractalNoise final : public Noise<Dim> {
+ public:
+  struct Octave {
+    std::unique_ptr<const Noise<Dim>> noise;
+    double amplitude = 1.0;
+  };
+
+  explicit FractalNoise(std::vector<Octave> octaves);
+
+  using Noise<Dim>::evaluate;
+  std::unique_ptr<NoiseBlock<Dim>> block(const Box<Dim>& box) const override;
+  void evaluate(const Points<Dim>& points, const Samples<Dim>& samples) const override;
+  double variance() const override;
+  double power_spectrum(const Vec<Dim>& frequency) const override;
+  double excess_kurtosis() const override;
+  typename Noise<Dim>::Band band() const override;
+
+ private:
+  std::vector<Octave> octaves_;
+};
+
+}  // namespace solidnoise

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+#include <variant>
+
+#include "solidnoise/noise/fractal_noise.h"
+#include "solidnoise/noise/gabor_options.h"
+#include "solidnoise/noise/gradient_noise_options.h"
+#include "solidnoise/noise/noise.h"
+
+namespace solidnoise {
+
+// Everything that defines a noise: plain data. One more noise is one more alternative here.
+struct NoiseRecipe {
+  std::variant<GaborNoiseOptions, OrientedGaborNoiseOptions, GradientNoiseOptions> noise;
+  FractalOptions fractal;
+
+  // Throws std::invalid_argument naming the field, its value and what is allowed.
+  void validate() const;
+
+  friend bool operator==(const NoiseRecipe&, const NoiseRecipe&) = default;
+};
+
+// Changes whenever any noise's values do, for the same recipe; stored in every file that is written.
+inline constexpr int kAlgorithmVersion = 1;
+
+// Makes the noise, of unit variance unless the recipe's octaves are not renormalised. Dim is 1 to 4.
+// Throws std::invalid_argument.
+template <int Dim>
+std::unique_ptr<Noise<Dim>> make_noise(const NoiseRecipe& recipe);
+
+}  // namespace solidnoise
