@@ -1,0 +1,121 @@
+#include "solidnoise/recipe/json_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace solidnoise {
+namespace {
+
+// What a message shows of a value: long ones are cut.
+std::string shown(const Json& json) {
+  constexpr std::size_t kMostCharacters = 60;
+  const std::string text = json.dump();
+  return text.size() <= kMostCharacters ? text : text.substr(0, kMostCharacters) + "...";
+}
+
+}  // namespace
+
+JsonReader::JsonReader(const Json& object, std::string path) : object_(object), path_(std::move(path)) {
+  if (object.is_object()) return;
+  const std::string name = path_.empty() ? "the recipe" : path_;
+  throw std::invalid_argument(fmt::format("{} is {}; it must be an object", name, shown(object)));
+}
+
+void JsonReader::read(const std::string& key, double& value) {
+  const Json* const json = find(key);
+  if (!json) return;
+  if (!json->is_number()) refuse(key, "a number");
+  value = json->get<double>();
+}
+
+void JsonReader::read(const std::string& key, int& value) {
+  const Json* const json = find(key);
+  if (!json) return;
+  constexpr std::int64_t kLowest = std::numeric_limits<int>::lowest();
+  constexpr std::int64_t kHighest = std::numeric_limits<int>::max();
+  const bool fits = json->is_number_unsigned()  ? json->get<std::uint64_t>() <= std::uint64_t{kHighest}
+                    : json->is_number_integer() ? json->get<std::int64_t>() >= kLowest
+                                                : false;
+  if (!fits) refuse(key, "a whole number");
+  value = json->get<int>();
+}
+
+void JsonReader::read(const std::string& key, std::uint64_t& value) {
+  const Json* const json = find(key);
+  if (!json) return;
+  if (!json->is_number_unsigned()) refuse(key, "a whole number from 0 to 18446744073709551615");
+  value = json->get<std::uint64_t>();
+}
+
+void JsonReader::read(const std::string& key, bool& value) {
+  const Json* const json = find(key);
+  if (!json) return;
+  if (!json->is_boolean()) refuse(key, "true or false");
+  value = json->get<bool>();
+}
+
+void JsonReader::read(const std::string& key, std::string& value) {
+  const Json* const json = find(key);
+  if (!json) return;
+  if (!json->is_string()) refuse(key, "a text");
+  value = json->get<std::string>();
+}
+
+std::size_t JsonReader::read_choice(const std::string& key, const std::vector<std::string_view>& names) {
+  const Json* const json = find(key);
+  const std::string allowed = fmt::format("one of {}", fmt::join(names, ", "));
+  if (!json) throw std::invalid_argument(fmt::format("{} is missing; it must be {}", path_of(key), allowed));
+  if (!json->is_string()) refuse(key, allowed);
+  const auto found = std::find(names.begin(), names.end(), json->get_ref<const std::string&>());
+  if (found == names.end()) refuse(key, allowed);
+  return static_cast<std::size_t>(found - names.begin());
+}
+
+JsonReader JsonReader::object(const std::string& key) {
+  const Json* const json = find(key);
+  if (!json) throw std::invalid_argument(fmt::format("{} is missing; it must be an object", path_of(key)));
+  return JsonReader(*json, path_of(key));
+}
+
+void JsonReader::finish() const {
+  for (const auto& item : object_.items()) {
+    if (std::find(known_keys_.begin(), known_keys_.end(), item.key()) != known_keys_.end()) continue;
+    throw std::invalid_argument(fmt::format("{} is unknown; the keys here are {}", path_of(item.key()),
+                                            fmt::join(known_keys_, ", ")));
+  }
+}
+
+std::string JsonReader::path_of(const std::string& key) const {
+  return path_.empty() ? key : path_ + "." + key;
+}
+
+const Json* JsonReader::find(const std::string& key) {
+  note(key);
+  const auto found = object_.find(key);
+  return found == object_.end() ? nullptr : &*found;
+}
+
+void JsonReader::note(const std::string& key) {
+  if (std::find(known_keys_.begin(), known_keys_.end(), key) == known_keys_.end()) known_keys_.push_back(key);
+}
+
+void JsonReader::read_numbers(const std::string& key, double* values, std::size_t count) {
+  const Json* const json = find(key);
+  if (!json) return;
+  const bool are_numbers =
+      json->is_array() && json->size() == count &&
+      std::all_of(json->begin(), json->end(), [](const Json& component) { return component.is_number(); });
+  if (!are_numbers) refuse(key, fmt::format("an array of {} numbers", count));
+  for (std::size_t i = 0; i < count; ++i) values[i] = (*json)[i].get<double>();
+}
+
+void JsonReader::refuse(const std::string& key, const std::string& allowed) const {
+  throw std::invalid_argument(
+      fmt::format("{} is {}; it must be {}", path_of(key), shown(object_.at(key)), allowed));
+}
+
+}  // namespace solidnoise

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "solidnoise/core/vec.h"
+#include "solidnoise/recipe/choices.h"
+#include "solidnoise/recipe/json.h"
+
+namespace solidnoise {
+
+// Reads one object of a recipe, key by key. A key that is missing leaves the value as it was; a value of the
+// wrong type is refused; finish() refuses keys that nobody asked for. Every error is a std::invalid_argument
+// of one line that begins with the path in the tree ("noise.bandwidth is -1; ...").
+class JsonReader {
+ public:
+  // `path` of the object in the tree, empty for the root. The JSON must outlive the reader.
+  explicit JsonReader(const Json& object, std::string path = {});
+
+  bool has(const std::string& key) const { return object_.contains(key); }
+
+  void read(const std::string& key, double& value);
+  void read(const std::string& key, int& value);
+  void read(const std::string& key, std::uint64_t& value);
+  void read(const std::string& key, bool& value);
+  void read(const std::string& key, std::string& value);
+
+  template <int Dim>
+  void read(const std::string& key, Vec<Dim>& value) {
+    double* const components = &value[0];
+    read_numbers(key, components, Dim);
+  }
+
+  template <typename Enum, std::size_t Count>
+  void read(const std::string& key, const Choices<Enum, Count>& choices, Enum& value) {
+    std::vector<std::string_view> names;
+    for (const Choice<Enum>& choice : choices) names.push_back(choice.name);
+    if (has(key)) value = choices[read_choice(key, names)].value;
+    note(key);
+  }
+
+  // The index in `names` of a text that must be there and must be one of them.
+  std::size_t read_choice(const std::string& key, const std::vector<std::string_view>& names);
+
+  // A reader of the object under a key, which must be there.
+  JsonReader object(const std::string& key);
+
+  // Runs options.validate() and puts the path before what it says.
+  template <typename Options>
+  void validate(const Options& options) const {
+    try {
+      options.validate();
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(path_of(error.what()));
+    }
+  }
+
+  // Refuses every key that was not read.
+  void finish() const;
+
+  // "noise.bandwidth" for the key "bandwidth" of the object at "noise".
+  std::string path_of(const std::string& key) const;
+
+ private:
+  const Json* find(const std::string& key);
+  void note(const std::string& key);
+  void read_numbers(const std::string& key, double* values, std::size_t count);
+  [[noreturn]] void refuse(const std::string& key, const std::string& allowed) const;
+
+  const Json& object_;
+  std::string path_;
+  std::vector<std::string> known_keys_;
+};
+
+}  // namespace solidnoise

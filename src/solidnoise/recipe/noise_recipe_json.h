@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "solidnoise/noise/noise_recipe.h"
+#include "solidnoise/recipe/json.h"
+
+namespace solidnoise {
+
+// The JSON form of a noise, a flat object:
+//   {"type": "gabor", "frequency": 8, "bandwidth": 1, ..., "seed": 7, "octaves": 3, "lacunarity": 2, "gain":
+//   0.5}
+// "type" is gabor, gabor-oriented or kensler; the other keys are the fields of its options struct and of
+// FractalOptions, and each may be left out. Reading back what was written gives an equal recipe, to the last
+// bit.
+Json to_json(const NoiseRecipe& recipe);
+
+// `path` is where the object lies in the whole recipe ("noise"). Throws std::invalid_argument: wrong type,
+// unknown key, value out of range, each with its path.
+NoiseRecipe noise_recipe_from_json(const Json& json, const std::string& path);
+
+// The "type" of a noise, and a noise of default options for a type. The latter throws std::invalid_argument.
+std::string_view noise_type(const NoiseRecipe& recipe);
+NoiseRecipe default_noise(std::string_view type);
+
+}  // namespace solidnoise
