@@ -11,19 +11,23 @@ if(SOLIDNOISE_BUILD_VOLUME)
   # OpenVDB ships a find module, not a config file, in a folder of its own.
   file(GLOB _openvdb_modules /usr/lib/*/cmake/OpenVDB)
   list(APPEND CMAKE_MODULE_PATH ${_openvdb_modules})
+  # It also turns shared libraries on for everybody.
+  set(_shared ${BUILD_SHARED_LIBS})
   find_package(OpenVDB 10 REQUIRED COMPONENTS openvdb)
+  set(BUILD_SHARED_LIBS ${_shared})
 endif()
 
 if(SOLIDNOISE_BUILD_IMAGE)
-  find_package(OpenImageIO 2.4 CONFIG REQUIRED)
-  # Debian's package exports an include folder of OpenCV that does not exist.
-  foreach(_property INTERFACE_INCLUDE_DIRECTORIES INTERFACE_SYSTEM_INCLUDE_DIRECTORIES)
-    get_target_property(_folders OpenImageIO::OpenImageIO ${_property})
-    if(_folders)
-      list(FILTER _folders EXCLUDE REGEX "opencv")
-      set_target_properties(OpenImageIO::OpenImageIO PROPERTIES ${_property} "${_folders}")
-    endif()
-  endforeach()
+  # Not by its config file: Debian's refuses to load unless OpenImageIO's own tools, and Qt with them, are installed,
+  # and names an include folder that does not exist.
+  find_path(OPENIMAGEIO_INCLUDE_FOLDER OpenImageIO/imageio.h REQUIRED)
+  find_library(OPENIMAGEIO_LIBRARY OpenImageIO REQUIRED)
+  find_library(OPENIMAGEIO_UTIL_LIBRARY OpenImageIO_Util REQUIRED)
+  add_library(OpenImageIO::OpenImageIO UNKNOWN IMPORTED)
+  set_target_properties(OpenImageIO::OpenImageIO PROPERTIES
+    IMPORTED_LOCATION ${OPENIMAGEIO_LIBRARY}
+    INTERFACE_LINK_LIBRARIES ${OPENIMAGEIO_UTIL_LIBRARY}
+    INTERFACE_INCLUDE_DIRECTORIES ${OPENIMAGEIO_INCLUDE_FOLDER})
 endif()
 
 if(SOLIDNOISE_BUILD_TOOLS AND SOLIDNOISE_BUILD_VOLUME)
