@@ -1,0 +1,18 @@
+#!/usr/bin/env bash
+# build.sh PRESET [CMAKE_OPTION...]: configures and builds in build/PRESET, through ccache where there is one.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+preset=$1
+shift
+
+if command -v ccache >/dev/null; then
+  export CMAKE_CXX_COMPILER_LAUNCHER=ccache
+fi
+
+# One compiler per core, as long as each has 1 GB (OpenVDB's headers need most of it).
+jobs=$(nproc)
+memory=$(awk '/^MemAvailable/ { print int($2 / 1048576) }' /proc/meminfo)
+((memory >= jobs)) || jobs=$((memory > 0 ? memory : 1))
+
+cmake --preset "$preset" "$@"
+cmake --build --preset "$preset" --parallel "$jobs"

@@ -1,0 +1,9 @@
+#!/usr/bin/env bash
+# test.sh [CMAKE_OPTION...]: builds everything in release and runs all the tests; one of them builds examples/consumer against
+# an installed copy.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+scripts/setup.sh libgtest-dev
+scripts/build.sh release -DSOLIDNOISE_BUILD_TESTS=ON "$@"
+ctest --preset release --parallel "$(nproc)"
