@@ -1,0 +1,49 @@
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "solidnoise/core/box.h"
+#include "solidnoise/core/lattice.h"
+#include "solidnoise/noise/noise.h"
+
+namespace solidnoise {
+
+// A field made ready for one box. Immutable; may be shared between threads.
+class FieldBlock {
+ public:
+  virtual ~FieldBlock() = default;
+
+  // Overwrites `values`, one per sample, in the lattice's order. Precondition: the lattice lies in the
+  // block's box.
+  virtual void evaluate(const Lattice<3>& lattice, std::span<float> values) const = 0;
+};
+
+// Whatever a grid can be filled with: a noise, or a density shaped from several noises and distances.
+// Immutable; may be shared between threads. A sample's value depends on the field and the sample's position
+// only, never on the block.
+class Field {
+ public:
+  virtual ~Field() = default;
+
+  // Called once for a group of voxels; the place to make what is costly, such as random impulses.
+  virtual std::unique_ptr<FieldBlock> block(const Box<3>& box) const = 0;
+
+  // True if the field is certainly 0 in all of the box, which then is not evaluated. May be pessimistic, must
+  // be quick.
+  virtual bool empty(const Box<3>& box) const;
+};
+
+// A noise as a field: its values as they are, times `scale`. For a frame of a 4D noise give its slice().
+class NoiseField final : public Field {
+ public:
+  explicit NoiseField(std::shared_ptr<const Noise<3>> noise, double scale = 1.0);
+
+  std::unique_ptr<FieldBlock> block(const Box<3>& box) const override;
+
+ private:
+  std::shared_ptr<const Noise<3>> noise_;
+  float scale_;
+};
+
+}  // namespace solidnoise

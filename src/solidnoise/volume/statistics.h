@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "solidnoise/volume/openvdb.h"
+
+namespace solidnoise {
+
+// Moments of a set of values, gathered in parts: sums about the part's own mean, combined by the pairwise
+// formulas of Chan et al. 1979 and Pebay 2008 (eq. 3.1), which lose no digits where the mean is large against
+// the spread. The result depends on the order of adding and merging, in the last bits.
+class Moments {
+ public:
+  // The values' own moments, in two passes.
+  static Moments of(std::span<const float> values);
+
+  void merge(const Moments& other);
+
+  std::uint64_t count() const { return count_; }
+  double min() const { return min_; }    // 0 if there are no values
+  double max() const { return max_; }    // 0 if there are no values
+  double mean() const { return mean_; }  // 0 if there are no values
+  double sigma() const;                  // of the population: divided by count
+  double skewness() const;               // 0 if sigma is 0
+  double excess_kurtosis() const;        // E[(v - mean)^4] / sigma^4 - 3; 0 if sigma is 0
+
+ private:
+  std::uint64_t count_ = 0;
+  double min_ = 0.0;
+  double max_ = 0.0;
+  double mean_ = 0.0;
+  double m2_ = 0.0;  // sums of powers of the distance to the mean
+  double m3_ = 0.0;
+  double m4_ = 0.0;
+};
+
+// Moments of a grid's active voxels, leaf by leaf in tree order, in parallel: the same to the last bit for
+// any number of threads. Active tiles count with all their voxels.
+Moments measure(const openvdb::FloatGrid& grid);
+
+// Counts in bins of equal width; bin k holds lower + k w <= v < lower + (k + 1) w, the last one `upper` too.
+struct Histogram {
+  double lower = 0.0;
+  double upper = 1.0;
+  std::vector<std::uint64_t> counts;
+  std::uint64_t below = 0;  // values under `lower`
+  std::uint64_t above = 0;  // values over `upper`, and those that are not a number
+};
+
+// Histogram of a grid's active voxels. Throws std::invalid_argument unless lower < upper and bins >= 1.
+Histogram histogram(const openvdb::FloatGrid& grid, double lower, double upper, int bins);
+
+// The optical depth of the thickest column along an axis (0, 1 or 2): the largest integral of the grid's
+// values, taken as extinction per world unit, over all lines of voxels parallel to the axis.
+double thickest_column(const openvdb::FloatGrid& grid, int axis);
+
+}  // namespace solidnoise

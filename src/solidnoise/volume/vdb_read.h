@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "solidnoise/core/box.h"
+#include "solidnoise/core/vec.h"
+#include "solidnoise/volume/openvdb.h"
+
+namespace solidnoise {
+
+// What a .vdb says about one of its grids.
+struct GridSummary {
+  std::string name;
+  std::string value_type;  // "float", "vec3s", ...
+  std::string grid_class;  // "fog volume", "level set", "staggered", "unknown"
+  bool saved_as_half = false;
+  Vec<3> voxel_size{0.0};  // world units
+  std::uint64_t active_voxels = 0;
+  openvdb::CoordBBox voxel_bounds;              // of the active voxels; empty if there are none
+  std::map<std::string, std::string> metadata;  // all of it, as text
+};
+
+struct VdbSummary {
+  std::map<std::string, std::string> metadata;  // the file's own
+  std::vector<GridSummary> grids;               // in the file's order, at least one
+};
+
+// Each function reads all that it returns at once (OpenVDB's delayed loading crashes on damaged files), and
+// throws std::runtime_error naming the path if the file cannot be read, is no .vdb, is damaged, or holds no
+// grids.
+
+VdbSummary read_vdb_summary(const std::filesystem::path& path);
+
+// The grid of this name, or, if `name` is empty, the first one. Throws std::runtime_error listing the names
+// that exist if there is none.
+openvdb::GridBase::Ptr read_grid(const std::filesystem::path& path, const std::string& name = {});
+
+// The same for a grid of floats (stored as half or not); `name` empty: the first grid of floats. Throws
+// std::runtime_error also if the named grid is of another type.
+openvdb::FloatGrid::Ptr read_float_grid(const std::filesystem::path& path, const std::string& name = {});
+
+}  // namespace solidnoise
