@@ -1,6 +1,7 @@
 #include "solidnoise/recipe/json_reader.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -65,6 +66,19 @@ void JsonReader::read(const std::string& key, std::string& value) {
   value = json->get<std::string>();
 }
 
+void JsonReader::read(const std::string& key, std::optional<double>& value) {
+  double number = 0.0;
+  read(key, number);
+  if (has(key)) value = number;
+}
+
+void JsonReader::read(const std::string& key, Box<3>& value) {
+  std::array<double, 6> corners{value.lower.x, value.lower.y, value.lower.z,
+                                value.upper.x, value.upper.y, value.upper.z};
+  read_numbers(key, corners.data(), corners.size());
+  value = {{corners[0], corners[1], corners[2]}, {corners[3], corners[4], corners[5]}};
+}
+
 std::size_t JsonReader::read_choice(const std::string& key, const std::vector<std::string_view>& names) {
   const Json* const json = find(key);
   const std::string allowed = fmt::format("one of {}", fmt::join(names, ", "));
@@ -75,9 +89,9 @@ std::size_t JsonReader::read_choice(const std::string& key, const std::vector<st
   return static_cast<std::size_t>(found - names.begin());
 }
 
-JsonReader JsonReader::object(const std::string& key) {
+std::optional<JsonReader> JsonReader::object(const std::string& key) {
   const Json* const json = find(key);
-  if (!json) throw std::invalid_argument(fmt::format("{} is missing; it must be an object", path_of(key)));
+  if (!json) return std::nullopt;
   return JsonReader(*json, path_of(key));
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -8,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "solidnoise/core/box.h"
 #include "solidnoise/core/vec.h"
 #include "solidnoise/recipe/choices.h"
 #include "solidnoise/recipe/json.h"
@@ -29,6 +31,8 @@ class JsonReader {
   void read(const std::string& key, std::uint64_t& value);
   void read(const std::string& key, bool& value);
   void read(const std::string& key, std::string& value);
+  void read(const std::string& key, std::optional<double>& value);
+  void read(const std::string& key, Box<3>& value);  // x0, y0, z0, x1, y1, z1
 
   template <int Dim>
   void read(const std::string& key, Vec<Dim>& value) {
@@ -47,8 +51,8 @@ class JsonReader {
   // The index in `names` of a text that must be there and must be one of them.
   std::size_t read_choice(const std::string& key, const std::vector<std::string_view>& names);
 
-  // A reader of the object under a key, which must be there.
-  JsonReader object(const std::string& key);
+  // A reader of the object under a key, if there is one.
+  std::optional<JsonReader> object(const std::string& key);
 
   // Runs options.validate() and puts the path before what it says.
   template <typename Options>

@@ -137,8 +137,7 @@ Json to_json(const NoiseRecipe& recipe) {
   return json;
 }
 
-NoiseRecipe noise_recipe_from_json(const Json& json, const std::string& path) {
-  JsonReader reader(json, path);
+NoiseRecipe noise_recipe_from_json(JsonReader& reader) {
   NoiseRecipe recipe;
   recipe.noise = default_alternative(reader.read_choice("type", kNoiseTypes));
   FieldReader field_reader(reader);

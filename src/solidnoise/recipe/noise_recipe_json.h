@@ -1,10 +1,10 @@
 #pragma once
 
-#include <string>
 #include <string_view>
 
 #include "solidnoise/noise/noise_recipe.h"
 #include "solidnoise/recipe/json.h"
+#include "solidnoise/recipe/json_reader.h"
 
 namespace solidnoise {
 
@@ -16,9 +16,8 @@ namespace solidnoise {
 // bit.
 Json to_json(const NoiseRecipe& recipe);
 
-// `path` is where the object lies in the whole recipe ("noise"). Throws std::invalid_argument: wrong type,
-// unknown key, value out of range, each with its path.
-NoiseRecipe noise_recipe_from_json(const Json& json, const std::string& path);
+// Throws std::invalid_argument: wrong type, unknown key, value out of range, each with its path in the tree.
+NoiseRecipe noise_recipe_from_json(JsonReader& reader);
 
 // The "type" of a noise, and a noise of default options for a type. The latter throws std::invalid_argument.
 std::string_view noise_type(const NoiseRecipe& recipe);

@@ -1,0 +1,134 @@
+#include "solidnoise/volume/make_volume.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "solidnoise/noise/slice_noise.h"
+#include "solidnoise/recipe/json.h"
+#include "solidnoise/volume/fill.h"
+#include "solidnoise/volume/shaped_noise_field.h"
+#include "solidnoise/volume/topology.h"
+#include "solidnoise/volume/vdb_read.h"
+#include "solidnoise/volume/volume_recipe_json.h"
+
+namespace solidnoise {
+namespace {
+
+template <typename... Functions>
+struct Overloaded : Functions... {
+  using Functions::operator()...;
+};
+template <typename... Functions>
+Overloaded(Functions...) -> Overloaded<Functions...>;
+
+bool is_raw(const VolumeRecipe& recipe) {
+  return std::holds_alternative<RawShaping>(recipe.shaping);
+}
+
+Topology make_topology(const VolumeRecipe& recipe, const VolumePlan& plan, Progress* progress) {
+  const Vec<3> centre = (plan.box.lower + plan.box.upper) * 0.5;
+  const Vec<3> radii = (plan.box.upper - plan.box.lower) * 0.5;
+  const Overloaded by_shape{
+      [&](const BoxShape&) { return box_topology(plan.frame, plan.box); },
+      [&](const SphereShape&) {
+        return sphere_topology(plan.frame, centre, std::min({radii.x, radii.y, radii.z}));
+      },
+      [&](const EllipsoidShape&) { return ellipsoid_topology(plan.frame, centre, radii); },
+      [&](const MeshShape&) { return mesh_topology(plan.frame, *plan.mesh, progress); },
+      [&](const GridShape&) { return grid_topology(*plan.grid); },
+  };
+  return std::visit(by_shape, recipe.shape);
+}
+
+std::unique_ptr<Field> make_volume_field(const VolumeRecipe& recipe, const VolumePlan& plan) {
+  const std::shared_ptr<const Noise<3>> noise = make_volume_noise(recipe);
+  const Overloaded by_shaping{
+      [&](const RawShaping& raw) { return make_field(noise, raw); },
+      [&](const RemapShaping& remap) { return make_field(noise, remap, plan.box); },
+  };
+  return std::visit(by_shaping, recipe.shaping);
+}
+
+// Scales densities to the optical depth or peak that the recipe asks for. A grid of zeros stays as it is.
+void scale_density(const VolumeRecipe& recipe, FilledGrid& filled) {
+  const double largest = recipe.density.peak ? filled.moments.max()
+                                             : thickest_column(*filled.grid, recipe.up == UpAxis::y ? 1 : 2);
+  if (largest <= 0.0) return;
+  const double wanted = recipe.density.peak.value_or(recipe.density.optical_depth);
+  scale_values(*filled.grid, static_cast<float>(wanted / largest));
+  filled.moments = measure(*filled.grid);
+}
+
+std::uint64_t seed_of(const NoiseRecipe& recipe) {
+  return std::visit([](const auto& options) { return options.seed; }, recipe.noise);
+}
+
+Metadata describe(const VolumeRecipe& recipe, const Moments& moments) {
+  return {
+      {kRecipeKey, format_json(to_json(recipe))},
+      {"solidnoise:algorithm", std::int64_t{kAlgorithmVersion}},
+      {"solidnoise:seed", std::to_string(seed_of(recipe.noise))},
+      {"solidnoise:up_axis", std::string(name_of(kUpAxisChoices, recipe.up))},
+      {"solidnoise:min", moments.min()},
+      {"solidnoise:max", moments.max()},
+      {"solidnoise:mean", moments.mean()},
+      {"solidnoise:sigma", moments.sigma()},
+  };
+}
+
+}  // namespace
+
+VolumePlan plan_volume(const VolumeRecipe& recipe) {
+  recipe.validate();
+  VolumePlan plan;
+  plan.box = recipe.box;
+  if (const auto* shape = std::get_if<GridShape>(&recipe.shape)) {
+    plan.grid = read_grid(shape->file, shape->grid);
+    plan.frame = GridFrame(plan.grid->transform());
+    plan.voxels = plan.grid->evalActiveVoxelBoundingBox();
+    plan.box = plan.frame.bounds(plan.voxels);
+    plan.memory = estimate_memory(grid_topology(*plan.grid));
+    return plan;
+  }
+  if (const auto* shape = std::get_if<MeshShape>(&recipe.shape)) {
+    plan.mesh = read_obj(shape->file);
+    try {
+      require_closed(*plan.mesh);
+    } catch (const std::invalid_argument& error) {
+      throw std::runtime_error(fmt::format("{}: {}", shape->file, error.what()));
+    }
+    plan.box = plan.mesh->bounds();
+  }
+  plan.frame = GridFrame(recipe.voxel ? *recipe.voxel : voxel_size_for_dim(plan.box, recipe.dim));
+  plan.voxels = plan.frame.voxels_in(plan.box);
+  plan.memory = estimate_memory(plan.voxels);
+  return plan;
+}
+
+std::shared_ptr<const Noise<3>> make_volume_noise(const VolumeRecipe& recipe) {
+  if (recipe.dims == 3) return make_noise<3>(recipe.noise);
+  return slice(make_noise<4>(recipe.noise), recipe.time);
+}
+
+Volume make_volume(const VolumeRecipe& recipe, const VolumePlan& plan, const std::string& creator,
+                   Progress* progress) {
+  const std::unique_ptr<Field> field = make_volume_field(recipe, plan);
+  const Topology topology = make_topology(recipe, plan, progress);
+  FilledGrid filled = fill_grid(topology, *field, is_raw(recipe) ? Sparsity::keep : Sparsity::drop, progress);
+  if (is_raw(recipe)) {
+    filled.grid->setName(recipe.grid);
+    filled.grid->setCreator(creator);
+  } else {
+    scale_density(recipe, filled);
+    set_fog_volume(*filled.grid, recipe.grid, creator);
+  }
+  filled.grid->setSaveFloatAsHalf(recipe.half);
+  set_metadata(*filled.grid, describe(recipe, filled.moments));
+  return {filled.grid, filled.moments};
+}
+
+}  // namespace solidnoise

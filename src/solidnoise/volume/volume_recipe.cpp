@@ -1,0 +1,46 @@
+#include "solidnoise/volume/volume_recipe.h"
+
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "solidnoise/core/check.h"
+
+namespace solidnoise {
+
+void RawShaping::validate() const {}
+
+void RemapShaping::validate() const {
+  require_finite("threshold", threshold);
+  require_positive("softness", softness, "sigmas");
+  require_positive("power", power);
+  require_at_least("edge", edge, 0.0, "sigmas");
+  require_in_range("floor", floor, 0.0, 1.0);
+}
+
+void VolumeRecipe::validate() const {
+  noise.validate();
+  require_in_range("dims", dims, 3, 4);
+  require_finite("time", time);
+  if (dims == 3 && time != 0.0) {
+    throw std::invalid_argument(fmt::format("time is {}; it must be 0 where dims is 3", time));
+  }
+  std::visit([](const auto& look) { look.validate(); }, shaping);
+  require_positive("optical_depth", density.optical_depth);
+  if (density.peak) require_positive("density", *density.peak, "extinction per world unit");
+
+  for (int axis = 0; axis < 3; ++axis) {
+    require_finite("box", box.lower[axis]);
+    require_finite("box", box.upper[axis]);
+    if (box.lower[axis] >= box.upper[axis]) {
+      throw std::invalid_argument(
+          fmt::format("box is {} to {} along {}; its upper corner must lie beyond its lower one",
+                      box.lower[axis], box.upper[axis], "xyz"[axis]));
+    }
+  }
+  if (voxel) require_positive("voxel", *voxel, "world units");
+  require_in_range("dim", dim, 1, 1 << 20, "voxels");
+  if (grid.empty()) throw std::invalid_argument("grid is empty; it must be a name");
+}
+
+}  // namespace solidnoise

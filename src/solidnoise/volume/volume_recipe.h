@@ -1,0 +1,71 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "solidnoise/core/box.h"
+#include "solidnoise/noise/noise_recipe.h"
+#include "solidnoise/volume/preview.h"
+#include "solidnoise/volume/shaping.h"
+#include "solidnoise/volume/vdb_write.h"
+
+namespace solidnoise {
+
+// Which voxels a volume has: those of the recipe's box, of the sphere or ellipsoid inscribed in it, of the
+// inside of a mesh, or those that are active in a grid that exists.
+struct BoxShape {
+  friend bool operator==(const BoxShape&, const BoxShape&) = default;
+};
+struct SphereShape {
+  friend bool operator==(const SphereShape&, const SphereShape&) = default;
+};
+struct EllipsoidShape {
+  friend bool operator==(const EllipsoidShape&, const EllipsoidShape&) = default;
+};
+struct MeshShape {
+  std::string file;  // Wavefront OBJ, a closed mesh; its own bounds take the place of the box
+  friend bool operator==(const MeshShape&, const MeshShape&) = default;
+};
+struct GridShape {
+  std::string file;  // .vdb; the grid's own frame takes the place of box and voxel size
+  std::string grid;  // name in the file; empty: the first one
+  friend bool operator==(const GridShape&, const GridShape&) = default;
+};
+using Shape = std::variant<BoxShape, SphereShape, EllipsoidShape, MeshShape, GridShape>;
+
+// What the densities are scaled to. Noise that is not shaped (RawShaping) is never scaled.
+struct DensityScale {
+  // Optical depth through the thickest column along the up axis: the integral of the density, which is
+  // extinction per world unit. > 0
+  double optical_depth = 60.0;
+  // The largest density instead, where it is given; > 0
+  std::optional<double> peak;
+
+  friend bool operator==(const DensityScale&, const DensityScale&) = default;
+};
+
+// Everything that defines a volume: plain data. The same recipe makes the same grid, bit for bit.
+struct VolumeRecipe {
+  NoiseRecipe noise;
+  int dims = 3;       // 3, or 4: a frame of a noise that changes in time
+  double time = 0.0;  // of the frame, in the noise's fourth axis; 0 unless dims is 4
+
+  Shaping shaping;
+  DensityScale density;
+
+  Shape shape;
+  Box<3> box{{-1.0, -1.0, -1.0}, {1.0, 1.0, 1.0}};  // world units; `shape` says what of it is filled
+  std::optional<double> voxel;                      // size in world units; > 0; else from `dim`
+  int dim = 256;                                    // voxels along the longest side; 1 to 2^20
+  UpAxis up = UpAxis::y;
+
+  std::string grid = "density";  // the grid's name; not empty
+  bool half = false;             // store 16-bit floats
+  Codec codec = Codec::blosc;
+
+  // Throws std::invalid_argument naming the field, its value and what is allowed.
+  void validate() const;
+};
+
+}  // namespace solidnoise

@@ -1,0 +1,171 @@
+#include "solidnoise/volume/volume_recipe_json.h"
+
+#include <stdexcept>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "solidnoise/recipe/json_reader.h"
+#include "solidnoise/recipe/noise_recipe_json.h"
+
+namespace solidnoise {
+namespace {
+
+// In the order of the alternatives of Shape and Shaping.
+const std::vector<std::string_view> kShapeTypes{"box", "sphere", "ellipsoid", "mesh", "grid"};
+const std::vector<std::string_view> kShapingTypes{"raw", "remap"};
+static_assert(std::variant_size_v<Shape> == 5 && std::variant_size_v<Shaping> == 2, "name each alternative");
+
+template <typename Variant, std::size_t... Is>
+Variant default_alternative(std::size_t index, std::index_sequence<Is...>) {
+  Variant variant;
+  ((Is == index ? static_cast<void>(variant.template emplace<Is>()) : void()), ...);
+  return variant;
+}
+
+template <typename Variant>
+Variant default_alternative(std::size_t index) {
+  return default_alternative<Variant>(index, std::make_index_sequence<std::variant_size_v<Variant>>());
+}
+
+Json shape_to_json(const Shape& shape) {
+  Json json = Json::object();
+  json["type"] = kShapeTypes[shape.index()];
+  if (const auto* mesh = std::get_if<MeshShape>(&shape)) json["file"] = mesh->file;
+  if (const auto* grid = std::get_if<GridShape>(&shape)) {
+    json["file"] = grid->file;
+    json["grid"] = grid->grid;
+  }
+  return json;
+}
+
+Shape shape_from_json(JsonReader& reader) {
+  Shape shape = default_alternative<Shape>(reader.read_choice("type", kShapeTypes));
+  if (auto* mesh = std::get_if<MeshShape>(&shape)) reader.read("file", mesh->file);
+  if (auto* grid = std::get_if<GridShape>(&shape)) {
+    reader.read("file", grid->file);
+    reader.read("grid", grid->grid);
+  }
+  reader.finish();
+  return shape;
+}
+
+Json shaping_to_json(const Shaping& shaping) {
+  Json json = Json::object();
+  json["type"] = kShapingTypes[shaping.index()];
+  if (const auto* raw = std::get_if<RawShaping>(&shaping)) json["range"] = name_of(kRangeChoices, raw->range);
+  if (const auto* remap = std::get_if<RemapShaping>(&shaping)) {
+    json["fold"] = name_of(kFoldChoices, remap->fold);
+    json["threshold"] = remap->threshold;
+    json["softness"] = remap->softness;
+    json["power"] = remap->power;
+    json["edge"] = remap->edge;
+    json["floor"] = remap->floor;
+  }
+  return json;
+}
+
+Shaping shaping_from_json(JsonReader& reader) {
+  Shaping shaping = default_alternative<Shaping>(reader.read_choice("type", kShapingTypes));
+  if (auto* raw = std::get_if<RawShaping>(&shaping)) reader.read("range", kRangeChoices, raw->range);
+  if (auto* remap = std::get_if<RemapShaping>(&shaping)) {
+    reader.read("fold", kFoldChoices, remap->fold);
+    reader.read("threshold", remap->threshold);
+    reader.read("softness", remap->softness);
+    reader.read("power", remap->power);
+    reader.read("edge", remap->edge);
+    reader.read("floor", remap->floor);
+  }
+  reader.finish();
+  std::visit([&](const auto& look) { reader.validate(look); }, shaping);
+  return shaping;
+}
+
+void refuse_both(const JsonReader& reader, const char* one, const char* other) {
+  if (!reader.has(one) || !reader.has(other)) return;
+  throw std::invalid_argument(fmt::format("{} and {} contradict each other; give one of them", one, other));
+}
+
+void check_version(JsonReader& reader) {
+  if (!reader.has("solidnoise")) {
+    throw std::invalid_argument(
+        fmt::format("\"solidnoise\": {} is missing; this is no recipe", kRecipeVersion));
+  }
+  int version = 0;
+  reader.read("solidnoise", version);
+  if (version != kRecipeVersion) {
+    throw std::invalid_argument(
+        fmt::format("solidnoise is {}; this program reads recipes of version {}", version, kRecipeVersion));
+  }
+}
+
+}  // namespace
+
+Json to_json(const VolumeRecipe& recipe) {
+  Json json = Json::object();
+  json["solidnoise"] = kRecipeVersion;
+  json["algorithm"] = kAlgorithmVersion;
+  json["noise"] = to_json(recipe.noise);
+  json["dims"] = recipe.dims;
+  json["time"] = recipe.time;
+  json["shaping"] = shaping_to_json(recipe.shaping);
+  if (recipe.density.peak) {
+    json["density"] = *recipe.density.peak;
+  } else {
+    json["optical_depth"] = recipe.density.optical_depth;
+  }
+  json["shape"] = shape_to_json(recipe.shape);
+  const Vec<3>& lower = recipe.box.lower;
+  const Vec<3>& upper = recipe.box.upper;
+  json["box"] = {lower.x, lower.y, lower.z, upper.x, upper.y, upper.z};
+  if (recipe.voxel) {
+    json["voxel"] = *recipe.voxel;
+  } else {
+    json["dim"] = recipe.dim;
+  }
+  json["up"] = name_of(kUpAxisChoices, recipe.up);
+  json["grid"] = recipe.grid;
+  json["half"] = recipe.half;
+  json["codec"] = name_of(kCodecChoices, recipe.codec);
+  return json;
+}
+
+VolumeRecipe volume_recipe_from_json(const Json& json) {
+  JsonReader reader(json);
+  check_version(reader);
+  refuse_both(reader, "optical_depth", "density");
+  refuse_both(reader, "voxel", "dim");
+
+  VolumeRecipe recipe;
+  int algorithm = kAlgorithmVersion;
+  reader.read("algorithm", algorithm);
+  if (auto noise = reader.object("noise")) recipe.noise = noise_recipe_from_json(*noise);
+  reader.read("dims", recipe.dims);
+  reader.read("time", recipe.time);
+  if (auto shaping = reader.object("shaping")) recipe.shaping = shaping_from_json(*shaping);
+  reader.read("optical_depth", recipe.density.optical_depth);
+  reader.read("density", recipe.density.peak);
+  if (auto shape = reader.object("shape")) recipe.shape = shape_from_json(*shape);
+  reader.read("box", recipe.box);
+  reader.read("voxel", recipe.voxel);
+  reader.read("dim", recipe.dim);
+  reader.read("up", kUpAxisChoices, recipe.up);
+  reader.read("grid", recipe.grid);
+  reader.read("half", recipe.half);
+  reader.read("codec", kCodecChoices, recipe.codec);
+  reader.finish();
+  reader.validate(recipe);
+  return recipe;
+}
+
+int algorithm_of(const Json& json) {
+  JsonReader reader(json);
+  int algorithm = kAlgorithmVersion;
+  reader.read("algorithm", algorithm);
+  return algorithm;
+}
+
+}  // namespace solidnoise

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "solidnoise/recipe/choices.h"
+#include "solidnoise/recipe/json.h"
+#include "solidnoise/volume/volume_recipe.h"
+
+namespace solidnoise {
+
+inline constexpr Choices<UpAxis, 2> kUpAxisChoices{{{UpAxis::y, "y"}, {UpAxis::z, "z"}}};
+
+inline constexpr Choices<Codec, 3> kCodecChoices{{
+    {Codec::blosc, "blosc"},
+    {Codec::zip, "zip"},
+    {Codec::none, "none"},
+}};
+
+inline constexpr Choices<RawShaping::Range, 3> kRangeChoices{{
+    {RawShaping::Range::signed_values, "signed"},
+    {RawShaping::Range::unit, "unit"},
+    {RawShaping::Range::raw, "raw"},
+}};
+
+inline constexpr Choices<RemapShaping::Fold, 3> kFoldChoices{{
+    {RemapShaping::Fold::none, "none"},
+    {RemapShaping::Fold::ridged, "ridged"},
+    {RemapShaping::Fold::billow, "billow"},
+}};
+
+// The JSON form of a volume:
+//   {"solidnoise": 1, "algorithm": 1, "noise": {"type": "gabor", ...}, "dims": 3, "time": 0,
+//    "shaping": {"type": "remap", ...}, "optical_depth": 60, "shape": {"type": "box"}, "box": [x0, ..., z1],
+//    "dim": 256, "up": "y", "grid": "density", "half": false, "codec": "blosc"}
+// "density" may take the place of "optical_depth", "voxel" that of "dim". "algorithm" is kAlgorithmVersion
+// when the recipe was written. Every key but "solidnoise" may be left out. Reading back what was written
+// gives an equal recipe, to the last bit.
+Json to_json(const VolumeRecipe& recipe);
+
+// Throws std::invalid_argument with the path in the tree: another version, wrong type, unknown key, two keys
+// that contradict each other, value out of range.
+VolumeRecipe volume_recipe_from_json(const Json& json);
+
+// The algorithm version that a recipe was written with; kAlgorithmVersion if it does not say.
+int algorithm_of(const Json& json);
+
+}  // namespace solidnoise
