@@ -9,12 +9,15 @@
 namespace solidnoise {
 
 // Moments of a set of values, gathered in parts: sums about the part's own mean, combined by the pairwise
-// formulas of Chan et al. 1979 and Pebay 2008 (eq. 3.1), which lose no digits where the mean is large against
-// the spread. The result depends on the order of adding and merging, in the last bits.
+// formulas of Chan et al. 1979 and Pebay 2008, which lose no digits where the mean is large against the
+// spread. The result depends on the order of adding and merging, in the last bits.
 class Moments {
  public:
   // The values' own moments, in two passes.
   static Moments of(std::span<const float> values);
+
+  // Those of `count` equal values.
+  static Moments of_constant(float value, std::uint64_t count);
 
   void merge(const Moments& other);
 

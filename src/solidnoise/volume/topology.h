@@ -38,9 +38,9 @@ Topology mesh_topology(const GridFrame& frame, const TriangleMesh& mesh, Progres
 // none, or as GridFrame does.
 Topology grid_topology(const openvdb::GridBase& grid);
 
-// Bytes of memory that a dense float grid of these voxels takes at most, its mask included: what a fill needs
-// when nothing of it is empty. For a box, known before the topology is made.
+// Bytes of memory that filling these voxels takes at most, when nothing is empty: leaves of floats, the mask,
+// and what accompanies them. Known before the topology is made. For a mesh, take the voxels of its bounds.
 std::uint64_t estimate_memory(const openvdb::CoordBBox& voxels);
-std::uint64_t estimate_memory(const Topology& topology);
+std::uint64_t estimate_memory(const openvdb::GridBase& grid);  // for its active voxels
 
 }  // namespace solidnoise
