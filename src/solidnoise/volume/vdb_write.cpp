@@ -1,0 +1,158 @@
+#include "solidnoise/volume/vdb_write.h"
+
+#include <cerrno>
+#include <ostream>
+#include <system_error>
+#include <unistd.h>
+#include <utility>
+
+#include <fmt/format.h>
+#include <openvdb/io/Compression.h>
+
+#include "solidnoise/volume/checked_file.h"
+
+namespace solidnoise {
+namespace {
+
+// OpenVDB's File writes grid offsets, which let a reader take one grid or the metadata alone, but does not
+// notice a full disk; its Stream writes to a stream of ours, but no offsets. This does both.
+class CheckedArchive final : public openvdb::io::Archive {
+ public:
+  enum class Offsets { write, none };
+
+  void write_to(std::ostream& stream, Offsets offsets, const openvdb::GridCPtrVec& grids,
+                const openvdb::MetaMap& metadata) const {
+    openvdb::io::Archive::write(stream, grids, offsets == Offsets::write, metadata);
+  }
+};
+
+std::uint32_t compression_flags(Codec codec) {
+  using namespace openvdb::io;
+  switch (codec) {
+    case Codec::none:
+      return COMPRESS_ACTIVE_MASK;
+    case Codec::zip:
+      return COMPRESS_ACTIVE_MASK | COMPRESS_ZIP;
+    case Codec::blosc:
+      return COMPRESS_ACTIVE_MASK | COMPRESS_BLOSC;
+  }
+  return COMPRESS_ACTIVE_MASK;
+}
+
+openvdb::MetaMap file_metadata(const VdbWriteOptions& options) {
+  openvdb::MetaMap result;
+  if (!options.creator.empty()) result.insertMeta("creator", openvdb::StringMetadata(options.creator));
+  if (options.frame) result.insertMeta("frame", openvdb::Int32Metadata(*options.frame));
+  if (options.fps) result.insertMeta("fps", openvdb::DoubleMetadata(*options.fps));
+  return result;
+}
+
+void write_archive(std::ostream& stream, CheckedArchive::Offsets offsets, const openvdb::GridCPtrVec& grids,
+                   const VdbWriteOptions& options) {
+  openvdb::initialize();
+  CheckedArchive archive;
+  archive.setCompression(compression_flags(options.codec));
+  archive.write_to(stream, offsets, grids, file_metadata(options));
+  stream.flush();
+}
+
+void write_to_descriptor(int descriptor, const std::string& name, CheckedArchive::Offsets offsets,
+                         const openvdb::GridCPtrVec& grids, const VdbWriteOptions& options) {
+  CheckedFileBuffer buffer(descriptor, name, options.progress);
+  std::ostream stream(&buffer);
+  stream.exceptions(std::ios::badbit | std::ios::failbit);
+  write_archive(stream, offsets, grids, options);
+}
+
+// The file that a path names, through links.
+std::filesystem::path resolve(const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::is_symlink(path, error)) return path;
+  std::filesystem::path target = std::filesystem::weakly_canonical(path, error);
+  return error ? path : target;
+}
+
+void verify(const std::filesystem::path& written, const std::string& name, std::size_t grids) {
+  try {
+    openvdb::io::File file(written.string());
+    file.open(/*delayLoad=*/false);
+    if (file.readAllGridMetadata()->size() == grids) return;
+  } catch (const std::exception& error) {
+    throw std::runtime_error(
+        fmt::format("{}: what was written cannot be read again: {}", name, error.what()));
+  }
+  throw std::runtime_error(fmt::format("{}: what was written lacks grids", name));
+}
+
+}  // namespace
+
+void set_metadata(openvdb::MetaMap& target, const Metadata& metadata) {
+  for (const auto& [name, value] : metadata) {
+    target.removeMeta(name);
+    if (const auto* text = std::get_if<std::string>(&value)) {
+      target.insertMeta(name, openvdb::StringMetadata(*text));
+    } else if (const auto* integer = std::get_if<std::int64_t>(&value)) {
+      target.insertMeta(name, openvdb::Int64Metadata(*integer));
+    } else if (const auto* real = std::get_if<double>(&value)) {
+      target.insertMeta(name, openvdb::DoubleMetadata(*real));
+    } else {
+      target.insertMeta(name, openvdb::BoolMetadata(std::get<bool>(value)));
+    }
+  }
+}
+
+void set_fog_volume(openvdb::FloatGrid& grid, const std::string& name, const std::string& creator) {
+  grid.setName(name);
+  grid.setGridClass(openvdb::GRID_FOG_VOLUME);
+  grid.setCreator(creator);
+}
+
+void require_writable(const std::filesystem::path& path, Existing existing) {
+  if (path == "-") return;
+  const std::filesystem::path target = resolve(path);
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(target, error);
+  if (!target.has_filename() || std::filesystem::is_directory(status)) {
+    throw std::runtime_error(fmt::format("{}: is a folder; a file name is needed", path.string()));
+  }
+  if (std::filesystem::exists(status)) {
+    if (!std::filesystem::is_regular_file(status)) {
+      throw std::runtime_error(fmt::format("{}: is not a regular file", path.string()));
+    }
+    if (existing == Existing::refuse) throw OutputExists(path);
+  }
+  const std::filesystem::path folder = target.has_parent_path() ? target.parent_path() : ".";
+  if (!std::filesystem::is_directory(folder, error)) {
+    throw std::runtime_error(fmt::format("{}: there is no folder {}", path.string(), folder.string()));
+  }
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) {
+    throw std::runtime_error(fmt::format("{}: cannot write in {}: {}", path.string(), folder.string(),
+                                         std::generic_category().message(errno)));
+  }
+}
+
+void write_vdb(const std::filesystem::path& path, const openvdb::GridCPtrVec& grids,
+               const VdbWriteOptions& options) {
+  if (path == "-") {
+    write_to_descriptor(STDOUT_FILENO, "standard output", CheckedArchive::Offsets::none, grids, options);
+    return;
+  }
+  require_writable(path, options.existing);
+  TemporaryFile file(resolve(path));
+  write_to_descriptor(file.descriptor(), path.string(), CheckedArchive::Offsets::write, grids, options);
+  file.close();
+  verify(file.path(), path.string(), grids.size());
+  throw_if_cancelled(options.progress);
+  if (options.existing == Existing::replace) {
+    file.replace_target();
+  } else if (!file.become_target()) {
+    throw OutputExists(path);
+  }
+}
+
+void write_vdb(std::ostream& stream, const openvdb::GridCPtrVec& grids, const VdbWriteOptions& options) {
+  write_archive(stream, CheckedArchive::Offsets::none, grids, options);
+  if (!stream) throw std::runtime_error("writing to the stream failed");
+}
+
+}  // namespace solidnoise
