@@ -1,0 +1,204 @@
+#include "solidnoise/noise/gabor_kernel.h"
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "solidnoise/core/quadrature.h"
+#include "solidnoise/core/special_functions.h"
+#include "support/golden.h"
+#include "support/relative_error.h"
+
+namespace solidnoise {
+namespace {
+
+using nlohmann::json;
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kExact =
+    1e-9;  // golden values are exact; closed forms in double precision lose a few digits
+
+// A frequency of length f in no special direction.
+template <int Dim>
+Vec<Dim> oblique(double f) {
+  Vec<Dim> w;
+  double squared = 0.0;
+  for (int axis = 0; axis < Dim; ++axis) {
+    w[axis] = 1.0 - 0.6 * axis;
+    squared += w[axis] * w[axis];
+  }
+  return w * (f / std::sqrt(squared));
+}
+
+template <int Dim>
+GaborKernel<Dim> fixed_phase(const json& golden_case, double phase) {
+  return {golden_case["K"], golden_case["a"], oblique<Dim>(golden_case["F0"]), phase};
+}
+
+template <int Dim>
+RandomPhaseGaborKernel<Dim> random_phase(const json& golden_case) {
+  return {golden_case["K"], golden_case["a"], oblique<Dim>(golden_case["F0"])};
+}
+
+// Integral over the plane of a function that is negligible beyond 4.
+template <typename Function>
+auto plane_integral(const Function& function) {
+  const QuadratureRule rule = gauss_legendre(120);
+  decltype(function(Vec<2>(0.0))) sum = 0.0;
+  for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+    for (std::size_t j = 0; j < rule.nodes.size(); ++j) {
+      sum += 16.0 * rule.weights[i] * rule.weights[j] * function(4.0 * Vec<2>(rule.nodes[i], rule.nodes[j]));
+    }
+  }
+  return sum;
+}
+
+TEST(GaborKernel, EnergyAgreesWithGoldenValues) {
+  for_each_gabor_case([]<int Dim>(const json& expected) {
+    EXPECT_TRUE(within(kExact, fixed_phase<Dim>(expected, 0.0).energy(), expected["int_g2_aniso_phase0"]));
+    EXPECT_TRUE(
+        within(kExact, fixed_phase<Dim>(expected, kPi / 4.0).energy(), expected["int_g2_aniso_phase_pi_4"]));
+    EXPECT_TRUE(within(kExact, random_phase<Dim>(expected).energy(), expected["int_g2_aniso_random_phase"]));
+  });
+}
+
+TEST(GaborKernel, RelativeErrorAndItsRadiusAgreeWithGoldenValues) {
+  for_each_gabor_case([]<int Dim>(const json& expected) {
+    const auto fixed = fixed_phase<Dim>(expected, 0.0);
+    const auto random = random_phase<Dim>(expected);
+    for (const json& at : expected["relerr_at"]) {
+      EXPECT_TRUE(within(kExact, fixed.relative_error(at["r"]), at["aniso"]));
+      EXPECT_TRUE(within(kExact, random.relative_error(at["r"]), at["aniso_rp"]));
+    }
+    for (const std::string error : {"0.05", "0.02"}) {
+      const json& radius = expected["radius"];
+      EXPECT_TRUE(within(kExact, fixed.radius_for_error(std::stod(error)), radius["aniso_relerr_" + error]));
+      EXPECT_TRUE(
+          within(kExact, random.radius_for_error(std::stod(error)), radius["aniso_rp_relerr_" + error]));
+    }
+    EXPECT_TRUE(within(kExact, fixed.radius_for_envelope(0.05), expected["radius"]["gauss_0.05"]));
+    EXPECT_TRUE(within(kExact, random.radius_for_envelope(0.01), expected["radius"]["gauss_0.01"]));
+  });
+}
+
+TEST(GaborKernel, RelativeErrorInTwoDimensionsIsTheGaussian) {
+  // Q(1, x) = exp(-x): the error at radius r is the envelope there.
+  const RandomPhaseGaborKernel<2> kernel(1.0, 2.0, {3.0, 1.0});
+  EXPECT_TRUE(within(1e-12, kernel.relative_error(0.7), std::exp(-kPi * 4.0 * 0.49)));
+}
+
+TEST(GaborKernel, IsotropicSpectrumAgreesWithGoldenValues) {
+  for_each_gabor_case([]<int Dim>(const json& expected) {
+    const auto kernel = random_phase<Dim>(expected);
+    for (const json& at : expected["psd_random_orientation_rp_over_lambda_EW2eq1"]) {
+      EXPECT_TRUE(within(kExact, kernel.isotropic_power_spectrum(at["f"]), at["S"]));
+    }
+  });
+}
+
+TEST(GaborKernel, SpectrumIsTheFourierTransformOfTheValue) {
+  const GaborKernel<2> kernel(1.3, 1.1, {0.9, -0.4}, 0.7);
+  for (const Vec<2> f : {Vec<2>(0.0, 0.0), Vec<2>(0.9, -0.4), Vec<2>(-0.3, 1.2)}) {
+    const std::complex<double> transform = plane_integral([&](const Vec<2>& x) {
+      return kernel.value(x) * std::polar(1.0, -2.0 * kPi * (f[0] * x[0] + f[1] * x[1]));
+    });
+    EXPECT_NEAR(std::abs(transform - kernel.spectrum(f)), 0.0, 1e-12);
+  }
+}
+
+TEST(GaborKernel, EnergyIsTheIntegralOfTheSquare) {
+  for (const double phase : {0.0, 0.7, kPi / 2.0}) {
+    const GaborKernel<2> kernel(1.3, 1.1, {0.5, -0.4}, phase);
+    const double integral = plane_integral([&](const Vec<2>& x) { return std::pow(kernel.value(x), 2); });
+    EXPECT_TRUE(within(1e-12, kernel.energy(), integral));
+  }
+}
+
+TEST(GaborKernel, GradientAgreesWithDifferences) {
+  const GaborKernel<3> kernel(1.3, 0.8, {0.9, -0.4, 0.2}, 0.7);
+  const Vec<3> x(0.2, -0.35, 0.5);
+  const double h = 1e-5;  // differences of second order: an error of some 1e-9
+  for (int axis = 0; axis < 3; ++axis) {
+    Vec<3> step(0.0);
+    step[axis] = h;
+    const double slope = (kernel.value(x + step) - kernel.value(x - step)) / (2.0 * h);
+    EXPECT_NEAR(kernel.gradient(x)[axis], slope, 1e-8);
+  }
+}
+
+TEST(GaborKernel, FilteringMultipliesTheSpectrumByTheResponse) {
+  const GaborKernel<3> kernel(1.3, 0.8, {0.9, -0.4, 0.2}, 0.7);
+  const double b = 0.6;
+  const GaborKernel<3> filtered = kernel.filtered(b);
+  for (const Vec<3> f : {Vec<3>(0.0), Vec<3>(0.9, -0.4, 0.2), Vec<3>(-0.5, 0.1, 0.7)}) {
+    const double response = std::exp(-kPi * (f[0] * f[0] + f[1] * f[1] + f[2] * f[2]) / (b * b));
+    EXPECT_NEAR(std::abs(filtered.spectrum(f) / (response * kernel.spectrum(f)) - 1.0), 0.0, 1e-12);
+  }
+  const RandomPhaseGaborKernel<3> random(1.3, 0.8, {0.9, -0.4, 0.2});
+  EXPECT_DOUBLE_EQ(random.filtered(b).amplitude(), filtered.amplitude());
+  EXPECT_DOUBLE_EQ(random.filtered(b).a(), filtered.a());
+  EXPECT_EQ(random.filtered(b).frequency(), filtered.frequency());
+}
+
+TEST(RandomPhaseGaborKernel, StatisticsAreMeansOverThePhase) {
+  const RandomPhaseGaborKernel<2> kernel(1.3, 1.1, {0.5, -0.4});
+  const Vec<2> f(0.6, 0.1);
+  const Vec<2> x(0.3, 0.4);
+  // All are trigonometric polynomials of at most the fourth degree in the phase: eight phases give the mean.
+  double spectrum = 0.0;
+  double energy = 0.0;
+  double fourth = 0.0;
+  double autocorrelation = 0.0;
+  for (int i = 0; i < 8; ++i) {
+    const GaborKernel<2> fixed = kernel.with_phase(0.3 + 2.0 * kPi * i / 8.0);
+    spectrum += std::norm(fixed.spectrum(f)) / 8.0;
+    energy += fixed.energy() / 8.0;
+    fourth += plane_integral([&](const Vec<2>& y) { return std::pow(fixed.value(y), 4); }) / 8.0;
+    autocorrelation +=
+        plane_integral([&](const Vec<2>& y) { return fixed.value(y) * fixed.value(y + x); }) / 8.0;
+  }
+  EXPECT_TRUE(within(1e-12, kernel.power_spectrum(f), spectrum));
+  EXPECT_TRUE(within(1e-12, kernel.energy(), energy));
+  EXPECT_TRUE(within(1e-12, kernel.fourth_moment(), fourth));
+  EXPECT_TRUE(within(1e-11, kernel.autocorrelation(x), autocorrelation));
+}
+
+TEST(RandomPhaseGaborKernel, IsotropicSpectrumIsTheMeanOverDirections) {
+  const RandomPhaseGaborKernel<2> kernel(1.3, 1.1, {0.5, -0.4});
+  const double f = 0.8;
+  double mean = 0.0;
+  constexpr int kDirections = 64;  // a smooth periodic function: the mean over even steps is exact
+  for (int i = 0; i < kDirections; ++i) {
+    const double angle = 2.0 * kPi * i / kDirections;
+    mean += kernel.power_spectrum(f * Vec<2>(std::cos(angle), std::sin(angle))) / kDirections;
+  }
+  EXPECT_TRUE(within(1e-12, kernel.isotropic_power_spectrum(f), mean));
+}
+
+TEST(RandomPhaseGaborKernel, SliceHasTheSpectrumIntegratedOverTheHiddenAxes) {
+  const RandomPhaseGaborKernel<4> kernel(1.3, 0.8, {0.9, -0.4, 0.2, 0.5});
+  const RandomPhaseGaborKernel<2> slice = kernel.sliced<2>();
+  EXPECT_TRUE(within(1e-12, slice.energy(), kernel.energy()));
+  for (const Vec<2> f : {Vec<2>(0.9, -0.4), Vec<2>(-0.2, 0.3)}) {
+    const double integral = plane_integral([&](const Vec<2>& hidden) {
+      return kernel.power_spectrum({f[0], f[1], hidden[0], hidden[1]});
+    });
+    EXPECT_TRUE(within(1e-12, slice.power_spectrum(f), integral));
+  }
+}
+
+TEST(GaborKernel, RefusesParametersThatMakeNoKernel) {
+  EXPECT_THROW(GaborKernel<2>(-1.0, 1.0, {1.0, 0.0}, 0.0), std::invalid_argument);
+  EXPECT_THROW(GaborKernel<2>(1.0, 0.0, {1.0, 0.0}, 0.0), std::invalid_argument);
+  EXPECT_THROW(GaborKernel<2>(1.0, 1.0, {std::nan(""), 0.0}, 0.0), std::invalid_argument);
+  EXPECT_THROW(RandomPhaseGaborKernel<2>(1.0, -1.0, {1.0, 0.0}), std::invalid_argument);
+  EXPECT_THROW(RandomPhaseGaborKernel<2>(1.0, 1.0, {1.0, 0.0}).radius_for_error(2.0), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace solidnoise
