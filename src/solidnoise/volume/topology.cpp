@@ -163,6 +163,10 @@ std::uint64_t estimate_memory(const openvdb::CoordBBox& voxels) {
   return bytes_for(leaves);
 }
 
+std::uint64_t estimate_memory(const Topology& topology) {
+  return bytes_for(static_cast<double>(topology.leaf_count()));
+}
+
 std::uint64_t estimate_memory(const openvdb::GridBase& grid) {
   const openvdb::TreeBase& tree = grid.baseTree();
   const std::uint64_t in_tiles = tree.activeVoxelCount() - tree.activeLeafVoxelCount();

@@ -41,6 +41,7 @@ Topology grid_topology(const openvdb::GridBase& grid);
 // Bytes of memory that filling these voxels takes at most, when nothing is empty: leaves of floats, the mask,
 // and what accompanies them. Known before the topology is made. For a mesh, take the voxels of its bounds.
 std::uint64_t estimate_memory(const openvdb::CoordBBox& voxels);
+std::uint64_t estimate_memory(const Topology& topology);
 std::uint64_t estimate_memory(const openvdb::GridBase& grid);  // for its active voxels
 
 }  // namespace solidnoise
