@@ -21,13 +21,18 @@ constexpr std::uint64_t derive_seed(std::uint64_t seed, std::uint64_t stream) {
   return mix_bits(mix_bits(seed + kGoldenGamma) ^ (stream * kGoldenGamma + 0x632be59bd9b4e019ULL));
 }
 
+// Takes one more coordinate into a hash.
+constexpr std::uint64_t hash_coordinate(std::uint64_t hash, std::int64_t coordinate) {
+  return mix_bits(hash + kGoldenGamma + static_cast<std::uint64_t>(coordinate));
+}
+
 // The key of a cell's random stream: a hash of all of its coordinates and the seed; it never repeats by
 // construction.
 template <int Dim>
 std::uint64_t hash_cell(const Index<Dim>& cell, std::uint64_t key) {
   std::uint64_t hash = key;
   for (int axis = 0; axis < Dim; ++axis) {
-    hash = mix_bits(hash + kGoldenGamma + static_cast<std::uint64_t>(cell[axis]));
+    hash = hash_coordinate(hash, cell[axis]);
   }
   return hash;
 }
