@@ -7,6 +7,9 @@ find_package(fmt CONFIG REQUIRED)
 find_package(Eigen3 3.4 CONFIG REQUIRED)
 find_package(nlohmann_json 3.11 CONFIG REQUIRED)
 
+# KissFFT's C++ header, for transforms in double precision: Debian's library is in single precision.
+find_path(KISSFFT_INCLUDE_DIR kissfft/kissfft.hh REQUIRED)
+
 if(SOLIDNOISE_BUILD_VOLUME)
   # OpenVDB ships a find module, not a config file, in a folder of its own.
   file(GLOB _openvdb_modules /usr/lib/*/cmake/OpenVDB)

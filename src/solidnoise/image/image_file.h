@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+
+#include "solidnoise/core/image.h"
+
+namespace solidnoise {
+
+// How one channel of one pixel is stored. `automatic`: 8 bits for .png and .jpg, 16 for .tif, 32-bit float
+// for .exr.
+enum class SampleType { automatic, uint8, uint16, float16, float32 };
+
+// What the pixels are, written into the file as a tag. Pixels are stored as they are: encode them first.
+// Plain data (heights, masks) is `linear`.
+enum class ColorSpace { srgb, linear };
+
+struct ImageFileOptions {
+  SampleType sample_type = SampleType::automatic;
+  ColorSpace color_space = ColorSpace::srgb;
+};
+
+// Writes a .png (8 or 16 bits), .jpg (8), .tif (8, 16, float32) or .exr (float16, float32) file, by the
+// extension. Integer types clamp to [0, 1]. An existing file is replaced, but never by half a file: the
+// picture goes to a temporary name beside it, is read back, and is then renamed. On failure the temporary is
+// removed. Throws std::invalid_argument if the extension, the type or the picture is at fault and
+// std::runtime_error that names the path if it cannot be written, or if the image module is not installed.
+//
+// OpenImageIO, which does the work, is loaded by the first call of either function: linking this library
+// costs nothing at start. The module is looked for at $SOLIDNOISE_IMAGE_MODULE, relative to the program or
+// library that contains this function, and where the dynamic linker looks.
+void write_image(const std::filesystem::path& path, const Image& image, const ImageFileOptions& options = {});
+
+// Reads any file that OpenImageIO reads: first image, all channels, integers scaled to [0, 1], pixels as they
+// are stored. Throws std::runtime_error that names the path.
+Image read_image(const std::filesystem::path& path);
+
+}  // namespace solidnoise

@@ -1,0 +1,76 @@
+#include "solidnoise/image/module/image_io.h"
+
+#include <algorithm>
+#include <cstring>
+#include <exception>
+#include <memory>
+#include <string>
+
+#include <OpenImageIO/imageio.h>
+
+namespace {
+
+int fail(SolidnoiseImageError* error, const std::string& message) {
+  const std::size_t length = std::min(message.size(), error->capacity - 1);
+  std::memcpy(error->text, message.data(), length);
+  error->text[length] = '\0';
+  return 1;
+}
+
+OIIO::TypeDesc stored_type(int sample_type) {
+  switch (sample_type) {
+    case kSolidnoiseImageUint8:
+      return OIIO::TypeDesc::UINT8;
+    case kSolidnoiseImageUint16:
+      return OIIO::TypeDesc::UINT16;
+    case kSolidnoiseImageHalf:
+      return OIIO::TypeDesc::HALF;
+    default:
+      return OIIO::TypeDesc::FLOAT;
+  }
+}
+
+int write(const char* path, const SolidnoiseImagePicture& picture, int sample_type, const char* color_space,
+          SolidnoiseImageError* error) {
+  const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(path);
+  if (!output) return fail(error, OIIO::geterror());
+  OIIO::ImageSpec spec(picture.width, picture.height, picture.channels, stored_type(sample_type));
+  spec.attribute("oiio:ColorSpace", color_space);
+  spec.attribute("CompressionQuality", 95);  // JPEG alone uses it
+  if (!output->open(path, spec)) return fail(error, output->geterror());
+  if (!output->write_image(OIIO::TypeDesc::FLOAT, picture.pixels)) return fail(error, output->geterror());
+  if (!output->close()) return fail(error, output->geterror());
+  return 0;
+}
+
+int read(const char* path, SolidnoiseImageAllocate* allocate, void* context, SolidnoiseImageError* error) {
+  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path);
+  if (!input) return fail(error, OIIO::geterror());
+  const OIIO::ImageSpec& spec = input->spec();
+  float* const pixels = allocate(context, spec.width, spec.height, spec.nchannels);
+  if (pixels == nullptr) return fail(error, "not enough memory");
+  if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, pixels)) {
+    return fail(error, input->geterror());
+  }
+  return 0;
+}
+
+}  // namespace
+
+int solidnoise_image_write(const char* path, const SolidnoiseImagePicture* picture, int sample_type,
+                           const char* color_space, SolidnoiseImageError* error) {
+  try {
+    return write(path, *picture, sample_type, color_space, error);
+  } catch (const std::exception& exception) {
+    return fail(error, exception.what());
+  }
+}
+
+int solidnoise_image_read(const char* path, SolidnoiseImageAllocate* allocate, void* context,
+                          SolidnoiseImageError* error) {
+  try {
+    return read(path, allocate, context, error);
+  } catch (const std::exception& exception) {
+    return fail(error, exception.what());
+  }
+}

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <stddef.h>
+
+// The functions that the module exports, in C so that any build of the library can call any build of the
+// module. Each returns 0 if done; if not, it has put a message (ended by a zero) into `error`.
+
+extern "C" {
+
+enum {
+  kSolidnoiseImageUint8 = 1,
+  kSolidnoiseImageUint16 = 2,
+  kSolidnoiseImageHalf = 3,
+  kSolidnoiseImageFloat = 4
+};
+
+struct SolidnoiseImagePicture {
+  int width;
+  int height;
+  int channels;
+  const float* pixels;
+};
+
+struct SolidnoiseImageError {
+  char* text;
+  size_t capacity;
+};
+
+// `color_space` is "sRGB" or "Linear".
+typedef int SolidnoiseImageWrite(const char* path, const SolidnoiseImagePicture* picture, int sample_type,
+                                 const char* color_space, SolidnoiseImageError* error);
+
+// Calls `allocate` once with the picture's size; it returns room for width * height * channels floats, or
+// null.
+typedef float* SolidnoiseImageAllocate(void* context, int width, int height, int channels);
+typedef int SolidnoiseImageRead(const char* path, SolidnoiseImageAllocate* allocate, void* context,
+                                SolidnoiseImageError* error);
+
+SolidnoiseImageWrite solidnoise_image_write;
+SolidnoiseImageRead solidnoise_image_read;
+}

@@ -1,0 +1,194 @@
+#include "solidnoise/image/image_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+#include "solidnoise/core/random.h"
+
+namespace solidnoise {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool openimageio_is_loaded() {
+  std::ifstream maps("/proc/self/maps");
+  std::string line;
+  while (std::getline(maps, line)) {
+    if (line.find("OpenImageIO") != std::string::npos) return true;
+  }
+  return false;
+}
+
+// Asked before main runs, when all that is linked has been loaded.
+const bool kLoadedAtStart = openimageio_is_loaded();
+
+class ImageFile : public testing::Test {
+ protected:
+  ImageFile() {
+    std::string pattern = (fs::temp_directory_path() / "solidnoise_image_XXXXXX").string();
+    if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("cannot make " + pattern);
+    folder_ = pattern;
+  }
+  ~ImageFile() override { fs::remove_all(folder_); }
+
+  std::ptrdiff_t file_count() const {
+    return std::distance(fs::directory_iterator(folder_), fs::directory_iterator());
+  }
+
+  fs::path folder_;
+};
+
+Image random_image(int width, int height, int channels) {
+  Image image(width, height, channels);
+  RandomStream stream(7);
+  for (float& value : image.pixels) value = static_cast<float>(stream.next_unit());
+  return image;
+}
+
+float largest_difference(const Image& a, const Image& b) {
+  EXPECT_EQ(a.width, b.width);
+  EXPECT_EQ(a.height, b.height);
+  EXPECT_EQ(a.channels, b.channels);
+  if (a.pixels.size() != b.pixels.size()) return std::numeric_limits<float>::infinity();
+  float largest = 0.0f;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+    largest = std::max(largest, std::abs(a.pixels[i] - b.pixels[i]));
+  }
+  return largest;
+}
+
+template <typename Function>
+std::string message_of(Function function) {
+  try {
+    function();
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST_F(ImageFile, OpenImageIoIsLoadedByTheFirstUseAndNotBefore) {
+  EXPECT_FALSE(kLoadedAtStart);
+
+  write_image(folder_ / "a.png", random_image(4, 4, 1));
+
+  EXPECT_TRUE(openimageio_is_loaded());
+}
+
+TEST_F(ImageFile, PngOf8BitsKeepsPixelsToHalfAStep) {
+  const Image image = random_image(33, 17, 3);
+  write_image(folder_ / "a.png", image);
+  EXPECT_LE(largest_difference(read_image(folder_ / "a.png"), image), 0.5f / 255.0f + 1e-6f);
+}
+
+TEST_F(ImageFile, PngOf16BitsKeepsPixelsToHalfAStep) {
+  const Image image = random_image(33, 17, 1);
+  write_image(folder_ / "a.png", image, {SampleType::uint16, ColorSpace::linear});
+  EXPECT_LE(largest_difference(read_image(folder_ / "a.png"), image), 0.5f / 65535.0f + 1e-6f);
+}
+
+TEST_F(ImageFile, ExrKeepsFloatsExactly) {
+  Image image = random_image(20, 30, 4);
+  image.pixels[5] = -12.5f;
+  image.pixels[6] = 1e6f;
+  write_image(folder_ / "a.exr", image, {SampleType::automatic, ColorSpace::linear});
+  EXPECT_EQ(read_image(folder_ / "a.exr").pixels, image.pixels);
+}
+
+TEST_F(ImageFile, HalfExrKeepsElevenBits) {
+  const Image image = random_image(20, 30, 3);
+  write_image(folder_ / "a.exr", image, {SampleType::float16, ColorSpace::linear});
+  EXPECT_LE(largest_difference(read_image(folder_ / "a.exr"), image), 0x1.0p-12f);
+}
+
+TEST_F(ImageFile, TiffKeeps16Bits) {
+  const Image image = random_image(20, 30, 3);
+  write_image(folder_ / "a.tif", image);
+  EXPECT_LE(largest_difference(read_image(folder_ / "a.tif"), image), 0.5f / 65535.0f + 1e-6f);
+}
+
+TEST_F(ImageFile, RowZeroIsAtTheTop) {
+  Image image(2, 2, 1);
+  image.at(1, 0) = 1.0f;
+  write_image(folder_ / "a.png", image);
+  EXPECT_EQ(read_image(folder_ / "a.png").pixels, (std::vector<float>{0.0f, 1.0f, 0.0f, 0.0f}));
+}
+
+TEST_F(ImageFile, JpegIsWrittenAndReadable) {
+  Image image(16, 16, 3);
+  std::fill(image.pixels.begin(), image.pixels.end(), 0.5f);
+  write_image(folder_ / "a.jpg", image);
+  // A flat picture is exact up to 8 bits and JPEG's integer colour conversion, a step each.
+  EXPECT_LE(largest_difference(read_image(folder_ / "a.jpg"), image), 2.0f / 255.0f);
+}
+
+TEST_F(ImageFile, WritingLeavesNothingButTheFile) {
+  write_image(folder_ / "a.png", random_image(4, 4, 1));
+  write_image(folder_ / "a.png", random_image(5, 5, 1));
+  EXPECT_EQ(read_image(folder_ / "a.png").width, 5);
+  EXPECT_EQ(file_count(), 1);
+}
+
+TEST_F(ImageFile, AWriteThatIsCutShortIsReportedAndLeavesTheOldFile) {
+  write_image(folder_ / "a.png", random_image(4, 4, 1));
+  const Image large = random_image(300, 300, 3);
+
+  // A limit on the file size stands for a full disk: writes fail half-way.
+  rlimit previous{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &previous), 0);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit small = previous;
+  small.rlim_cur = 100 * 1024;
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+  testing::internal::CaptureStderr();
+  const std::string png = message_of([&] { write_image(folder_ / "a.png", large); });
+  const std::string exr = message_of([&] { write_image(folder_ / "b.exr", large); });
+  const std::string printed = testing::internal::GetCapturedStderr();
+  setrlimit(RLIMIT_FSIZE, &previous);
+  std::signal(SIGXFSZ, handler);
+
+  EXPECT_EQ(printed, "");
+  EXPECT_EQ(png.rfind("cannot write " + (folder_ / "a.png").string(), 0), 0u) << png;
+  EXPECT_EQ(exr.rfind("cannot write " + (folder_ / "b.exr").string(), 0), 0u) << exr;
+  EXPECT_EQ(read_image(folder_ / "a.png").width, 4);
+  EXPECT_EQ(file_count(), 1);
+}
+
+TEST_F(ImageFile, AMissingFolderIsNamed) {
+  const fs::path path = folder_ / "none" / "a.png";
+  const std::string message = message_of([&] { write_image(path, random_image(2, 2, 1)); });
+  EXPECT_EQ(message.rfind("cannot write " + path.string(), 0), 0u) << message;
+  EXPECT_EQ(message.find("/."), std::string::npos) << "names the temporary: " << message;
+}
+
+TEST_F(ImageFile, UnknownExtensionsAndUnfitTypesAreRefused) {
+  const Image image = random_image(2, 2, 1);
+  EXPECT_EQ(message_of([&] { write_image("a.txt", image); }),
+            "a.txt: the extension must be .png, .jpg, .tif or .exr");
+  EXPECT_THROW(write_image(folder_ / "a.png", image, {SampleType::float32}), std::invalid_argument);
+  EXPECT_THROW(write_image(folder_ / "a.jpg", image, {SampleType::uint16}), std::invalid_argument);
+  EXPECT_THROW(write_image(folder_ / "a.png", Image()), std::invalid_argument);
+  EXPECT_EQ(file_count(), 0);
+}
+
+TEST_F(ImageFile, FilesThatAreNoPicturesAreRefused) {
+  const fs::path path = folder_ / "a.png";
+  std::ofstream(path) << "no picture";
+  EXPECT_THROW(read_image(path), std::runtime_error);
+  const std::string message = message_of([&] { read_image(folder_ / "none.png"); });
+  EXPECT_NE(message.find((folder_ / "none.png").string()), std::string::npos) << message;
+}
+
+}  // namespace
+}  // namespace solidnoise
