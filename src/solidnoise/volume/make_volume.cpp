@@ -91,7 +91,7 @@ VolumePlan plan_volume(const VolumeRecipe& recipe) {
     plan.frame = GridFrame(plan.grid->transform());
     plan.voxels = plan.grid->evalActiveVoxelBoundingBox();
     plan.box = plan.frame.bounds(plan.voxels);
-    plan.memory = estimate_memory(grid_topology(*plan.grid));
+    plan.memory = estimate_memory(*plan.grid);
     return plan;
   }
   if (const auto* shape = std::get_if<MeshShape>(&recipe.shape)) {
