@@ -82,6 +82,7 @@ TEST(GaborKernel, RelativeErrorAndItsRadiusAgreeWithGoldenValues) {
           within(kExact, random.radius_for_error(std::stod(error)), radius["aniso_rp_relerr_" + error]));
     }
     EXPECT_TRUE(within(kExact, fixed.radius_for_envelope(0.05), expected["radius"]["gauss_0.05"]));
+    EXPECT_TRUE(within(kExact, fixed.envelope(expected["radius"]["gauss_0.01"]), 0.01 * fixed.amplitude()));
     EXPECT_TRUE(within(kExact, random.radius_for_envelope(0.01), expected["radius"]["gauss_0.01"]));
   });
 }

@@ -8,8 +8,8 @@ namespace solidnoise {
 // The bandwidth of a Gabor kernel is the width of the band in which its amplitude spectrum exceeds half of
 // the maximum, in octaves. With the spectrum's Gaussian exp(-pi (f - F0)^2 / a^2), the half-amplitude
 // frequencies are F0 -+ a sqrt(ln 2 / pi), so
-//   octaves = log2((F0 + h) / (F0 - h)),  h = a sqrt(ln 2 / pi)
-// (Lagae et al. 2009, on bandwidth). Frequencies and a in cycles per world unit.
+//   octaves = log2((F0 + h) / (F0 - h)),  h = a sqrt(ln 2 / pi).
+// Frequencies and a in cycles per world unit.
 
 // The parameter a of the Gaussian envelope exp(-pi a^2 r^2), for a bandwidth > 0 in octaves.
 inline double gaussian_parameter(double frequency, double octaves) {

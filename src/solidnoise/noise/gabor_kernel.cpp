@@ -102,6 +102,11 @@ double GaborKernel<Dim>::energy() const {
 }
 
 template <int Dim>
+double GaborKernel<Dim>::envelope(double r) const {
+  return amplitude_ * std::exp(-kPi * squared(a_ * r));
+}
+
+template <int Dim>
 double GaborKernel<Dim>::radius_for_envelope(double fraction) const {
   return gaussian_radius(a_, fraction);
 }

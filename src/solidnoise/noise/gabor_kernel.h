@@ -34,7 +34,10 @@ class GaborKernel {
   // Integral of g^2 over space: K^2 / (2 (sqrt2 a)^n) (1 + cos(2 phase) exp(-2 pi F0^2 / a^2)).
   double energy() const;
 
-  // Where the envelope K exp(-pi a^2 r^2) falls to `fraction` of K; in ]0, 1].
+  // K exp(-pi a^2 r^2): never less than |value()| at distance r from the centre.
+  double envelope(double r) const;
+
+  // Where the envelope falls to `fraction` of K; in ]0, 1].
   double radius_for_envelope(double fraction) const;
 
   // Relative RMS error of a noise whose kernel is cut to a ball: the square root of the share of energy()
@@ -60,7 +63,7 @@ class GaborKernel {
 // need no random weight, and nothing of the Gaussian at frequency 0 is left that a fixed phase has. All
 // statistics are means over the phase; a noise of these kernels, one independent phase per impulse, has
 // `density` times power_spectrum(), energy() and autocorrelation() as spectrum, variance and covariance.
-// (Galerne et al. 2012, on phase; in n dimensions.)
+// (Lagae and Drettakis 2011, as used by Galerne et al. 2012; in n dimensions.)
 template <int Dim>
 class RandomPhaseGaborKernel {
  public:

@@ -26,7 +26,7 @@ class IsotropicGaborKernel {
   double value(double r) const;
   double derivative(double r) const;  // dg/dr
 
-  // Dim-dimensional Fourier transform at frequency f (eqs. 39 to 42, in a form that cannot overflow):
+  // Dim-dimensional Fourier transform at frequency f (eqs. 14 and 39 to 42, in a form that cannot overflow):
   //   G(f) = g(0) a^-n exp(-pi (f - F0)^2 / a^2) mean_exponential_scaled(n, 2 pi F0 f / a^2).
   double spectrum(double f) const;
 
