@@ -68,7 +68,7 @@ class CompactKernel {
   bool well_conditioned_ = false;
 };
 
-// The cheapest compact kernel within a relative RMS error (1e-6 to 0.9; truncation and fit together) of a
+// The cheapest compact kernel within a relative RMS error (1e-5 to 0.9; truncation and fit together) of a
 // Gabor kernel: over all degrees d >= 1 and radii R that reach the error, the one of least (d + 4) R^Dim,
 // which is what an impulse costs. The papers cut the kernel off instead; that leaves a step at the radius,
 // and needs a larger radius for the same error as soon as the step is windowed away. Throws

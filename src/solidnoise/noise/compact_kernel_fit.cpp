@@ -217,7 +217,7 @@ CompactKernel best_compact(const RadialFunction& function, const Cost& cost, dou
 
 template <int Dim>
 CompactKernel compact_kernel(const IsotropicGaborKernel<Dim>& kernel, double error) {
-  require_in_range("error", error, 1e-6, 0.9, "relative RMS error");
+  require_in_range("error", error, 1e-5, 0.9, "relative RMS error");
   return best_compact({Dim, [&](double r) { return kernel.value(r); }, kernel.energy(),
                        kernel.radius_for_error(error), kernel.frequency()},
                       Cost{4, Dim}, error);
@@ -225,7 +225,7 @@ CompactKernel compact_kernel(const IsotropicGaborKernel<Dim>& kernel, double err
 
 CompactKernel compact_envelope(double a, int dimensions, double error) {
   require_positive("a", a, "cycles per world unit");
-  require_in_range("error", error, 1e-6, 0.9, "relative RMS error");
+  require_in_range("error", error, 1e-5, 0.9, "relative RMS error");
   // The product keeps the share (1 - e^2)^dimensions of the energy, if one axis keeps 1 - e^2.
   const double own_error = std::sqrt(-std::expm1(std::log1p(-error * error) / dimensions));
   const auto gaussian = [a](double d) { return std::exp(-kPi * a * a * d * d); };
