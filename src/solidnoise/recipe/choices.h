@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <string_view>
+#include <vector>
 
 #include "solidnoise/noise/gabor_options.h"
 #include "solidnoise/noise/gradient_noise_options.h"
@@ -25,6 +26,13 @@ constexpr std::string_view name_of(const Choices<Enum, Count>& choices, Enum val
     if (choice.value == value) return choice.name;
   }
   return {};
+}
+
+template <typename Enum, std::size_t Count>
+std::vector<std::string_view> names_of(const Choices<Enum, Count>& choices) {
+  std::vector<std::string_view> names;
+  for (const Choice<Enum>& choice : choices) names.push_back(choice.name);
+  return names;
 }
 
 inline constexpr Choices<ImpulseWeights, 2> kImpulseWeightChoices{{

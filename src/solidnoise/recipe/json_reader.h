@@ -42,9 +42,7 @@ class JsonReader {
 
   template <typename Enum, std::size_t Count>
   void read(const std::string& key, const Choices<Enum, Count>& choices, Enum& value) {
-    std::vector<std::string_view> names;
-    for (const Choice<Enum>& choice : choices) names.push_back(choice.name);
-    if (has(key)) value = choices[read_choice(key, names)].value;
+    if (has(key)) value = choices[read_choice(key, names_of(choices))].value;
     note(key);
   }
 

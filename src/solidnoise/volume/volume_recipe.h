@@ -47,6 +47,8 @@ struct DensityScale {
 
 // Everything that defines a volume: plain data. The same recipe makes the same grid, bit for bit.
 struct VolumeRecipe {
+  std::string description;  // for people; changes nothing
+
   NoiseRecipe noise;
   int dims = 3;       // 3, or 4: a frame of a noise that changes in time
   double time = 0.0;  // of the frame, in the noise's fourth axis; 0 unless dims is 4

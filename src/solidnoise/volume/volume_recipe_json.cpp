@@ -108,6 +108,7 @@ Json to_json(const VolumeRecipe& recipe) {
   Json json = Json::object();
   json["solidnoise"] = kRecipeVersion;
   json["algorithm"] = kAlgorithmVersion;
+  if (!recipe.description.empty()) json["description"] = recipe.description;
   json["noise"] = to_json(recipe.noise);
   json["dims"] = recipe.dims;
   json["time"] = recipe.time;
@@ -142,6 +143,7 @@ VolumeRecipe volume_recipe_from_json(const Json& json) {
   VolumeRecipe recipe;
   int algorithm = kAlgorithmVersion;
   reader.read("algorithm", algorithm);
+  reader.read("description", recipe.description);
   if (auto noise = reader.object("noise")) recipe.noise = noise_recipe_from_json(*noise);
   reader.read("dims", recipe.dims);
   reader.read("time", recipe.time);
