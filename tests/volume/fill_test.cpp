@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
-#include "support/wave_noise.h"
+#include "support/wave_field.h"
 
 namespace solidnoise {
 namespace {
@@ -63,7 +63,7 @@ class PositiveHalf final : public Field {
   bool empty(const Box<3>& box) const override { return box.upper.x < 0.0; }
 
  private:
-  NoiseField wave_ = wave();
+  WaveField wave_ = wave();
 };
 
 class Counter final : public Progress {
@@ -94,10 +94,10 @@ TEST(FillGrid, GivesEachVoxelTheFieldsValueAtItsCentre) {
   const GridFrame frame(0.1);
   const FilledGrid filled =
       fill_grid(box_topology(frame, {{-1, -2, 0}, {1, 0.5, 1.7}}), wave(), Sparsity::keep);
-  const WaveNoise noise(kFrequency);
+  const WaveField field = wave();
   for (auto value = filled.grid->cbeginValueOn(); value; ++value) {
     const openvdb::Vec3d p = filled.grid->indexToWorld(value.getCoord());
-    EXPECT_EQ(*value, noise.at({p.x(), p.y(), p.z()}));
+    EXPECT_EQ(*value, field.at({p.x(), p.y(), p.z()}));
   }
   EXPECT_EQ(filled.grid->activeVoxelCount(), 20u * 25u * 17u);
   EXPECT_EQ(filled.grid->background(), 0.0f);
@@ -183,16 +183,6 @@ TEST(FillGrid, LetsTheFieldsExceptionThrough) {
   };
   const Topology topology = box_topology(GridFrame(0.1), {{-3, -3, -3}, {3, 3, 3}});
   EXPECT_THROW(fill_grid(topology, Failing(), Sparsity::keep), std::runtime_error);
-}
-
-TEST(NoiseField, MultipliesByItsScale) {
-  const GridFrame frame(0.1);
-  const Topology topology = box_topology(frame, {{0, 0, 0}, {0.8, 0.8, 0.8}});
-  const auto noise = std::make_shared<WaveNoise>(kFrequency);
-  const FilledGrid plain = fill_grid(topology, NoiseField(noise), Sparsity::keep);
-  const FilledGrid scaled = fill_grid(topology, NoiseField(noise, 0.25), Sparsity::keep);
-  EXPECT_EQ(scaled.grid->tree().getValue(Coord(3)), 0.25f * plain.grid->tree().getValue(Coord(3)));
-  EXPECT_THROW(NoiseField(nullptr), std::invalid_argument);
 }
 
 TEST(ScaleValues, MultipliesLeavesAndTilesAndKeepsTheTopology) {

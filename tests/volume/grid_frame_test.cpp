@@ -32,7 +32,7 @@ TEST(GridFrame, GivesAVoxelTheSamePositionInEveryRegion) {
 }
 
 TEST(GridFrame, FillsTheLongestSideWithExactlyDimVoxels) {
-  const Box<3> box{{-1.1, -0.5, 0.25}, {1.1, 1.0, 0.8}};
+  const Box<3> box{{-1.1, -0.5, -0.25}, {1.1, 1.0, 0.8}};
   for (const int dim : {1, 7, 100, 256, 1000}) {
     const GridFrame frame(voxel_size_for_dim(box, dim));
     EXPECT_EQ(frame.voxels_in(box).dim().x(), dim);

@@ -67,12 +67,11 @@ TEST(RenderPreview, IsTheSameForTheSameOpticalDepthAtAnySize) {
   const Image one = render_preview(*ball(1.0, 20.0f), kSmall);
   for (const float scale : {0.01f, 1000.0f}) {
     const Image other = render_preview(*ball(scale, 20.0f / scale), kSmall);
-    double largest = 0.0;
-    for (std::size_t i = 0; i < one.pixels.size(); ++i) {
-      largest = std::max(largest, static_cast<double>(std::abs(one.pixels[i] - other.pixels[i])));
-    }
-    // Rays are cut off at other small transmittances: a percent or so of the brightness.
-    EXPECT_LT(largest, 0.02) << scale;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < one.pixels.size(); ++i) sum += std::abs(one.pixels[i] - other.pixels[i]);
+    // Rays that graze the ball's hard edge, or end where little light is left, differ by rounding; one wrong
+    // factor of the size would change every pixel of the ball, a third of the picture.
+    EXPECT_LT(sum / static_cast<double>(one.pixels.size()), 0.002) << scale;
   }
 }
 

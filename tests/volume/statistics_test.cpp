@@ -134,8 +134,8 @@ TEST(ThickestColumn, IsTheLargestIntegralAlongTheAxisInWorldUnits) {
   for (int x = 0; x < 10; ++x) grid->tree().setValueOn(Coord(x, 0, 9), 3.0f);
   EXPECT_DOUBLE_EQ(thickest_column(*grid, 1), 20 * 2.0 * 0.5);
   EXPECT_DOUBLE_EQ(thickest_column(*grid, 0), 10 * 3.0 * 0.5);
-  EXPECT_DOUBLE_EQ(thickest_column(*grid, 2), 3.0 * 0.5);
-  grid->tree().addTile(1, Coord(0, 64, 8), 7.0f, true);  // 8 voxels of 7 above that of 3
+  EXPECT_DOUBLE_EQ(thickest_column(*grid, 2), (2.0 + 3.0) * 0.5);  // where they cross, at x = 3, y = 0
+  grid->tree().addTile(1, Coord(0, 64, 8), 7.0f, true);            // 8 voxels of 7 above that of 3
   EXPECT_DOUBLE_EQ(thickest_column(*grid, 1), (8 * 7.0 + 3.0) * 0.5);
   EXPECT_EQ(thickest_column(*openvdb::FloatGrid::create(), 1), 0.0);
   EXPECT_THROW(thickest_column(*grid, 3), std::invalid_argument);

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "solidnoise/volume/fill.h"
-#include "support/wave_noise.h"
+#include "support/wave_field.h"
 
 namespace solidnoise {
 namespace {
@@ -86,8 +86,7 @@ TEST(GridTopology, RefusesAGridWithoutActiveVoxels) {
 
 TEST(EstimateMemory, IsALittleMoreThanTheValuesOfTheLeaves) {
   const Topology topology = box_topology(GridFrame(0.1), {{0, 0, 0}, {6.4, 6.4, 6.4}});
-  const FilledGrid filled =
-      fill_grid(topology, NoiseField(std::make_shared<WaveNoise>(Vec<3>(1.0))), Sparsity::keep);
+  const FilledGrid filled = fill_grid(topology, WaveField(Vec<3>(1.0)), Sparsity::keep);
   const double values = 64.0 * 64.0 * 64.0 * sizeof(float);
   const auto estimate = static_cast<double>(estimate_memory(topology));
   // Masks, moments and malloc's bytes come to less than a fifth of the values.
