@@ -18,8 +18,8 @@ using openvdb::Coord;
 
 const Vec<3> kFrequency(1.3, -0.7, 0.45);
 
-NoiseField wave() {
-  return NoiseField(std::make_shared<WaveNoise>(kFrequency));
+WaveField wave() {
+  return WaveField(kFrequency);
 }
 
 // Whether two grids have the same active voxels, the same leaves and the same bits in all of them.
