@@ -13,7 +13,7 @@ void validate_common(const Options& options) {
   require_positive("frequency", options.frequency, "cycles per world unit");
   require_in_range("bandwidth", options.bandwidth, 0.05, 4.0, "octaves");
   require_in_range("error", options.error, 1e-4, 0.5, "relative RMS error");
-  require_at_least("impulses", options.impulses, 0.0, "mean impulses per kernel; 0 chooses");
+  require_in_range("impulses", options.impulses, 0.0, 100000.0, "mean impulses per kernel; 0 chooses");
   for (int axis = 0; axis < 4; ++axis) {
     require_at_least("period", options.period[axis], 0.0, "world units; 0 for none");
   }

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+
+#include "solidnoise/core/random.h"
+#include "solidnoise/core/vec.h"
+
+namespace solidnoise {
+
+// Random directions of waves in Dim dimensions (a direction and its opposite are the same wave): uniform over
+// the double cone around an axis that takes up the fraction 1 - anisotropy of the sphere. With anisotropy 0
+// that is the whole sphere, and the mean of d d^T is I / Dim; with 1 it is the axis alone.
+template <int Dim>
+class DirectionCone {
+ public:
+  // `axis` not 0; anisotropy 0 to 1.
+  DirectionCone(const Vec<Dim>& axis, double anisotropy);
+
+  const Vec<Dim>& axis() const { return axis_; }  // of unit length
+  double anisotropy() const { return anisotropy_; }
+
+  Vec<Dim> draw(RandomStream& stream) const;
+
+  // The direction at angle `polar` (radians) from the axis, around it at the direction `around` of Dim - 1
+  // coordinates, of unit length.
+  Vec<Dim> at(double polar, const std::array<double, 3>& around) const;
+
+  // The polar angle below which lies the fraction `share` of the cone.
+  double polar_angle(double share) const;
+
+ private:
+  Vec<Dim> axis_;
+  double anisotropy_;
+  Vec<Dim> mirror_;  // reflection that takes the first axis to axis_: x - 2 (x.m) m; 0 for none
+};
+
+extern template class DirectionCone<1>;
+extern template class DirectionCone<2>;
+extern template class DirectionCone<3>;
+extern template class DirectionCone<4>;
+
+}  // namespace solidnoise

@@ -1,0 +1,100 @@
+#include "solidnoise/noise/gabor_noise.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "solidnoise/core/check.h"
+#include "solidnoise/core/special_functions.h"
+#include "solidnoise/noise/bandwidth.h"
+#include "solidnoise/noise/impulse_statistics.h"
+#include "solidnoise/noise/impulse_sums.h"
+#include "solidnoise/noise/kernel_cells.h"
+#include "solidnoise/noise/radial_band.h"
+
+namespace solidnoise {
+namespace {
+
+GaborNoiseOptions validated(const GaborNoiseOptions& options) {
+  options.validate();
+  return options;
+}
+
+// An isotropic kernel times a random weight.
+class WeightedKernel final : public ImpulseKernel {
+ public:
+  WeightedKernel(RadialSum sum, ImpulseWeights weights) : sum_(std::move(sum)), weights_(weights) {}
+
+  CullBox::Support support() const override { return CullBox::Support::ball; }
+  int attribute_count() const override { return 1; }
+
+  void draw(std::span<const std::uint64_t> marks, ImpulseAttributes& attributes) const override {
+    for (std::size_t i = 0; i < marks.size(); ++i)
+      attributes[0][i] = GaborNoise<3>::weight(marks[i], weights_);
+  }
+
+  void sum(const ImpulseList& list, const SampleBrick& brick, Derivatives derivatives,
+           BrickSums& sums) const override {
+    sum_radial(sum_, list, brick, derivatives, sums);
+  }
+  void sum(const ImpulseList& list, const SampleCluster& cluster, Derivatives derivatives,
+           ClusterSums& sums) const override {
+    sum_radial(sum_, list, cluster, derivatives, sums);
+  }
+
+ private:
+  RadialSum sum_;
+  ImpulseWeights weights_;
+};
+
+}  // namespace
+
+template <int Dim>
+float GaborNoise<Dim>::weight(std::uint64_t mark, ImpulseWeights weights) {
+  if (weights == ImpulseWeights::signs) return mark >> 63 ? 1.0f : -1.0f;
+  constexpr double kHalfRange =
+      0x1.0p52;  // of 53 bits, taken at the middle of each step so that the mean is 0
+  return static_cast<float>((static_cast<double>(mark >> 11) + 0.5 - kHalfRange) / kHalfRange);
+}
+
+template <int Dim>
+GaborNoise<Dim>::GaborNoise(const GaborNoiseOptions& options)
+    : options_(validated(options)),
+      kernel_(IsotropicGaborKernel<Dim>::with_unit_peak(
+          options.frequency, gaussian_parameter(options.frequency, options.bandwidth))),
+      compact_(solidnoise::compact_kernel(kernel_, options.error)) {
+  const WeightMoments weights = weight_moments(options.weights);
+  const KernelMoments moments{compact_.energy(), compact_.fourth_moment()};
+  impulses_ = options.impulses > 0.0 ? options.impulses
+                                     : impulses_for_quality(Dim, compact_.radius(), moments, weights);
+  density_ = solidnoise::impulse_density(Dim, impulses_, compact_.radius());
+  excess_kurtosis_ = noise_excess_kurtosis(density_, moments, weights);
+
+  const auto cells = make_kernel_cells<Dim>(compact_.radius(), options.period);
+  const double amplitude = 1.0 / std::sqrt(noise_variance(density_, compact_.energy(), weights));
+  convolution_ = std::make_shared<SparseConvolution<Dim>>(
+      ImpulseProcess<Dim>(cells.axes, density_ * cells.volume, derive_seed(options.seed, kImpulseStream)),
+      std::make_shared<WeightedKernel>(
+          RadialSum{support_scale<Dim>(cells.radius), to_single_precision(compact_)}, options.weights),
+      cells.radius, amplitude);
+}
+
+template <int Dim>
+double GaborNoise<Dim>::power_spectrum(const Vec<Dim>& frequency) const {
+  const double spectrum = compact_.spectrum(glm::length(frequency));
+  return spectrum * spectrum / compact_.energy();
+}
+
+template <int Dim>
+typename Noise<Dim>::Band GaborNoise<Dim>::band() const {
+  const auto density = [this](double f) { return std::pow(f, Dim - 1) * std::pow(kernel_.spectrum(f), 2); };
+  return radial_band<Dim>(density, options_.frequency, kernel_.a());
+}
+
+template class GaborNoise<1>;
+template class GaborNoise<2>;
+template class GaborNoise<3>;
+template class GaborNoise<4>;
+
+}  // namespace solidnoise

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "solidnoise/core/box.h"
+#include "solidnoise/noise/impulse_process.h"
+
+namespace solidnoise {
+
+// The impulses of all cells within reach of a box, sorted by cell (last axis fastest), ready for culling.
+template <int Dim>
+class ImpulseBlock {
+ public:
+  static constexpr int kQuanta = 1 << CellAxis::kFractionBits;  // of a cell
+  static constexpr std::int64_t kMaxCellsPerAxis = 1000;        // so that a position fits 32 bits
+
+  // The cells that an evaluation anywhere in `box` may need, with impulses reaching at most one cell.
+  struct CellRange {
+    Index<Dim> first{0};
+    Index<Dim> last{0};
+
+    double cells() const;  // in double: may be huge
+  };
+  static CellRange cells_within_reach(const std::array<CellAxis, Dim>& axes, const Box<Dim>& box);
+
+  // Precondition: at most kMaxCellsPerAxis cells along each axis.
+  ImpulseBlock(const ImpulseProcess<Dim>& process, const CellRange& range);
+
+  const CellRange& range() const { return range_; }
+  std::size_t size() const { return marks_.size(); }
+
+  // Position of each impulse relative to the first cell's corner, in 2^-20 of a cell.
+  const std::int32_t* position(int axis) const { return positions_[axis].data(); }
+  const std::vector<std::uint64_t>& marks() const { return marks_; }
+
+  // Impulses of the cells `from` to `to` (inclusive) on the last axis and `cell` on the others:
+  // a contiguous run [begin, end).
+  struct Run {
+    std::uint32_t begin = 0;
+    std::uint32_t end = 0;
+  };
+  Run run(const Index<Dim>& cell, std::int64_t from, std::int64_t to) const {
+    std::size_t row = 0;
+    for (int axis = 0; axis + 1 < Dim; ++axis) {
+      row = row * extent_[axis] + static_cast<std::size_t>(cell[axis] - range_.first[axis]);
+    }
+    const std::size_t base = row * extent_[Dim - 1];
+    return {starts_[base + static_cast<std::size_t>(from - range_.first[Dim - 1])],
+            starts_[base + static_cast<std::size_t>(to - range_.first[Dim - 1]) + 1]};
+  }
+
+ private:
+  CellRange range_;
+  std::array<std::size_t, Dim> extent_{};
+  std::array<std::vector<std::int32_t>, Dim> positions_;
+  std::vector<std::uint64_t> marks_;
+  std::vector<std::uint32_t> starts_;  // of each cell's impulses, and the end of the last
+};
+
+extern template class ImpulseBlock<1>;
+extern template class ImpulseBlock<2>;
+extern template class ImpulseBlock<3>;
+extern template class ImpulseBlock<4>;
+
+}  // namespace solidnoise

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace solidnoise {
+
+// The axes as the summation loops see them, whatever the dimension: up to three spatial ones, right-aligned
+// (a 2D noise uses y and z), and time, which is the same for all samples of a brick.
+enum Role { kX, kY, kZ, kT, kRoles };
+
+template <int Dim>
+constexpr Role role_of_axis(int axis) {
+  constexpr int kSpatial = Dim < 3 ? Dim : 3;
+  return static_cast<Role>(axis < 3 ? axis + 3 - kSpatial : kT);
+}
+
+// The impulses near a few samples, as arrays. Positions are in cells, relative to the samples' anchor cell,
+// exact; roles that the noise does not have stay 0. The attributes are what the noise wants to know of each
+// impulse.
+class ImpulseList {
+ public:
+  static constexpr int kMaxAttributes = 5;
+  static constexpr std::size_t kPadding = 16;  // SIMD stores may write this far past the end
+
+  void clear() { size_ = 0; }
+  std::size_t size() const { return size_; }
+  void set_size(std::size_t size) { size_ = size; }
+
+  // Makes room for `capacity` impulses, keeping those that are there.
+  void reserve(std::size_t capacity) {
+    if (capacity <= capacity_) return;
+    capacity_ = capacity + capacity / 2;
+    for (auto& channel : position_) channel.resize(capacity_ + kPadding, 0.0f);
+    for (auto& channel : attribute_) channel.resize(capacity_ + kPadding, 0.0f);
+  }
+
+  float* position(int role) { return position_[role].data(); }
+  const float* position(int role) const { return position_[role].data(); }
+  float* attribute(int channel) { return attribute_[channel].data(); }
+  const float* attribute(int channel) const { return attribute_[channel].data(); }
+
+ private:
+  std::array<std::vector<float>, kRoles> position_;
+  std::array<std::vector<float>, kMaxAttributes> attribute_;
+  std::size_t size_ = 0;
+  std::size_t capacity_ = 0;
+};
+
+// A contiguous run of impulses as an impulse block stores them, to be culled into a list.
+struct ImpulseRun {
+  int dimensions = 0;
+  std::array<int, kRoles> role{};                      // of each axis
+  std::array<const std::int32_t*, kRoles> position{};  // of each axis, in 2^-20 of a cell
+  std::array<std::int32_t, kRoles> anchor{};           // of each axis: the anchor cell's corner, likewise
+  int attributes = 0;
+  std::array<const float*, ImpulseList::kMaxAttributes> attribute{};
+  std::size_t count = 0;
+};
+
+// What culling keeps: impulses whose support meets the samples' bounding box.
+struct CullBox {
+  enum class Support { ball, box };
+
+  Support support = Support::ball;
+  std::array<float, kRoles> lower{};  // per role, in cells from the anchor
+  std::array<float, kRoles> upper{};
+  std::array<float, kRoles> scale{};  // cells to radii of the support
+};
+
+}  // namespace solidnoise

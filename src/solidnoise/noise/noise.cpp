@@ -1,0 +1,80 @@
+#include "solidnoise/noise/noise.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace solidnoise {
+namespace {
+
+// Samples along each axis of one block: enough to share impulses, few enough to keep them in the cache. Time
+// is not shared.
+template <int Dim>
+constexpr std::array<int, Dim> block_size() {
+  if constexpr (Dim == 1) return {4096};
+  if constexpr (Dim == 2) return {64, 64};
+  if constexpr (Dim == 3) return {32, 32, 32};
+  if constexpr (Dim == 4) return {32, 32, 32, 1};
+}
+
+// A box of a lattice's samples.
+template <int Dim>
+struct Part {
+  glm::vec<Dim, int> start{0};
+  glm::vec<Dim, int> count{1};
+};
+
+// Copies a part's dense samples to where the lattice has them.
+template <int Dim>
+void scatter(const Part<Dim>& part, const glm::vec<Dim, int>& lattice_count, std::span<const float> from,
+             std::span<float> to) {
+  const int row = part.count[Dim - 1];
+  glm::vec<Dim, int> index(0);
+  for (std::size_t done = 0; done < from.size(); done += static_cast<std::size_t>(row)) {
+    std::size_t offset = 0;
+    for (int axis = 0; axis < Dim; ++axis) {
+      offset = offset * static_cast<std::size_t>(lattice_count[axis]) +
+               static_cast<std::size_t>(part.start[axis] + index[axis]);
+    }
+    std::copy_n(from.begin() + static_cast<std::ptrdiff_t>(done), row,
+                to.begin() + static_cast<std::ptrdiff_t>(offset));
+    for (int axis = Dim - 2; axis >= 0 && ++index[axis] == part.count[axis]; --axis) index[axis] = 0;
+  }
+}
+
+}  // namespace
+
+template <int Dim>
+void Noise<Dim>::evaluate(const Lattice<Dim>& lattice, const Samples<Dim>& samples) const {
+  constexpr auto kBlock = block_size<Dim>();
+  std::array<std::vector<float>, 1 + Dim> buffers;
+  Part<Dim> part;
+  while (true) {
+    Lattice<Dim> inside = lattice;
+    for (int axis = 0; axis < Dim; ++axis) {
+      part.count[axis] = std::min(kBlock[axis], lattice.count[axis] - part.start[axis]);
+      inside.first[axis] += part.start[axis];
+    }
+    inside.count = part.count;
+    for (auto& buffer : buffers) buffer.resize(inside.size());
+
+    Samples<Dim> dense{buffers[0], {}};
+    for (int axis = 0; samples.wants_gradient() && axis < Dim; ++axis)
+      dense.gradient[axis] = buffers[1 + axis];
+    block(inside.bounds())->evaluate(inside, dense);
+    scatter<Dim>(part, lattice.count, buffers[0], samples.values);
+    for (int axis = 0; samples.wants_gradient() && axis < Dim; ++axis) {
+      scatter<Dim>(part, lattice.count, buffers[1 + axis], samples.gradient[axis]);
+    }
+
+    int axis = Dim - 1;
+    while (axis >= 0 && (part.start[axis] += kBlock[axis]) >= lattice.count[axis]) part.start[axis--] = 0;
+    if (axis < 0) return;
+  }
+}
+
+template class Noise<1>;
+template class Noise<2>;
+template class Noise<3>;
+template class Noise<4>;
+
+}  // namespace solidnoise

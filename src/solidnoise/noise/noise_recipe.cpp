@@ -1,0 +1,75 @@
+#include "solidnoise/noise/noise_recipe.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+#include "solidnoise/core/random.h"
+#include "solidnoise/noise/gabor_noise.h"
+#include "solidnoise/noise/gradient_noise.h"
+#include "solidnoise/noise/kernel_cells.h"
+#include "solidnoise/noise/oriented_gabor_noise.h"
+
+namespace solidnoise {
+namespace {
+
+template <int Dim>
+std::unique_ptr<Noise<Dim>> make_single(const GaborNoiseOptions& options) {
+  return std::make_unique<GaborNoise<Dim>>(options);
+}
+
+template <int Dim>
+std::unique_ptr<Noise<Dim>> make_single(const OrientedGaborNoiseOptions& options) {
+  return std::make_unique<OrientedGaborNoise<Dim>>(options);
+}
+
+template <int Dim>
+std::unique_ptr<Noise<Dim>> make_single(const GradientNoiseOptions& options) {
+  return std::make_unique<GradientNoise<Dim>>(options);
+}
+
+}  // namespace
+
+void NoiseRecipe::validate() const {
+  fractal.validate();
+  std::visit(
+      [this](const auto& options) {
+        options.validate();
+        const bool whole = fractal.lacunarity == std::floor(fractal.lacunarity);
+        if (options.period != Vec<4>(0.0) && fractal.octaves > 1 && !whole) {
+          throw std::invalid_argument(
+              "lacunarity must be a whole number where there is a period and several octaves");
+        }
+      },
+      noise);
+}
+
+template <int Dim>
+std::unique_ptr<Noise<Dim>> make_noise(const NoiseRecipe& recipe) {
+  recipe.validate();
+  const FractalOptions& fractal = recipe.fractal;
+  return std::visit(
+      [&](const auto& options) -> std::unique_ptr<Noise<Dim>> {
+        if (fractal.octaves == 1) return make_single<Dim>(options);
+        double power = 0.0;
+        for (int k = 0; k < fractal.octaves; ++k) power += std::pow(fractal.gain, 2 * k);
+        const double scale = fractal.renormalize ? 1.0 / std::sqrt(power) : 1.0;
+
+        std::vector<typename FractalNoise<Dim>::Octave> octaves;
+        for (int k = 0; k < fractal.octaves; ++k) {
+          auto octave = options;
+          octave.frequency *= std::pow(fractal.lacunarity, k);
+          if (k > 0) octave.seed = derive_seed(options.seed, kOctaveStream + static_cast<std::uint64_t>(k));
+          octaves.push_back({make_single<Dim>(octave), scale * std::pow(fractal.gain, k)});
+        }
+        return std::make_unique<FractalNoise<Dim>>(std::move(octaves));
+      },
+      recipe.noise);
+}
+
+template std::unique_ptr<Noise<1>> make_noise<1>(const NoiseRecipe&);
+template std::unique_ptr<Noise<2>> make_noise<2>(const NoiseRecipe&);
+template std::unique_ptr<Noise<3>> make_noise<3>(const NoiseRecipe&);
+template std::unique_ptr<Noise<4>> make_noise<4>(const NoiseRecipe&);
+
+}  // namespace solidnoise

@@ -1,0 +1,186 @@
+#include "solidnoise/noise/oriented_gabor_noise.h"
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include <glm/geometric.hpp>
+
+#include "solidnoise/core/quadrature.h"
+#include "solidnoise/noise/bandwidth.h"
+#include "solidnoise/noise/impulse_statistics.h"
+#include "solidnoise/noise/impulse_sums.h"
+#include "solidnoise/noise/kernel_cells.h"
+#include "solidnoise/noise/radial_band.h"
+
+namespace solidnoise {
+namespace {
+
+template <int Dim>
+DirectionCone<Dim> make_directions(const OrientedGaborNoiseOptions& options) {
+  options.validate();
+  Vec<Dim> axis(0.0);
+  for (int i = 0; i < Dim; ++i) axis[i] = options.direction[i];
+  if (glm::length(axis) == 0.0) {
+    throw std::invalid_argument("direction has no component along the axes of this noise");
+  }
+  return {axis, options.anisotropy};
+}
+
+template <int Dim>
+typename OrientedGaborNoise<Dim>::Wave draw_wave(std::uint64_t mark, const DirectionCone<Dim>& directions,
+                                                 double frequency) {
+  RandomStream stream(mark);
+  const double phase = stream.next_unit();
+  return {frequency * directions.draw(stream), phase};
+}
+
+// An oriented kernel with a random phase and direction.
+template <int Dim>
+class WaveKernel final : public ImpulseKernel {
+ public:
+  WaveKernel(OrientedSum sum, const DirectionCone<Dim>& directions, double frequency,
+             const std::array<CellAxis, Dim>& axes)
+      : sum_(std::move(sum)), directions_(directions), frequency_(frequency), axes_(axes) {}
+
+  CullBox::Support support() const override { return CullBox::Support::box; }
+  int attribute_count() const override { return kRoles + 1; }
+
+  void draw(std::span<const std::uint64_t> marks, ImpulseAttributes& attributes) const override {
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+      const auto wave = draw_wave<Dim>(marks[i], directions_, frequency_);
+      for (int axis = 0; axis < Dim; ++axis) {
+        attributes[role_of_axis<Dim>(axis)][i] =
+            static_cast<float>(wave.frequency[axis] * axes_[axis].size());
+      }
+      attributes[kRoles][i] = static_cast<float>(wave.phase);
+    }
+  }
+
+  void sum(const ImpulseList& list, const SampleBrick& brick, Derivatives derivatives,
+           BrickSums& sums) const override {
+    sum_oriented(sum_, list, brick, derivatives, sums);
+  }
+  void sum(const ImpulseList& list, const SampleCluster& cluster, Derivatives derivatives,
+           ClusterSums& sums) const override {
+    sum_oriented(sum_, list, cluster, derivatives, sums);
+  }
+
+ private:
+  OrientedSum sum_;
+  DirectionCone<Dim> directions_;
+  double frequency_;
+  std::array<CellAxis, Dim> axes_;
+};
+
+// Mean of the kernel's power spectrum over the cone of directions, by quadrature over the polar angle and the
+// directions around the axis.
+template <int Dim>
+double mean_over_cone(const RandomPhaseGaborKernel<Dim>& kernel, const DirectionCone<Dim>& directions,
+                      const Vec<Dim>& f) {
+  const double frequency = glm::length(kernel.frequency());
+  const auto at = [&](double polar, const std::array<double, 3>& around) {
+    return RandomPhaseGaborKernel<Dim>(kernel.amplitude(), kernel.a(),
+                                       frequency * directions.at(polar, around))
+        .power_spectrum(f);
+  };
+  const double panels = std::max(2.0, std::ceil(0.5 * frequency / kernel.a()));
+  const int count = static_cast<int>(panels);
+  constexpr double kTurn = 2.0 * std::numbers::pi;
+  return integrate(
+      [&](double share) {
+        const double polar = directions.polar_angle(share);
+        if constexpr (Dim == 2) return 0.5 * (at(polar, {1.0, 0.0, 0.0}) + at(polar, {-1.0, 0.0, 0.0}));
+        if constexpr (Dim == 3) {
+          return integrate(
+              [&](double turn) {
+                return at(polar, {std::cos(kTurn * turn), std::sin(kTurn * turn), 0.0});
+              },
+              0.0, 1.0, count);
+        }
+        if constexpr (Dim == 4) {
+          return integrate(
+              [&](double half) {
+                const double height = 2.0 * half - 1.0;
+                const double width = std::sqrt(1.0 - height * height);
+                return integrate(
+                    [&](double turn) {
+                      return at(polar,
+                                {height, width * std::cos(kTurn * turn), width * std::sin(kTurn * turn)});
+                    },
+                    0.0, 1.0, count);
+              },
+              0.0, 1.0, count);
+        }
+        return at(0.0, {});
+      },
+      0.0, 1.0, count);
+}
+
+}  // namespace
+
+template <int Dim>
+OrientedGaborNoise<Dim>::OrientedGaborNoise(const OrientedGaborNoiseOptions& options)
+    : options_(options),
+      directions_(make_directions<Dim>(options)),
+      kernel_(1.0, gaussian_parameter(options.frequency, options.bandwidth),
+              options.frequency * directions_.axis()),
+      envelope_(compact_envelope(kernel_.a(), Dim, options.error)),
+      radius_(kernel_.radius_for_error(options.error)) {
+  // Means over the phase: cos^2 is 1/2 and cos^4 is 3/8.
+  const KernelMoments moments{0.5 * std::pow(envelope_.energy(), Dim),
+                              0.375 * std::pow(envelope_.fourth_moment(), Dim)};
+  impulses_ = options.impulses > 0.0 ? options.impulses : impulses_for_quality(Dim, radius_, moments);
+  density_ = solidnoise::impulse_density(Dim, impulses_, radius_);
+  excess_kurtosis_ = noise_excess_kurtosis(density_, moments);
+
+  const auto cells = make_kernel_cells<Dim>(envelope_.radius(), options.period);
+  convolution_ = std::make_shared<SparseConvolution<Dim>>(
+      ImpulseProcess<Dim>(cells.axes, density_ * cells.volume, derive_seed(options.seed, kImpulseStream)),
+      std::make_shared<WaveKernel<Dim>>(
+          OrientedSum{support_scale<Dim>(cells.radius), to_single_precision(envelope_)}, directions_,
+          options.frequency, cells.axes),
+      cells.radius, 1.0 / std::sqrt(noise_variance(density_, moments.second)));
+}
+
+template <int Dim>
+typename OrientedGaborNoise<Dim>::Wave OrientedGaborNoise<Dim>::wave(std::uint64_t mark) const {
+  return draw_wave<Dim>(mark, directions_, options_.frequency);
+}
+
+template <int Dim>
+double OrientedGaborNoise<Dim>::power_spectrum(const Vec<Dim>& frequency) const {
+  if (options_.anisotropy == 0.0 && Dim > 1) {
+    return kernel_.isotropic_power_spectrum(glm::length(frequency)) / kernel_.energy();
+  }
+  if (options_.anisotropy == 1.0 || Dim == 1) {
+    // A pair of products of the envelope's transforms; per axis the envelope is exact.
+    double sum = 0.0;
+    for (const double sign : {1.0, -1.0}) {
+      double product = 1.0;
+      for (int axis = 0; axis < Dim; ++axis) {
+        const double spectrum =
+            envelope_.spectrum(std::abs(frequency[axis] - sign * kernel_.frequency()[axis]));
+        product *= spectrum * spectrum / envelope_.energy();
+      }
+      sum += 0.5 * product;
+    }
+    return sum;
+  }
+  return mean_over_cone<Dim>(kernel_, directions_, frequency) / kernel_.energy();
+}
+
+template <int Dim>
+typename Noise<Dim>::Band OrientedGaborNoise<Dim>::band() const {
+  const auto density = [this](double f) {
+    return std::pow(f, Dim - 1) * kernel_.isotropic_power_spectrum(f);
+  };
+  return radial_band<Dim>(density, options_.frequency, kernel_.a());
+}
+
+template class OrientedGaborNoise<1>;
+template class OrientedGaborNoise<2>;
+template class OrientedGaborNoise<3>;
+template class OrientedGaborNoise<4>;
+
+}  // namespace solidnoise
