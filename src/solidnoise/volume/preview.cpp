@@ -97,14 +97,14 @@ struct Light {
 // a constant.
 std::vector<Light> make_lights(const View& view, UpAxis axis) {
   const Vec3d vertical = axis == UpAxis::y ? Vec3d(0, 1, 0) : Vec3d(0, 0, 1);
-  const Vec3d sun = (-0.75 * view.right + 0.75 * vertical + 0.35 * view.back).unit();
+  const Vec3d sun = (-0.85 * view.right + 0.70 * vertical + 0.25 * view.back).unit();
   return {
-      {sun, {0.80, 0.77, 0.71}, 0.05, 1.5},
-      {sun, {0.36, 0.35, 0.34}, 0.6, 3.0},
-      {(vertical + 0.25 * view.back + 0.2 * view.right).unit(), {0.16, 0.20, 0.27}, 0.3, 3.0},
+      {sun, {0.79, 0.76, 0.69}, 0.02, 1.5},
+      {sun, {0.24, 0.23, 0.22}, 0.4, 3.0},
+      {(vertical + 0.25 * view.back + 0.2 * view.right).unit(), {0.14, 0.18, 0.25}, 0.2, 3.0},
   };
 }
-const Vec3d kAmbient(0.10, 0.125, 0.17);
+const Vec3d kAmbient(0.07, 0.09, 0.125);
 
 // Renders one light's part in parallel, and adds it to `sum`: colour times coverage, and coverage.
 class LightPass {

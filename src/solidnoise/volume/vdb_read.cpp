@@ -2,11 +2,15 @@
 
 #include <cerrno>
 #include <fstream>
+#include <ios>
+#include <memory>
 #include <new>
 #include <stdexcept>
 #include <system_error>
 
 #include <fmt/format.h>
+
+#include "solidnoise/volume/vdb_reader.h"
 
 namespace solidnoise {
 namespace {
@@ -23,33 +27,26 @@ void require_readable(const std::filesystem::path& path) {
   }
 }
 
-// Opens a .vdb and gives it to `use`, whose result it returns; what OpenVDB throws becomes an error that
-// names the path.
-template <typename Use>
-auto with_open_file(const std::filesystem::path& path, const Use& use) {
-  require_readable(path);
-  openvdb::initialize();
+// Runs `read`; what it throws becomes an error that names the path.
+template <typename Read>
+auto guarded(const std::filesystem::path& path, const Read& read) {
   try {
-    openvdb::io::File file(path.string());
-    file.open(/*delayLoad=*/false);
-    return use(file);
-  } catch (const openvdb::Exception& error) {
-    throw std::runtime_error(fmt::format("{}: is not a .vdb, or damaged: {}", path.string(), error.what()));
+    return read();
   } catch (const std::bad_alloc&) {
     throw std::runtime_error(fmt::format("{}: is damaged, or too large for the memory", path.string()));
-  } catch (const std::length_error&) {
-    throw std::runtime_error(fmt::format("{}: is damaged", path.string()));
+  } catch (const std::ios_base::failure&) {
+    throw std::runtime_error(fmt::format("{}: is not a .vdb, or damaged: it ends too early", path.string()));
+  } catch (const std::exception& error) {
+    throw std::runtime_error(fmt::format("{}: is not a .vdb, or damaged: {}", path.string(), error.what()));
   }
 }
 
-// The grids' metadata, at least one.
-openvdb::GridPtrVec read_headers(openvdb::io::File& file) {
-  openvdb::GridPtrVec grids = *file.readAllGridMetadata();
-  if (grids.empty()) throw std::runtime_error(fmt::format("{}: holds no grids", file.filename()));
-  for (const openvdb::GridBase::Ptr& grid : grids) {
-    if (grid == nullptr) throw std::runtime_error(fmt::format("{}: is damaged", file.filename()));
-  }
-  return grids;
+// Opens a .vdb that has grids.
+std::unique_ptr<VdbReader> open_vdb(const std::filesystem::path& path) {
+  require_readable(path);
+  auto reader = guarded(path, [&] { return std::make_unique<VdbReader>(path); });
+  if (reader->grid_count() == 0) throw std::runtime_error(fmt::format("{}: holds no grids", path.string()));
+  return reader;
 }
 
 std::map<std::string, std::string> to_text(const openvdb::MetaMap& metadata) {
@@ -61,10 +58,11 @@ std::map<std::string, std::string> to_text(const openvdb::MetaMap& metadata) {
 }
 
 // Active voxels and their box: as the file's statistics say, or, if it has none, by reading the grid.
-void summarize_voxels(openvdb::io::File& file, const openvdb::GridBase& grid, GridSummary& summary) {
-  const auto count = grid.getMetadata<openvdb::Int64Metadata>(openvdb::GridBase::META_FILE_VOXEL_COUNT);
-  const auto lower = grid.getMetadata<openvdb::Vec3IMetadata>(openvdb::GridBase::META_FILE_BBOX_MIN);
-  const auto upper = grid.getMetadata<openvdb::Vec3IMetadata>(openvdb::GridBase::META_FILE_BBOX_MAX);
+void summarize_voxels(VdbReader& reader, std::size_t index, const openvdb::GridBase& header,
+                      GridSummary& summary) {
+  const auto count = header.getMetadata<openvdb::Int64Metadata>(openvdb::GridBase::META_FILE_VOXEL_COUNT);
+  const auto lower = header.getMetadata<openvdb::Vec3IMetadata>(openvdb::GridBase::META_FILE_BBOX_MIN);
+  const auto upper = header.getMetadata<openvdb::Vec3IMetadata>(openvdb::GridBase::META_FILE_BBOX_MAX);
   if (count != nullptr && lower != nullptr && upper != nullptr && count->value() >= 0) {
     summary.active_voxels = static_cast<std::uint64_t>(count->value());
     if (summary.active_voxels > 0) {
@@ -72,56 +70,50 @@ void summarize_voxels(openvdb::io::File& file, const openvdb::GridBase& grid, Gr
     }
     return;
   }
-  const openvdb::GridBase::Ptr full = file.readGrid(grid.getName());
+  const openvdb::GridBase::Ptr full = reader.read_grid(index);
   summary.active_voxels = full->activeVoxelCount();
   summary.voxel_bounds = full->evalActiveVoxelBoundingBox();
 }
 
-GridSummary summarize(openvdb::io::File& file, const openvdb::GridBase& grid) {
+GridSummary summarize(VdbReader& reader, std::size_t index) {
+  const openvdb::GridBase::Ptr grid = reader.read_header(index);
   GridSummary summary;
-  summary.name = grid.getName();
-  summary.value_type = grid.valueType();
-  summary.grid_class = openvdb::GridBase::gridClassToString(grid.getGridClass());
-  summary.saved_as_half = grid.saveFloatAsHalf();
-  const openvdb::Vec3d voxel = grid.transform().voxelSize();
+  summary.name = reader.grid_name(index);
+  summary.value_type = grid->valueType();
+  summary.grid_class = openvdb::GridBase::gridClassToString(grid->getGridClass());
+  summary.saved_as_half = grid->saveFloatAsHalf();
+  const openvdb::Vec3d voxel = grid->transform().voxelSize();
   summary.voxel_size = {voxel.x(), voxel.y(), voxel.z()};
-  summary.metadata = to_text(grid);
-  summarize_voxels(file, grid, summary);
+  summary.metadata = to_text(*grid);
+  summarize_voxels(reader, index, *grid, summary);
   return summary;
 }
 
-std::string list_names(const openvdb::GridPtrVec& grids) {
-  std::string names;
-  for (const openvdb::GridBase::Ptr& grid : grids) {
-    names += fmt::format("{}'{}' ({})", names.empty() ? "" : ", ", grid->getName(), grid->valueType());
-  }
-  return names;
-}
-
-// The first grid that has the name, or any name if it is empty, and that `suits`; its tree is not read yet.
+// Reads the first grid that has the name, or any name if it is empty, and whose header `suits`. `kind` says
+// in messages what was looked for.
 template <typename Suits>
 openvdb::GridBase::Ptr read_matching(const std::filesystem::path& path, const std::string& name,
                                      const char* kind, const Suits& suits) {
-  return with_open_file(path, [&](openvdb::io::File& file) {
-    const openvdb::GridPtrVec headers = read_headers(file);
-    for (const openvdb::GridBase::Ptr& header : headers) {
-      const bool named = name.empty() || header->getName() == name;
-      if (named && suits(*header)) return file.readGrid(header->getName());
-    }
-    const std::string wanted = name.empty() ? std::string() : fmt::format(" '{}'", name);
-    throw std::runtime_error(
-        fmt::format("{}: has no {}{}; it has {}", path.string(), kind, wanted, list_names(headers)));
-  });
+  const std::unique_ptr<VdbReader> reader = open_vdb(path);
+  std::string names;
+  for (std::size_t i = 0; i < reader->grid_count(); ++i) {
+    const openvdb::GridBase::Ptr header = guarded(path, [&] { return reader->read_header(i); });
+    const bool named = name.empty() || reader->grid_name(i) == name;
+    if (named && suits(*header)) return guarded(path, [&] { return reader->read_grid(i); });
+    names += fmt::format("{}'{}' ({})", i == 0 ? "" : ", ", reader->grid_name(i), header->valueType());
+  }
+  const std::string wanted = name.empty() ? std::string() : fmt::format(" '{}'", name);
+  throw std::runtime_error(fmt::format("{}: has no {}{}; it has {}", path.string(), kind, wanted, names));
 }
 
 }  // namespace
 
 VdbSummary read_vdb_summary(const std::filesystem::path& path) {
-  return with_open_file(path, [](openvdb::io::File& file) {
+  const std::unique_ptr<VdbReader> reader = open_vdb(path);
+  return guarded(path, [&] {
     VdbSummary summary;
-    summary.metadata = to_text(*file.getMetadata());
-    for (const openvdb::GridBase::Ptr& grid : read_headers(file))
-      summary.grids.push_back(summarize(file, *grid));
+    summary.metadata = to_text(reader->metadata());
+    for (std::size_t i = 0; i < reader->grid_count(); ++i) summary.grids.push_back(summarize(*reader, i));
     return summary;
   });
 }
@@ -131,12 +123,8 @@ openvdb::GridBase::Ptr read_grid(const std::filesystem::path& path, const std::s
 }
 
 openvdb::FloatGrid::Ptr read_float_grid(const std::filesystem::path& path, const std::string& name) {
-  const openvdb::GridBase::Ptr grid =
-      read_matching(path, name, "grid of floats",
-                    [](const openvdb::GridBase& header) { return header.isType<openvdb::FloatGrid>(); });
-  openvdb::FloatGrid::Ptr floats = openvdb::gridPtrCast<openvdb::FloatGrid>(grid);
-  if (floats == nullptr) throw std::runtime_error(fmt::format("{}: is damaged", path.string()));
-  return floats;
+  const auto is_float = [](const openvdb::GridBase& header) { return header.isType<openvdb::FloatGrid>(); };
+  return openvdb::gridPtrCast<openvdb::FloatGrid>(read_matching(path, name, "grid of floats", is_float));
 }
 
 }  // namespace solidnoise

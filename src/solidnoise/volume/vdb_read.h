@@ -29,14 +29,13 @@ struct VdbSummary {
   std::vector<GridSummary> grids;               // in the file's order, at least one
 };
 
-// Each function reads all that it returns at once (OpenVDB's delayed loading crashes on damaged files), and
-// throws std::runtime_error naming the path if the file cannot be read, is no .vdb, is damaged, or holds no
-// grids.
+// Each function throws std::runtime_error naming the path if the file cannot be read, is no .vdb, is damaged
+// as far as that shows (values have no checksums), or holds no grids.
 
 VdbSummary read_vdb_summary(const std::filesystem::path& path);
 
-// The grid of this name, or, if `name` is empty, the first one. Throws std::runtime_error listing the names
-// that exist if there is none.
+// All of the grid of this name, or, if `name` is empty, of the first one. Throws std::runtime_error listing
+// the names that exist if there is none.
 openvdb::GridBase::Ptr read_grid(const std::filesystem::path& path, const std::string& name = {});
 
 // The same for a grid of floats (stored as half or not); `name` empty: the first grid of floats. Throws

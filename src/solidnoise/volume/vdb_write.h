@@ -14,8 +14,9 @@
 
 namespace solidnoise {
 
-// Blosc is the best for floats; for half floats none is as small. Zip gains nothing on noise and is slow.
-// With each, inactive voxels take no room.
+// Blosc is the best for floats; for half floats `none` is as small. OpenVDB applies zip to grids of other
+// classes than fog volume and level set only, and on noise it gains nothing. With each, inactive voxels take
+// no room.
 enum class Codec { none, zip, blosc };
 
 enum class Existing { refuse, replace };
@@ -33,10 +34,10 @@ void set_fog_volume(openvdb::FloatGrid& grid, const std::string& name, const std
 struct VdbWriteOptions {
   Codec codec = Codec::blosc;
   Existing existing = Existing::refuse;
-  std::string creator;           // such as "vdbnoise 0.1.0"
-  std::optional<int> frame;      // frame number
-  std::optional<double> fps;     // frames per second
-  Progress* progress = nullptr;  // asked for cancellation while writing
+  std::string creator = {};        // such as "vdbnoise 0.1.0"
+  std::optional<int> frame = {};   // frame number
+  std::optional<double> fps = {};  // frames per second
+  Progress* progress = nullptr;    // asked for cancellation while writing
 };
 
 // The output exists and was not to be replaced. The message names the path.

@@ -1,0 +1,133 @@
+#include "solidnoise/volume/vdb_reader.h"
+
+#include <stdexcept>
+
+namespace solidnoise {
+
+VdbReader::VdbReader(const std::filesystem::path& path) : stream_(path, std::ios::binary) {
+  openvdb::initialize();
+  stream_.exceptions(std::ios::badbit | std::ios::failbit);
+  stream_.seekg(0, std::ios::end);
+  size_ = stream_.tellg();
+  stream_.seekg(0);
+
+  readHeader(stream_);
+  // OpenVDB's functions look up version, compression and the like in the stream.
+  stream_metadata_ = std::make_shared<openvdb::io::StreamMetadata>();
+  stream_metadata_->setSeekable(true);
+  openvdb::io::setStreamMetadataPtr(stream_, stream_metadata_, /*transfer=*/false);
+  setFormatVersion(stream_);
+  setLibraryVersion(stream_);
+  setDataCompression(stream_);
+
+  check_metadata();
+  metadata_.readMeta(stream_);
+  const std::int32_t count = readGridCount(stream_);
+  for (std::int32_t i = 0; i < count; ++i) read_entry();
+}
+
+void VdbReader::read_entry() {
+  check_descriptor();
+  Entry entry;
+  openvdb::GridBase::Ptr grid = entry.descriptor.read(stream_);
+  if (inputHasGridOffsets()) {
+    require_in_file(entry.descriptor.getGridPos());
+    require_in_file(entry.descriptor.getBlockPos());
+    require_in_file(entry.descriptor.getEndPos());
+    // Each grid is read at most once on the way, so that a file cannot lead in circles.
+    if (entry.descriptor.getEndPos() < stream_.tellg()) throw std::runtime_error("offsets out of order");
+    entry.descriptor.seekToEnd(stream_);
+  } else {
+    check_grid();
+    readGrid(grid, entry.descriptor, stream_);
+    entry.grid = grid;
+  }
+  entries_.push_back(std::move(entry));
+}
+
+std::string VdbReader::grid_name(std::size_t index) const {
+  return entries_[index].descriptor.gridName();
+}
+
+openvdb::GridBase::Ptr VdbReader::read_header(std::size_t index) {
+  const Entry& entry = entries_[index];
+  if (entry.grid != nullptr) return entry.grid;
+  entry.descriptor.seekToGrid(stream_);
+  openvdb::GridBase::Ptr grid = openvdb::GridBase::createGrid(entry.descriptor.gridType());
+  grid->setSaveFloatAsHalf(entry.descriptor.saveFloatAsHalf());
+  check_grid();
+  readGridCompression(stream_);
+  grid->readMeta(stream_);
+  grid->readTransform(stream_);
+  return grid;
+}
+
+openvdb::GridBase::Ptr VdbReader::read_grid(std::size_t index) {
+  const Entry& entry = entries_[index];
+  openvdb::GridBase::Ptr grid = entry.grid;
+  if (grid == nullptr) {
+    entry.descriptor.seekToGrid(stream_);
+    check_grid();
+    grid = openvdb::GridBase::createGrid(entry.descriptor.gridType());
+    grid->setSaveFloatAsHalf(entry.descriptor.saveFloatAsHalf());
+    readGrid(grid, entry.descriptor, stream_);
+    if (stream_.tellg() != entry.descriptor.getEndPos()) throw std::runtime_error("a grid's size is wrong");
+  }
+  if (!entry.descriptor.isInstance()) return grid;
+
+  // The grid shares its tree with another one.
+  for (std::size_t other = 0; other < entries_.size(); ++other) {
+    const openvdb::io::GridDescriptor& parent = entries_[other].descriptor;
+    if (parent.uniqueName() != entry.descriptor.instanceParentName() || parent.isInstance()) continue;
+    grid->setTree(read_grid(other)->baseTreePtr());
+    return grid;
+  }
+  throw std::runtime_error("a grid shares the tree of one that is not there");
+}
+
+void VdbReader::check_metadata() {
+  const auto start = stream_.tellg();
+  skim_metadata();
+  stream_.seekg(start);
+}
+
+void VdbReader::check_descriptor() {
+  const auto start = stream_.tellg();
+  for (int i = 0; i < 3; ++i) skim_string();  // name, type, name of the grid whose tree it shares
+  stream_.seekg(start);
+}
+
+void VdbReader::check_grid() {
+  const auto start = stream_.tellg();
+  if (fileVersion() >= openvdb::OPENVDB_FILE_VERSION_NODE_MASK_COMPRESSION) skim_size();  // the codec's flags
+  skim_metadata();
+  skim_string();  // the transform's type
+  stream_.seekg(start);
+}
+
+void VdbReader::skim_metadata() {
+  const std::uint32_t count = skim_size();
+  for (std::uint32_t i = 0; i < count; ++i) {
+    skim_string();  // name
+    skim_string();  // type
+    skim_string();  // value: a size and as many bytes, like a string
+  }
+}
+
+void VdbReader::skim_string() {
+  const std::int64_t end = static_cast<std::int64_t>(skim_size()) + stream_.tellg();
+  require_in_file(end);
+  stream_.seekg(end);
+}
+
+std::uint32_t VdbReader::skim_size() {
+  std::uint32_t size = 0;
+  stream_.read(reinterpret_cast<char*>(&size), sizeof(size));
+  return size;
+}
+
+void VdbReader::require_in_file(std::int64_t position) const {
+  if (position < 0 || position > size_) throw std::runtime_error("it ends too early");
+}
+
+}  // namespace solidnoise

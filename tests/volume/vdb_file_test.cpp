@@ -1,0 +1,280 @@
+#include <cmath>
+#include <csignal>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <sys/resource.h>
+
+#include <gtest/gtest.h>
+
+#include "solidnoise/volume/fill.h"
+#include "solidnoise/volume/vdb_read.h"
+#include "solidnoise/volume/vdb_write.h"
+#include "support/message_of.h"
+#include "support/temporary_folder.h"
+#include "support/wave_field.h"
+
+namespace solidnoise {
+namespace {
+
+openvdb::FloatGrid::Ptr wave_grid(double radius = 1.0) {
+  const WaveField field(Vec<3>(1.0, 2.0, 3.0));
+  const auto grid =
+      fill_grid(sphere_topology(GridFrame(0.1), Vec<3>(0.0), radius), field, Sparsity::keep).grid;
+  set_fog_volume(*grid, "density", "tests");
+  return grid;
+}
+
+bool same_values(const openvdb::FloatGrid& a, const openvdb::FloatGrid& b) {
+  if (!a.tree().hasSameTopology(b.tree())) return false;
+  for (auto value = a.cbeginValueAll(); value; ++value) {
+    if (b.tree().getValue(value.getCoord()) != *value) return false;
+  }
+  return true;
+}
+
+std::string read_bytes(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+void write_bytes(const std::filesystem::path& path, const std::string& bytes) {
+  std::ofstream(path, std::ios::binary) << bytes;
+}
+
+// What write_vdb says when it refuses.
+std::string refusal(const std::filesystem::path& path, const VdbWriteOptions& options = {}) {
+  return message_of<std::runtime_error>([&] { write_vdb(path, {wave_grid()}, options); });
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(VdbFile, KeepsValuesTopologyFrameAndMetadata) {
+  const TemporaryFolder folder;
+  const auto grid = wave_grid();
+  set_metadata(*grid, {{"text", std::string("a \"b\" \n c")},
+                       {"integer", std::int64_t{1} << 40},
+                       {"real", 0.1},
+                       {"flag", true}});
+  for (const Codec codec : {Codec::none, Codec::zip, Codec::blosc}) {
+    const auto path = folder / "cloud.vdb";
+    write_vdb(path, {grid},
+              {.codec = codec, .existing = Existing::replace, .creator = "tests 1", .frame = 7, .fps = 24.0});
+    const auto read = read_float_grid(path, "density");
+    EXPECT_TRUE(same_values(*grid, *read));
+    EXPECT_EQ(read->transform(), grid->transform());
+    EXPECT_EQ(read->getGridClass(), openvdb::GRID_FOG_VOLUME);
+    EXPECT_EQ(read->metaValue<std::string>("text"), "a \"b\" \n c");
+    EXPECT_EQ(read->metaValue<std::int64_t>("integer"), std::int64_t{1} << 40);
+    EXPECT_EQ(read->metaValue<double>("real"), 0.1);
+    EXPECT_EQ(read->metaValue<bool>("flag"), true);
+
+    const VdbSummary summary = read_vdb_summary(path);
+    EXPECT_EQ(summary.metadata.at("creator"), "tests 1");
+    EXPECT_EQ(summary.metadata.at("frame"), "7");
+    EXPECT_EQ(summary.metadata.at("fps"), "24");
+    ASSERT_EQ(summary.grids.size(), 1u);
+    EXPECT_EQ(summary.grids[0].name, "density");
+    EXPECT_EQ(summary.grids[0].value_type, "float");
+    EXPECT_EQ(summary.grids[0].grid_class, "fog volume");
+    EXPECT_EQ(summary.grids[0].voxel_size, Vec<3>(0.1));
+    EXPECT_EQ(summary.grids[0].active_voxels, grid->activeVoxelCount());
+    EXPECT_EQ(summary.grids[0].voxel_bounds, grid->evalActiveVoxelBoundingBox());
+    EXPECT_EQ(summary.grids[0].metadata.at("real"), "0.1");
+  }
+  EXPECT_EQ(folder.count(), 1u);  // no temporary file is left
+}
+
+TEST(VdbFile, HoldsHalfFloatsWhenTheGridAsksForThem) {
+  const TemporaryFolder folder;
+  const auto grid = wave_grid();
+  write_vdb(folder / "full.vdb", {grid}, {.codec = Codec::none});
+  grid->setSaveFloatAsHalf(true);
+  write_vdb(folder / "half.vdb", {grid}, {.codec = Codec::none});
+  const auto read = read_float_grid(folder / "half.vdb");
+  for (auto value = grid->cbeginValueOn(); value; ++value) {
+    // A half has 11 significant bits.
+    const float rounded = read->tree().getValue(value.getCoord());
+    EXPECT_NEAR(rounded, *value, std::ldexp(std::abs(*value), -11) + 1e-7f);
+  }
+  EXPECT_TRUE(read_vdb_summary(folder / "half.vdb").grids[0].saved_as_half);
+  const auto saved = static_cast<double>(std::filesystem::file_size(folder / "full.vdb")) -
+                     static_cast<double>(std::filesystem::file_size(folder / "half.vdb"));
+  // Two bytes for each active value, but for the metadata that says so.
+  EXPECT_NEAR(saved, 2.0 * static_cast<double>(grid->activeVoxelCount()), 100.0);
+}
+
+TEST(VdbFile, HoldsSeveralGridsThatAreReadByName) {
+  const TemporaryFolder folder;
+  const auto density = wave_grid();
+  const auto heat = wave_grid(0.5);
+  heat->setName("temperature");
+  const auto velocity = openvdb::Vec3SGrid::create();
+  velocity->setName("vel");
+  velocity->tree().setValueOn(openvdb::Coord(1), openvdb::Vec3s(1));
+  const auto path = folder / "many.vdb";
+  write_vdb(path, {velocity, density, heat}, {});
+  EXPECT_EQ(read_vdb_summary(path).grids.size(), 3u);
+  EXPECT_TRUE(same_values(*read_float_grid(path, "temperature"), *heat));
+  EXPECT_TRUE(same_values(*read_float_grid(path), *density));  // the first of floats
+  EXPECT_EQ(read_grid(path)->getName(), "vel");
+  EXPECT_EQ(read_grid(path, "vel")->valueType(), "vec3s");
+
+  const auto missing = message_of<std::runtime_error>([&] { read_grid(path, "fuel"); });
+  EXPECT_TRUE(contains(missing, "many.vdb: has no grid 'fuel'; it has 'vel' (vec3s), 'density' (float)"))
+      << missing;
+  const auto wrong = message_of<std::runtime_error>([&] { read_float_grid(path, "vel"); });
+  EXPECT_TRUE(contains(wrong, "no grid of floats 'vel'")) << wrong;
+}
+
+TEST(VdbFile, ThatWasStreamedIsReadByNameToo) {
+  const TemporaryFolder folder;
+  const auto grid = wave_grid();
+  {
+    std::ofstream stream(folder / "streamed.vdb", std::ios::binary);
+    write_vdb(stream, {grid}, {});
+  }
+  EXPECT_TRUE(same_values(*read_float_grid(folder / "streamed.vdb", "density"), *grid));
+  EXPECT_EQ(read_vdb_summary(folder / "streamed.vdb").grids[0].active_voxels, grid->activeVoxelCount());
+}
+
+TEST(WriteVdb, RefusesAnExistingFileUnlessItIsToBeReplaced) {
+  const TemporaryFolder folder;
+  const auto path = folder / "cloud.vdb";
+  write_bytes(path, "precious");
+  EXPECT_THROW(write_vdb(path, {wave_grid()}, {}), OutputExists);
+  EXPECT_TRUE(contains(refusal(path), "cloud.vdb: exists already"));
+  EXPECT_EQ(read_bytes(path), "precious");
+  write_vdb(path, {wave_grid()}, {.existing = Existing::replace});
+  EXPECT_NO_THROW(read_float_grid(path));
+  EXPECT_EQ(folder.count(), 1u);
+}
+
+TEST(WriteVdb, RefusesWhatCannotBeAFileOfOurs) {
+  const TemporaryFolder folder;
+  EXPECT_TRUE(contains(refusal(folder / "no/cloud.vdb"), "there is no folder"));
+  EXPECT_TRUE(contains(refusal(folder / ""), "is a folder"));
+  EXPECT_TRUE(
+      contains(refusal("/dev/null", {.existing = Existing::replace}), "/dev/null: is not a regular file"));
+  write_bytes(folder / "file", "x");
+  EXPECT_TRUE(contains(refusal(folder / "file/cloud.vdb"), "file/cloud.vdb: there is no folder"));
+  EXPECT_EQ(folder.count(), 1u);
+}
+
+TEST(WriteVdb, TakesFileNamesOfAnyLengthTheSystemAllows) {
+  const TemporaryFolder folder;
+  const auto path = folder / (std::string(251, 'x') + ".vdb");
+  write_vdb(path, {wave_grid()}, {});
+  EXPECT_NO_THROW(read_float_grid(path));
+  const auto too_long = folder / (std::string(252, 'x') + ".vdb");
+  EXPECT_TRUE(contains(refusal(too_long), "cannot be written"));
+  EXPECT_EQ(folder.count(), 1u);
+}
+
+TEST(WriteVdb, WritesThroughALink) {
+  const TemporaryFolder folder;
+  write_bytes(folder / "target.vdb", "old");
+  std::filesystem::create_symlink(folder / "target.vdb", folder / "link.vdb");
+  write_vdb(folder / "link.vdb", {wave_grid()}, {.existing = Existing::replace});
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "link.vdb"));
+  EXPECT_NO_THROW(read_float_grid(folder / "target.vdb"));
+}
+
+TEST(WriteVdb, ReportsAFullDiskAndLeavesNothingBehind) {
+  const TemporaryFolder folder;
+  write_bytes(folder / "old.vdb", "precious");
+  // A limit on the size of files does what a full disk does: write() fails in the middle.
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit small{4096, before.rlim_max};
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+  const std::string fresh = refusal(folder / "cloud.vdb");
+  const std::string replaced = refusal(folder / "old.vdb", {.existing = Existing::replace});
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, old_handler);
+
+  EXPECT_TRUE(contains(fresh, "cloud.vdb: writing failed: ")) << fresh;
+  EXPECT_TRUE(contains(replaced, "old.vdb: writing failed: ")) << replaced;
+  EXPECT_EQ(folder.count(), 1u);
+  EXPECT_EQ(read_bytes(folder / "old.vdb"), "precious");
+}
+
+TEST(WriteVdb, ReportsAStreamThatFails) {
+  std::ofstream full("/dev/full", std::ios::binary);
+  ASSERT_TRUE(full);
+  EXPECT_THROW(write_vdb(full, {wave_grid()}, {}), std::runtime_error);
+}
+
+TEST(WriteVdb, StopsWhenAskedAndLeavesNothingBehind) {
+  class Stop final : public Progress {
+    void advance(std::uint64_t, std::uint64_t) override {}
+    bool cancelled() override { return true; }
+  } stop;
+  const TemporaryFolder folder;
+  EXPECT_THROW(write_vdb(folder / "cloud.vdb", {wave_grid()}, {.progress = &stop}), Cancelled);
+  EXPECT_EQ(folder.count(), 0u);
+}
+
+TEST(ReadVdb, NamesFilesThatAreNotGrids) {
+  const TemporaryFolder folder;
+  const auto refused = [&](const std::filesystem::path& path) {
+    return message_of<std::runtime_error>([&] { read_vdb_summary(path); });
+  };
+  EXPECT_TRUE(contains(refused(folder / "none.vdb"), "none.vdb: cannot be read: No such file"));
+  EXPECT_TRUE(contains(refused(folder / ""), "is a folder"));
+  write_bytes(folder / "empty.vdb", "");
+  EXPECT_TRUE(contains(refused(folder / "empty.vdb"), "empty.vdb: is not a .vdb, or damaged"));
+  write_bytes(folder / "text.vdb", "just some text, but more than twenty bytes of it");
+  EXPECT_TRUE(contains(refused(folder / "text.vdb"), "text.vdb: is not a .vdb, or damaged"));
+  write_vdb(folder / "zero.vdb", {}, {});
+  EXPECT_TRUE(contains(refused(folder / "zero.vdb"), "zero.vdb: holds no grids"));
+}
+
+// Reading it may succeed, or fail as documented; anything else ends the test program.
+bool reads(const std::filesystem::path& path) {
+  try {
+    read_vdb_summary(path);
+    read_float_grid(path, "density");
+    return true;
+  } catch (const std::runtime_error& error) {
+    EXPECT_TRUE(contains(error.what(), path.filename().string())) << error.what();
+    return false;
+  }
+}
+
+TEST(ReadVdb, RefusesAFileThatIsCutAnywhere) {
+  const TemporaryFolder folder;
+  write_vdb(folder / "whole.vdb", {wave_grid(0.5)}, {.codec = Codec::none});
+  const std::string whole = read_bytes(folder / "whole.vdb");
+  for (std::size_t length = 0; length < whole.size(); length += 1 + length / 50) {
+    write_bytes(folder / "cut.vdb", whole.substr(0, length));
+    EXPECT_FALSE(reads(folder / "cut.vdb")) << length << " of " << whole.size();
+  }
+}
+
+TEST(ReadVdb, SurvivesFlippedBits) {
+  const TemporaryFolder folder;
+  write_vdb(folder / "whole.vdb", {wave_grid(0.3)}, {.codec = Codec::none});
+  const std::string whole = read_bytes(folder / "whole.vdb");
+  std::mt19937_64 random(1);
+  int refused = 0;
+  for (int flip = 0; flip < 500; ++flip) {
+    std::string damaged = whole;
+    // The first kilobytes hold what sizes and offsets there are; the rest is mostly values.
+    const std::size_t byte =
+        random() % std::min<std::size_t>(damaged.size(), flip % 2 == 0 ? 1500 : damaged.size());
+    damaged[byte] = static_cast<char>(damaged[byte] ^ (1 << (random() % 8)));
+    write_bytes(folder / "damaged.vdb", damaged);
+    refused += !reads(folder / "damaged.vdb");
+  }
+  EXPECT_GT(refused, 50);  // so that the errors' path was tried
+}
+
+}  // namespace
+}  // namespace solidnoise
