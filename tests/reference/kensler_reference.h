@@ -36,55 +36,68 @@ class KenslerProcedure {
   double operator()(const Position& point) const {
     // The stencil: 4 lattice points per axis, -1 to 2 from the cell's corner; 0 and 1 (times 2) of the
     // coarser grid.
-    std::array<std::int64_t, Dim> corner;
+    const int first = setting_.stride == 1 ? -1 : 0;
+    Stencil stencil;
     for (std::size_t axis = 0; axis < Dim; ++axis) {
-      corner[axis] = static_cast<std::int64_t>(std::floor(point[axis] / setting_.stride)) * setting_.stride;
+      const double corner = std::floor(point[axis] / setting_.stride);
+      for (int step = 0; step < points_per_axis(); ++step) {
+        const double lattice_point = (corner + first + step) * setting_.stride;
+        const std::size_t at = static_cast<std::size_t>(step);
+        stencil.offset[axis][at] = point[axis] - lattice_point;
+        stencil.lattice_point[axis][at] = wrap(static_cast<std::int64_t>(lattice_point), axis);
+        stencil.permuted[axis][at] =
+            permutations_[axis][static_cast<std::size_t>(stencil.lattice_point[axis][at] & 255)];
+      }
     }
-    std::array<std::int64_t, Dim> lattice_point;
-    Position offset;
-    return sum_from_axis<0>(point, corner, lattice_point, offset, 0.0);
+    std::array<std::size_t, Dim> chosen;
+    return sum_from_axis<0>(stencil, chosen, 0.0, 0);
   }
 
  private:
+  struct Stencil {
+    std::array<std::array<double, 4>, Dim> offset;
+    std::array<std::array<std::int64_t, 4>, Dim> lattice_point;
+    std::array<std::array<std::size_t, 4>, Dim> permuted;
+  };
+
+  int points_per_axis() const { return setting_.stride == 1 ? 4 : 2; }
+
+  std::int64_t wrap(std::int64_t i, std::size_t axis) const {
+    const std::int64_t period = setting_.period[axis];
+    return period == 0 ? i : (i % period + period) % period;
+  }
+
   template <std::size_t Axis>
-  double sum_from_axis(const Position& point, const std::array<std::int64_t, Dim>& corner,
-                       std::array<std::int64_t, Dim>& lattice_point, Position& offset, double squared) const {
+  double sum_from_axis(const Stencil& stencil, std::array<std::size_t, Dim>& chosen, double squared,
+                       std::size_t hash) const {
     if constexpr (Axis == Dim) {
       if (squared >= 4.0) return 0.0;
-      const std::size_t h = hash(lattice_point);
+      const Vec<Dim>& gradient = gradients_[setting_.integer_hash ? integer_hash(stencil, chosen) : hash];
       double dot = 0.0;
       for (std::size_t axis = 0; axis < Dim; ++axis) {
-        dot += offset[axis] * gradients_[h][static_cast<glm::length_t>(axis)];
+        dot += stencil.offset[axis][chosen[axis]] * gradient[static_cast<glm::length_t>(axis)];
       }
       const double t = 1.0 - squared / 4.0;
-      const double t4 = t * t * t * t;
+      const double t4 = (t * t) * (t * t);
       return dot * (setting_.c1 * t4 * t - setting_.c2 * t4);
     } else {
-      const int first = setting_.stride == 1 ? -1 : 0;
-      const int last = setting_.stride == 1 ? 2 : 1;
       double sum = 0.0;
-      for (int step = first; step <= last; ++step) {
-        lattice_point[Axis] = corner[Axis] + step * setting_.stride;
-        offset[Axis] = point[Axis] - static_cast<double>(lattice_point[Axis]);
-        sum += sum_from_axis<Axis + 1>(point, corner, lattice_point, offset,
-                                       squared + offset[Axis] * offset[Axis]);
+      for (std::size_t step = 0; step < static_cast<std::size_t>(points_per_axis()); ++step) {
+        chosen[Axis] = step;
+        const double offset = stencil.offset[Axis][step];
+        sum += sum_from_axis<Axis + 1>(stencil, chosen, squared + offset * offset,
+                                       hash ^ stencil.permuted[Axis][step]);
       }
       return sum;
     }
   }
 
-  std::size_t hash(const std::array<std::int64_t, Dim>& lattice_point) const {
-    std::size_t exclusive_or = 0;
-    Index<Dim> wrapped;
+  std::size_t integer_hash(const Stencil& stencil, const std::array<std::size_t, Dim>& chosen) const {
+    Index<Dim> point;
     for (std::size_t axis = 0; axis < Dim; ++axis) {
-      std::int64_t i = lattice_point[axis];
-      if (setting_.period[axis] > 0)
-        i = (i % setting_.period[axis] + setting_.period[axis]) % setting_.period[axis];
-      wrapped[static_cast<glm::length_t>(axis)] = i;
-      exclusive_or ^= permutations_[axis][static_cast<std::size_t>(i & 255)];
+      point[static_cast<glm::length_t>(axis)] = stencil.lattice_point[axis][chosen[axis]];
     }
-    return setting_.integer_hash ? hash_cell<Dim>(wrapped, gradient_hash_key(setting_.seed)) & 255u
-                                 : exclusive_or;
+    return hash_cell<Dim>(point, gradient_hash_key(setting_.seed)) & 255u;
   }
 
   Setting setting_;

@@ -6,20 +6,47 @@
 // After foreach_target.h, which must come first.
 #include <hwy/highway.h>
 
-#include "solidnoise/noise/gradient_noise-inl.h"
+#include "solidnoise/noise/gradient_cluster_sum-inl.h"
+#include "solidnoise/noise/gradient_tile_sum-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace solidnoise {
 namespace HWY_NAMESPACE {
+namespace gradient_noise {
+
+template <int kDim, typename Batch, typename Results>
+void sum_terms(const GradientSum& sum, const Batch& batch, GradientOutput output, Results& results) {
+  if (output == GradientOutput::value) {
+    sum_terms<kDim, GradientOutput::value>(sum, batch, results);
+  } else {
+    sum_terms<kDim, GradientOutput::value_and_derivative>(sum, batch, results);
+  }
+}
+
+template <typename Batch, typename Results>
+void sum_terms(const GradientSum& sum, const Batch& batch, GradientOutput output, Results& results) {
+  switch (sum.dimensions) {
+    case 1:
+      return sum_terms<1>(sum, batch, output, results);
+    case 2:
+      return sum_terms<2>(sum, batch, output, results);
+    case 3:
+      return sum_terms<3>(sum, batch, output, results);
+    default:
+      return sum_terms<4>(sum, batch, output, results);
+  }
+}
+
+}  // namespace gradient_noise
 
 void sum_gradient_tile(const GradientSum& sum, const GradientTile& tile, GradientOutput output,
                        GradientTileResults& results) {
-  gradient_noise::sum_any(sum, tile, output, results);
+  gradient_noise::sum_terms(sum, tile, output, results);
 }
 
 void sum_gradient_cluster(const GradientSum& sum, const GradientCluster& cluster, GradientOutput output,
                           GradientClusterResults& results) {
-  gradient_noise::sum_any(sum, cluster, output, results);
+  gradient_noise::sum_terms(sum, cluster, output, results);
 }
 
 }  // namespace HWY_NAMESPACE

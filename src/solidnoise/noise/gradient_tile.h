@@ -48,7 +48,7 @@ struct GradientTile {
 
   alignas(64) float mid[2][kLanes] = {};
   alignas(64) float fast[2][kLanes] = {};
-  float slow[2][kSlow] = {};
+  alignas(64) float slow[2][kSlow] = {};
   float outer = 0.0f;
   int groups[kGradientRoles] = {1, 1, 1, 1};
   GradientRows lattice;
