@@ -17,6 +17,7 @@ struct CellPosition {
 class CellAxis {
  public:
   static constexpr int kFractionBits = 20;
+  static constexpr std::int64_t kQuantaPerCell = std::int64_t{1} << kFractionBits;
   static constexpr double kMaxSpan = 12.0;  // cells a block may span, with a margin of 4 for its neighbours
 
   CellAxis() = default;
@@ -27,14 +28,18 @@ class CellAxis {
   double size() const { return size_; }
   std::int64_t period_cells() const { return period_cells_; }
 
-  CellPosition locate(double coordinate) const {
-    constexpr std::int64_t kQuanta = std::int64_t{1} << kFractionBits;
-    const double scaled = coordinate * cells_per_unit_ * static_cast<double>(kQuanta) + 0.5;
+  // A coordinate in quanta of 2^-20 of a cell, rounded.
+  std::int64_t quanta(double coordinate) const {
+    const double scaled = coordinate * cells_per_unit_ * static_cast<double>(kQuantaPerCell) + 0.5;
     // The floor, by integers: std::floor is a slow call on processors without SSE 4.1.
-    std::int64_t quanta = static_cast<std::int64_t>(scaled);
-    if (static_cast<double>(quanta) > scaled) --quanta;
-    return {quanta >> kFractionBits,
-            static_cast<float>(quanta & (kQuanta - 1)) / static_cast<float>(kQuanta)};
+    const std::int64_t truncated = static_cast<std::int64_t>(scaled);
+    return truncated - (static_cast<double>(truncated) > scaled ? 1 : 0);
+  }
+
+  CellPosition locate(double coordinate) const {
+    const std::int64_t position = quanta(coordinate);
+    return {position >> kFractionBits,
+            static_cast<float>(position & (kQuantaPerCell - 1)) / static_cast<float>(kQuantaPerCell)};
   }
 
   // The cell that holds the random content of `cell`: itself, or its representative in the first period.

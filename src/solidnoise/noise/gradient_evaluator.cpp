@@ -31,15 +31,20 @@ constexpr int samples_per_tile(int role) {
   return role == kOuter ? 1 : 2 * samples_per_group<Dim>(role);
 }
 
+template <int Dim>
+GradientOutput output_for(const Samples<Dim>& samples) {
+  return samples.wants_gradient() ? GradientOutput::value_and_derivative : GradientOutput::value;
+}
+
 }  // namespace
 
-// Samples of one axis of a tile: positions in radii from the lower corner of cell `base`, and the cells of
-// the first and last.
+// Samples of one axis of a tile: positions in radii from the lower corner of cell `base`; entries past the
+// last repeat it. `rows`: of lattice points that may reach them, from base - reach + 1.
 template <int Dim>
 struct GradientEvaluator<Dim>::LocatedAxis {
   int count = 0;
   std::int64_t base = 0;
-  int rows = 0;  // of lattice points that may reach them, from base - reach + 1
+  int rows = 0;
   std::array<float, kMostSamplesPerAxis> position;
 };
 
@@ -81,6 +86,7 @@ GradientEvaluator<Dim>::GradientEvaluator(const GradientNoiseOptions& options,
   sum_.dimensions = Dim;
   sum_.spacing = cell_in_radii_;
   sum_.root = static_cast<float>(shape.c2 / shape.c1);
+  sum_.gradients = gradients_;
 }
 
 template <int Dim>
@@ -103,22 +109,30 @@ KnownGradients<Dim> GradientEvaluator<Dim>::gradients_around(const Box<Dim>& box
 
 template <int Dim>
 typename GradientEvaluator<Dim>::LocatedAxis GradientEvaluator<Dim>::locate(const Lattice<Dim>& lattice,
-                                                                            int axis, int first,
-                                                                            int count) const {
+                                                                            int axis, int first) const {
+  constexpr std::int64_t kQuanta = CellAxis::kQuantaPerCell;
   const CellAxis& cells = axes_[static_cast<std::size_t>(axis)];
+  const int role = role_of_axis<Dim>(axis);
+  const int wanted = std::min(samples_per_tile<Dim>(role), lattice.count[axis] - first);
+  const std::int64_t most = (2 * reach_cells_ + 1) * kQuanta;
+  const float radii_per_quantum = cell_in_radii_ / static_cast<float>(kQuanta);
+
   LocatedAxis located;
-  CellPosition last = cells.locate(lattice.coordinate(axis, first));
-  located.base = last.cell;
-  for (int i = 0; i < count; ++i) {
-    const CellPosition position = cells.locate(lattice.coordinate(axis, first + i));
-    const std::int64_t from_base = position.cell - located.base;
-    if (from_base > 2 * reach_cells_) break;
-    located.position[static_cast<std::size_t>(i)] =
-        (static_cast<float>(from_base) + position.fraction) * cell_in_radii_;
-    located.count = i + 1;
+  located.base = cells.quanta(lattice.coordinate(axis, first)) >> CellAxis::kFractionBits;
+  std::int64_t last = 0;
+  for (int i = 0; i < wanted; ++i) {
+    const std::int64_t position = cells.quanta(lattice.coordinate(axis, first + i)) - located.base * kQuanta;
+    if (position >= most) break;
     last = position;
+    located.position[static_cast<std::size_t>(i)] =
+        static_cast<float>(static_cast<std::int32_t>(position)) * radii_per_quantum;
+    located.count = i + 1;
   }
-  located.rows = static_cast<int>(last.cell - located.base) + 2 * reach_cells_;
+  located.rows = static_cast<int>(last >> CellAxis::kFractionBits) + 2 * reach_cells_;
+  for (int i = located.count; i < samples_per_tile<Dim>(role); ++i) {
+    located.position[static_cast<std::size_t>(i)] =
+        located.position[static_cast<std::size_t>(located.count - 1)];
+  }
   return located;
 }
 
@@ -128,10 +142,7 @@ void GradientEvaluator<Dim>::evaluate(const Lattice<Dim>& lattice, const Samples
   TileSpan span;
   const auto locate_axis = [&](int axis) {
     const std::size_t a = static_cast<std::size_t>(axis);
-    int role = 0;
-    while (axis_of_role<Dim>(role) != axis) ++role;
-    const int count = std::min(samples_per_tile<Dim>(role), lattice.count[axis] - span.first[a]);
-    span.axes[a] = locate(lattice, axis, span.first[a], count);
+    span.axes[a] = locate(lattice, axis, span.first[a]);
   };
 
   // Step through the tiles like an odometer, the last axis fastest; an axis is located when its tile changes.
@@ -152,120 +163,119 @@ void GradientEvaluator<Dim>::evaluate(const Lattice<Dim>& lattice, const Samples
 }
 
 template <int Dim>
-void GradientEvaluator<Dim>::evaluate_tile(const Lattice<Dim>& lattice, const TileSpan& span,
-                                           const KnownGradients<Dim>& known,
-                                           const Samples<Dim>& samples) const {
-  GradientTile tile;
-  std::array<const LocatedAxis*, kGradientRoles> located{};
-  for (int role = 0; role < kGradientRoles; ++role) {
-    const int axis = axis_of_role<Dim>(role);
-    if (axis >= 0) located[static_cast<std::size_t>(role)] = &span.axes[static_cast<std::size_t>(axis)];
-  }
-
-  // Samples. Entries past the last repeat it.
-  const auto sample = [&](int role, int group, int i) {
-    const LocatedAxis& axis = *located[static_cast<std::size_t>(role)];
-    const int index = std::min(group * samples_per_group<Dim>(role) + i, axis.count - 1);
-    return axis.position[static_cast<std::size_t>(index)];
-  };
-  for (int role = 0; role < kGradientRoles; ++role) {
-    const LocatedAxis* axis = located[static_cast<std::size_t>(role)];
-    if (axis != nullptr && axis->count > samples_per_group<Dim>(role)) tile.groups[role] = 2;
-  }
+void GradientEvaluator<Dim>::place_samples(const TileSpan& span, GradientTile& tile) const {
+  constexpr int kFastRun = kFastLanes<Dim>;
+  const float* fast = span.axes[axis_of_role<Dim>(kFast)].position.data();
   for (int group = 0; group < 2; ++group) {
     for (int lane = 0; lane < GradientTile::kLanes; ++lane) {
-      if (located[kMid] != nullptr) tile.mid[group][lane] = sample(kMid, group, lane / kFastLanes<Dim>);
-      tile.fast[group][lane] = sample(kFast, group, lane % kFastLanes<Dim>);
-    }
-    for (int i = 0; i < GradientTile::kSlow; ++i) {
-      if (located[kSlow] != nullptr) tile.slow[group][i] = sample(kSlow, group, i);
+      tile.fast[group][lane] = fast[group * kFastRun + lane % kFastRun];
     }
   }
-  if (located[kOuter] != nullptr) tile.outer = located[kOuter]->position[0];
+  if constexpr (Dim >= 2) {
+    std::copy_n(span.axes[axis_of_role<Dim>(kSlow)].position.data(), 2 * GradientTile::kSlow, tile.slow[0]);
+  }
+  if constexpr (Dim >= 3) {
+    const float* mid = span.axes[axis_of_role<Dim>(kMid)].position.data();
+    for (int group = 0; group < 2; ++group) {
+      for (int lane = 0; lane < GradientTile::kLanes; ++lane) {
+        tile.mid[group][lane] = mid[group * kMidLanes<Dim> + lane / kFastRun];
+      }
+    }
+  }
+  if constexpr (Dim == 4) tile.outer = span.axes[axis_of_role<Dim>(kOuter)].position[0];
 
-  // Rows of lattice points.
-  CellBox<Dim> cells;
-  for (int role = 0; role < kGradientRoles; ++role) {
-    const int axis = axis_of_role<Dim>(role);
-    if (axis < 0) continue;
-    const LocatedAxis& from = *located[static_cast<std::size_t>(role)];
+  for (int axis = 0; axis < Dim; ++axis) {
+    const int role = role_of_axis<Dim>(axis);
+    const LocatedAxis& located = span.axes[static_cast<std::size_t>(axis)];
+    if (located.count > samples_per_group<Dim>(role)) tile.groups[role] = 2;
     tile.lattice.first[role] = static_cast<float>(1 - reach_cells_) * cell_in_radii_;
-    tile.lattice.rows[role] = from.rows;
-    cells.first[axis] = from.base - reach_cells_ + 1;
-    cells.count[axis] = from.rows;
+    tile.lattice.rows[role] = located.rows;
   }
+}
 
-  // Their gradients: among the known ones, or looked up here.
+template <int Dim>
+void GradientEvaluator<Dim>::place_gradients(const TileSpan& span, const KnownGradients<Dim>& known,
+                                             LookedUp& looked_up, GradientTile& tile) const {
+  CellBox<Dim> cells;
   bool is_known = !known.indices.empty();
-  for (int axis = 0; is_known && axis < Dim; ++axis) {
-    is_known = cells.first[axis] >= known.cells.first[axis] &&
+  for (int axis = 0; axis < Dim; ++axis) {
+    const LocatedAxis& located = span.axes[static_cast<std::size_t>(axis)];
+    cells.first[axis] = located.base - reach_cells_ + 1;
+    cells.count[axis] = located.rows;
+    is_known = is_known && cells.first[axis] >= known.cells.first[axis] &&
                cells.first[axis] + cells.count[axis] <= known.cells.first[axis] + known.cells.count[axis];
   }
-  constexpr std::size_t kMostRows = GradientTile::kMaxRows;
-  constexpr std::size_t kMostCells = Dim == 4   ? kMostRows * kMostRows * kMostRows * kMostRows
-                                     : Dim == 3 ? kMostRows * kMostRows * kMostRows
-                                                : kMostRows * kMostRows;
-  std::array<std::uint8_t, kMostCells> looked_up;
-  const CellBox<Dim>& stored = is_known ? known.cells : cells;
   if (!is_known) lattice_.gradient_indices(cells, looked_up.data());
+
+  const CellBox<Dim>& stored = is_known ? known.cells : cells;
   const std::uint8_t* indices = is_known ? known.indices.data() : looked_up.data();
   std::ptrdiff_t stride = 1;
   for (int axis = Dim - 1; axis >= 0; --axis) {
     indices += (cells.first[axis] - stored.first[axis]) * stride;
-    int role = 0;
-    while (axis_of_role<Dim>(role) != axis) ++role;
-    tile.lattice.stride[role] = static_cast<int>(stride);
+    tile.lattice.stride[role_of_axis<Dim>(axis)] = static_cast<int>(stride);
     stride *= stored.count[axis];
   }
   tile.lattice.gradient_index = indices;
+}
 
-  GradientTileResults results;
-  GradientSum sum = sum_;
-  sum.gradients = gradients_;
-  const GradientOutput output =
-      samples.wants_gradient() ? GradientOutput::value_and_derivative : GradientOutput::value;
-  sum_gradient_noise(sum, tile, output, results);
-
-  // Scatter.
-  std::array<std::size_t, kGradientRoles> lattice_stride{};
+template <int Dim>
+void GradientEvaluator<Dim>::scatter(const float* results, float factor, const Lattice<Dim>& lattice,
+                                     const TileSpan& span, float* samples) const {
+  std::array<std::size_t, kGradientRoles> stride{};
   std::array<int, kGradientRoles> count{1, 1, 1, 1};
-  std::size_t offset = 0;
-  std::size_t sample_stride = 1;
+  std::size_t next_stride = 1;
   for (int axis = Dim - 1; axis >= 0; --axis) {
-    int role = 0;
-    while (axis_of_role<Dim>(role) != axis) ++role;
-    lattice_stride[static_cast<std::size_t>(role)] = sample_stride;
-    count[static_cast<std::size_t>(role)] = span.axes[static_cast<std::size_t>(axis)].count;
-    offset += static_cast<std::size_t>(span.first[static_cast<std::size_t>(axis)]) * sample_stride;
-    sample_stride *= static_cast<std::size_t>(lattice.count[axis]);
+    const std::size_t a = static_cast<std::size_t>(axis);
+    const std::size_t role = static_cast<std::size_t>(role_of_axis<Dim>(axis));
+    stride[role] = next_stride;
+    count[role] = span.axes[a].count;
+    samples += static_cast<std::size_t>(span.first[a]) * next_stride;
+    next_stride *= static_cast<std::size_t>(lattice.count[axis]);
   }
-  const auto scatter = [&](const float* from, float* to, float factor) {
-    constexpr int kRun = kFastLanes<Dim>;
-    for (int slow = 0; slow < count[kSlow]; ++slow) {
-      for (int mid = 0; mid < count[kMid]; ++mid) {
-        float* row = to + static_cast<std::size_t>(slow) * lattice_stride[kSlow] +
-                     static_cast<std::size_t>(mid) * lattice_stride[kMid];
-        for (int fast = 0; fast < count[kFast]; fast += kRun) {
-          const int group =
-              GradientTile::group_index(slow / GradientTile::kSlow, mid / kMidLanes<Dim>, fast / kRun);
-          const float* run = from + group * GradientTile::kGroupSamples +
-                             (slow % GradientTile::kSlow) * GradientTile::kLanes +
-                             (mid % kMidLanes<Dim>)*kRun;
+
+  constexpr int kRun = kFastLanes<Dim>;
+  const bool is_whole = stride[kFast] == 1 && count[kFast] % kRun == 0;
+  for (int slow = 0; slow < count[kSlow]; ++slow) {
+    for (int mid = 0; mid < count[kMid]; ++mid) {
+      float* row = samples + static_cast<std::size_t>(slow) * stride[kSlow] +
+                   static_cast<std::size_t>(mid) * stride[kMid];
+      const float* lanes = results +
+                           GradientTile::group_index(slow / GradientTile::kSlow, mid / kMidLanes<Dim>, 0) *
+                               GradientTile::kGroupSamples +
+                           slow % GradientTile::kSlow * GradientTile::kLanes + mid % kMidLanes<Dim> * kRun;
+      for (int fast = 0; fast < count[kFast]; fast += kRun) {
+        // Whole runs of neighbours, the usual case, are copied with a constant length.
+        if (is_whole) {
+          for (int i = 0; i < kRun; ++i) row[fast + i] = lanes[i] * factor;
+        } else {
           const int last = std::min(kRun, count[kFast] - fast);
-          for (int i = 0; i < last; ++i) {
-            row[static_cast<std::size_t>(fast + i) * lattice_stride[kFast]] = run[i] * factor;
-          }
+          for (int i = 0; i < last; ++i)
+            row[static_cast<std::size_t>(fast + i) * stride[kFast]] = lanes[i] * factor;
         }
+        lanes += GradientTile::kGroupSamples;
       }
     }
-  };
-  scatter(results.value, samples.values.data() + offset, 1.0f);
+  }
+}
+
+template <int Dim>
+void GradientEvaluator<Dim>::evaluate_tile(const Lattice<Dim>& lattice, const TileSpan& span,
+                                           const KnownGradients<Dim>& known,
+                                           const Samples<Dim>& samples) const {
+  GradientTile tile;
+  LookedUp looked_up;
+  place_samples(span, tile);
+  place_gradients(span, known, looked_up, tile);
+
+  GradientTileResults results;
+  sum_gradient_noise(sum_, tile, output_for(samples), results);
+
+  scatter(results.value, 1.0f, lattice, span, samples.values.data());
   if (!samples.wants_gradient()) return;
-  for (int role = 0; role < kGradientRoles; ++role) {
-    const int axis = axis_of_role<Dim>(role);
-    if (axis < 0) continue;
+  for (int axis = 0; axis < Dim; ++axis) {
     const std::size_t a = static_cast<std::size_t>(axis);
-    scatter(results.derivative[role], samples.gradient[a].data() + offset, per_radius_[a]);
+    scatter(results.derivative[role_of_axis<Dim>(axis)], per_radius_[a], lattice, span,
+            samples.gradient[a].data());
   }
 }
 
@@ -304,8 +314,7 @@ void GradientEvaluator<Dim>::evaluate_batch(const Points<Dim>& points, std::size
   CellBox<Dim> cells;
   int stride = 1;
   for (int axis = Dim - 1; axis >= 0; --axis) {
-    int role = 0;
-    while (axis_of_role<Dim>(role) != axis) ++role;
+    const int role = role_of_axis<Dim>(axis);
     cluster.lattice.first[role] = static_cast<float>(1 - reach_cells_) * cell_in_radii_;
     cluster.lattice.rows[role] = rows;
     cluster.lattice.stride[role] = stride;
@@ -314,10 +323,6 @@ void GradientEvaluator<Dim>::evaluate_batch(const Points<Dim>& points, std::size
   }
   std::array<std::uint8_t, 256> indices;  // 4 rows per axis at most, in at most 4 dimensions
   cluster.lattice.gradient_index = indices.data();
-  GradientSum sum = sum_;
-  sum.gradients = gradients_;
-  const GradientOutput output =
-      samples.wants_gradient() ? GradientOutput::value_and_derivative : GradientOutput::value;
 
   std::size_t next = 0;
   GradientClusterResults results;
@@ -345,7 +350,7 @@ void GradientEvaluator<Dim>::evaluate_batch(const Points<Dim>& points, std::size
       current = &leader.cell;
     }
 
-    sum_gradient_noise(sum, cluster, output, results);
+    sum_gradient_noise(sum_, cluster, output_for(samples), results);
 
     for (int i = 0; i < cluster.count; ++i) {
       const std::size_t index = members[static_cast<std::size_t>(i)];

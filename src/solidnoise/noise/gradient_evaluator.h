@@ -21,6 +21,12 @@ struct KnownGradients {
   std::vector<std::uint8_t> indices;
 };
 
+// The most lattice points that a tile is given.
+template <int Dim>
+inline constexpr std::size_t kMostCells = GradientTile::kMaxRows* kMostCells<Dim - 1>;
+template <>
+inline constexpr std::size_t kMostCells<0> = 1;
+
 // Evaluates gradient noise: locates samples in the grid of cells, gathers them into tiles or clusters for the
 // vectorised sums, and scatters what comes back.
 template <int Dim>
@@ -47,11 +53,19 @@ class GradientEvaluator {
   struct LocatedAxis;
   struct LocatedPoint;
   struct TileSpan;
+  using LookedUp = std::array<std::uint8_t, kMostCells<Dim>>;
 
+  // Locates samples of an axis from `first`: as many as a tile takes, or fewer if they span too many cells.
+  LocatedAxis locate(const Lattice<Dim>& lattice, int axis, int first) const;
   void evaluate_tile(const Lattice<Dim>& lattice, const TileSpan& span, const KnownGradients<Dim>& known,
                      const Samples<Dim>& samples) const;
-  // Locates up to `count` samples of an axis from `first`, fewer if they span more than a tile may.
-  LocatedAxis locate(const Lattice<Dim>& lattice, int axis, int first, int count) const;
+  void place_samples(const TileSpan& span, GradientTile& tile) const;
+  // Points the tile to its gradients: the known ones, or else `looked_up`.
+  void place_gradients(const TileSpan& span, const KnownGradients<Dim>& known, LookedUp& looked_up,
+                       GradientTile& tile) const;
+  // Copies results of a tile, times a factor, to where its samples are in the lattice.
+  void scatter(const float* results, float factor, const Lattice<Dim>& lattice, const TileSpan& span,
+               float* samples) const;
   void evaluate_batch(const Points<Dim>& points, std::size_t first, std::size_t count,
                       const Samples<Dim>& samples) const;
 

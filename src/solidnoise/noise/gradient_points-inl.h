@@ -25,6 +25,7 @@ constexpr int kLanes = GradientTile::kLanes;
 constexpr int kSlowSamples = GradientTile::kSlow;
 constexpr int kMaxRows = GradientTile::kMaxRows;
 constexpr int kMaxPoints = kMaxRows * kMaxRows * kMaxRows;
+constexpr int kWords = (kMaxPoints + 63) / 64;
 
 // Offsets of a tile's samples from the rows of lattice points along one role, and their squares: per row, two
 // groups of kSamples.
@@ -34,10 +35,9 @@ struct alignas(64) TileRows {
 
   float offset[kMaxRows * kStride];
   float square[kMaxRows * kStride];
-  // The least squared offset of each group, and of the tile: never more than any sample's, to the last bit,
-  // because rounding is monotone.
-  float group_reach[kMaxRows][2];
-  float tile_reach[kMaxRows];
+  // Per row, the least squared offset of any sample of the 8 groups of the tile, each its own lane: never
+  // more than any sample's, to the last bit, because rounding is monotone.
+  float reach[kMaxRows * kGroups];
 };
 
 // One lattice point that reaches the tile.
@@ -60,16 +60,8 @@ struct TilePoints {
     std::int16_t slow, mid, fast, unused;
   };
   Place places[kMaxPoints + 1];
-
-  // The points' least squared offsets from each group, per role.
-  alignas(64) float slow_reach[2][kMaxPoints + kLanes];
-  alignas(64) float mid_reach[2][kMaxPoints + kLanes];
-  alignas(64) float fast_reach[2][kMaxPoints + kLanes];
-
-  // Per group, the points that reach it: from begin[group] to end[group].
-  int begin[kGroups];
-  int end[kGroups];
-  std::int32_t reaching[kGroups * kMaxPoints + kLanes];
+  alignas(64) std::uint8_t groups[kWords * 64];  // per point, a bit for each group that it reaches
+  std::uint64_t reaching[kGroups][kWords];       // the same per group, a bit for each point
 };
 
 // Square of the distance of a row from the interval between two samples.
@@ -81,13 +73,18 @@ HWY_INLINE float squared_gap(float row, float lower, float upper) {
   return gap * gap;
 }
 
+// The bit of a group's index that says which of the role's two groups it is in.
+constexpr int group_bit(GradientRole role) {
+  if (role == kSlow) return GradientTile::group_index(1, 0, 0);
+  return role == kMid ? GradientTile::group_index(0, 1, 0) : GradientTile::group_index(0, 0, 1);
+}
+
 // `samples`: two groups of kSamples, in ascending order but for the order of the lanes of a group.
 template <int kSamples>
 HWY_INLINE void fill_rows(const GradientSum& sum, const GradientTile& tile, GradientRole role,
                           const float* samples, TileRows<kSamples>& rows) {
   const hn::CappedTag<float, kSamples> d;
   const int groups = tile.groups[role];
-  const int last = kSamples - 1;
   for (int row = 0; row < tile.lattice.rows[role]; ++row) {
     const float coordinate = row_coordinate(sum, tile.lattice, role, row);
     for (int i = 0; i < groups * kSamples; i += static_cast<int>(hn::Lanes(d))) {
@@ -95,11 +92,13 @@ HWY_INLINE void fill_rows(const GradientSum& sum, const GradientTile& tile, Grad
       hn::Store(offset, d, rows.offset + row * rows.kStride + i);
       hn::Store(hn::Mul(offset, offset), d, rows.square + row * rows.kStride + i);
     }
-    for (int group = 0; group < groups; ++group) {
-      const float* first = samples + group * kSamples;
-      rows.group_reach[row][group] = squared_gap(coordinate, first[0], first[last]);
+    // A role with one group has it in the place of the second as well.
+    const float near = squared_gap(coordinate, samples[0], samples[kSamples - 1]);
+    const float* second = samples + (groups - 1) * kSamples;
+    const float far = squared_gap(coordinate, second[0], second[kSamples - 1]);
+    for (int group = 0; group < kGroups; ++group) {
+      rows.reach[row * kGroups + group] = (group & group_bit(role)) != 0 ? far : near;
     }
-    rows.tile_reach[row] = squared_gap(coordinate, samples[0], samples[groups * kSamples - 1]);
   }
 }
 
@@ -109,24 +108,60 @@ HWY_INLINE void fill_rows(const GradientSum& sum, const GradientTile& tile, Tile
   fill_rows(sum, tile, kFast, tile.fast[0], points.fast);
 }
 
-// Lists the places of the lattice points that reach the tile, in lexicographic order. `remaining` is
+// The lanes of a mask as bits, lane 0 the lowest.
+template <class D>
+HWY_INLINE std::uint64_t mask_bits(D d, hn::Mask<D> mask) {
+  std::uint8_t bytes[8] = {};
+  const std::size_t count = hn::StoreMaskBits(d, mask, bytes);
+  std::uint64_t bits = 0;
+  for (std::size_t i = 0; i < count; ++i) bits |= static_cast<std::uint64_t>(bytes[i]) << (8 * i);
+  return bits;
+}
+
+// Lists the places of the lattice points that reach any group, in lexicographic order. `remaining` is
 // 1 - (offset along the outer role)^2.
 HWY_INLINE void find_places(const GradientTile& tile, float remaining, TilePoints& points) {
+  const hn::CappedTag<float, kGroups> d;
+  const int step = static_cast<int>(hn::Lanes(d));
   int count = 0;
   for (int slow = 0; slow < tile.lattice.rows[kSlow]; ++slow) {
-    const float slow_reach = points.slow.tile_reach[slow];
     for (int mid = 0; mid < tile.lattice.rows[kMid]; ++mid) {
-      const float rest = remaining - points.mid.tile_reach[mid];
       for (int fast = 0; fast < tile.lattice.rows[kFast]; ++fast) {
+        // In the order of operations of the sum: upper bounds of the t of each group's samples.
+        unsigned groups = 0;
+        for (int group = 0; group < kGroups; group += step) {
+          auto t = hn::Sub(hn::Set(d, remaining), hn::Load(d, points.mid.reach + mid * kGroups + group));
+          t = hn::Sub(t, hn::Load(d, points.fast.reach + fast * kGroups + group));
+          t = hn::Sub(t, hn::Load(d, points.slow.reach + slow * kGroups + group));
+          groups |= static_cast<unsigned>(mask_bits(d, hn::Gt(t, hn::Zero(d)))) << group;
+        }
         points.places[count] = {static_cast<std::int16_t>(slow), static_cast<std::int16_t>(mid),
                                 static_cast<std::int16_t>(fast), 0};
-        // In the order of operations of the sum: an upper bound of every sample's t.
-        const float t = (rest - points.fast.tile_reach[fast]) - slow_reach;
-        count += t > 0.0f ? 1 : 0;
+        points.groups[count] = static_cast<std::uint8_t>(groups);
+        count += groups != 0 ? 1 : 0;
       }
     }
   }
   points.count = count;
+}
+
+// Turns the groups of each point into the points of each group.
+HWY_INLINE void list_groups(TilePoints& points) {
+  const hn::CappedTag<std::uint8_t, 64> d;
+  const int step = static_cast<int>(hn::Lanes(d));
+  for (int word = 0; word * 64 < points.count; ++word) {
+    const int left = points.count - word * 64;
+    const std::uint64_t valid = left >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << left) - 1;
+    for (int group = 0; group < kGroups; ++group) {
+      const auto bit = hn::Set(d, static_cast<std::uint8_t>(1u << group));
+      std::uint64_t bits = 0;
+      for (int i = 0; i < 64; i += step) {
+        const auto groups = hn::Load(d, points.groups + word * 64 + i);
+        bits |= mask_bits(d, hn::TestBit(groups, bit)) << i;
+      }
+      points.reaching[group][word] = bits & valid;
+    }
+  }
 }
 
 // Gathers the lattice points of one outer row that reach the tile.
@@ -149,42 +184,16 @@ HWY_INLINE void gather_points(const GradientSum& sum, const GradientTile& tile, 
     for (int k = 0; k < 2 * kSlowSamples; ++k) {
       point.slow_term[k] = gradient[kSlow] * points.slow.offset[point.slow_at + k];
     }
-    for (int group = 0; group < 2; ++group) {
-      points.slow_reach[group][i] = points.slow.group_reach[place.slow][group];
-      points.mid_reach[group][i] = points.mid.group_reach[place.mid][group];
-      points.fast_reach[group][i] = points.fast.group_reach[place.fast][group];
-    }
   }
+  list_groups(points);
 }
 
-// Lists the points that reach a group.
-HWY_INLINE int cull_points(float remaining, int slow, int mid, int fast, int begin, TilePoints& points) {
-  const Tag d;
-  const IndexTag di;
-  int end = begin;
-  for (int i = 0; i < points.count; i += lanes()) {
-    V t = hn::Sub(hn::Set(d, remaining), hn::Load(d, points.mid_reach[mid] + i));
-    t = hn::Sub(t, hn::Load(d, points.fast_reach[fast] + i));
-    t = hn::Sub(t, hn::Load(d, points.slow_reach[slow] + i));
-    const auto valid = hn::FirstN(d, static_cast<std::size_t>(points.count - i));
-    const auto reaches = hn::And(hn::Gt(t, hn::Zero(d)), valid);
-    const auto indices = hn::Compress(hn::Iota(di, i), hn::RebindMask(di, reaches));
-    hn::StoreU(indices, di, points.reaching + end);
-    end += static_cast<int>(hn::CountTrue(d, reaches));
-  }
-  return end;
-}
-
-HWY_INLINE void cull_points(const GradientTile& tile, float remaining, TilePoints& points) {
-  int end = 0;
-  for (int slow = 0; slow < tile.groups[kSlow]; ++slow) {
-    for (int mid = 0; mid < tile.groups[kMid]; ++mid) {
-      for (int fast = 0; fast < tile.groups[kFast]; ++fast) {
-        const int group = GradientTile::group_index(slow, mid, fast);
-        points.begin[group] = end;
-        end = cull_points(remaining, slow, mid, fast, end, points);
-        points.end[group] = end;
-      }
+// Calls `visit` with each gathered point that reaches a group, in order.
+template <typename Visit>
+HWY_INLINE void for_each_reaching(const TilePoints& points, int group, const Visit& visit) {
+  for (int word = 0; word * 64 < points.count; ++word) {
+    for (std::uint64_t bits = points.reaching[group][word]; bits != 0; bits &= bits - 1) {
+      visit(points.points[word * 64 + static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(bits))]);
     }
   }
 }

@@ -19,6 +19,14 @@ constexpr int axis_of_role(int role) {
   return Dim == 4 ? 3 : -1;
 }
 
+// The role that an axis has.
+template <int Dim>
+constexpr int role_of_axis(int axis) {
+  int role = 0;
+  while (axis_of_role<Dim>(role) != axis) ++role;
+  return role;
+}
+
 // What a gradient noise is to the sums. Lengths are in units of the kernel's radius, so that a term is
 //   t^4 (t - root) (gradient . offset),  t = 1 - |offset|^2, 0 where t < 0.
 struct GradientSum {
@@ -53,7 +61,7 @@ struct GradientTile {
   int groups[kGradientRoles] = {1, 1, 1, 1};
   GradientRows lattice;
 
-  static int group_index(int slow, int mid, int fast) { return (slow * 2 + mid) * 2 + fast; }
+  static constexpr int group_index(int slow, int mid, int fast) { return (slow * 2 + mid) * 2 + fast; }
 };
 
 // Up to 16 samples of one lattice cell, anywhere in it; unused entries repeat a used one.

@@ -53,9 +53,7 @@ HWY_INLINE void add_values(const TilePoints& points, const GroupLane& at, V root
   V value1 = hn::Load(d, values + kLanes);
   V value2 = hn::Load(d, values + 2 * kLanes);
   V value3 = hn::Load(d, values + 3 * kLanes);
-  const int end = points.end[at.group];
-  for (int k = points.begin[at.group]; k < end; ++k) {
-    const Point& point = points.points[points.reaching[k]];
+  for_each_reaching(points, at.group, [&](const Point& point) HWY_ATTR {
     V t;
     V l;
     start_term<kDim>(points, point, at, t, l);
@@ -69,7 +67,7 @@ HWY_INLINE void add_values(const TilePoints& points, const GroupLane& at, V root
     add(1, value1);
     add(2, value2);
     add(3, value3);
-  }
+  });
   hn::Store(value0, d, values);
   hn::Store(value1, d, values + kLanes);
   hn::Store(value2, d, values + 2 * kLanes);
@@ -105,9 +103,7 @@ HWY_INLINE void add_derivatives(const TilePoints& points, const GroupLane& at, V
   const Tag d;
   Accumulators sums0 = load_accumulators(results, base);
   Accumulators sums1 = load_accumulators(results, base + kLanes);
-  const int end = points.end[at.group];
-  for (int k = points.begin[at.group]; k < end; ++k) {
-    const Point& point = points.points[points.reaching[k]];
+  for_each_reaching(points, at.group, [&](const Point& point) HWY_ATTR {
     V t;
     V l;
     start_term<kDim>(points, point, at, t, l);
@@ -132,7 +128,7 @@ HWY_INLINE void add_derivatives(const TilePoints& points, const GroupLane& at, V
     };
     add(slow, sums0);
     add(slow + 1, sums1);
-  }
+  });
   store_accumulators(sums0, base, results);
   store_accumulators(sums1, base + kLanes, results);
 }
@@ -186,7 +182,6 @@ void sum_terms(const GradientSum& sum, const GradientTile& tile, GradientTileRes
     at.remaining = 1.0f - at.outer_offset * at.outer_offset;
     if (at.remaining <= 0.0f) continue;
     gather_points(sum, tile, outer, at.outer_offset, at.remaining, points);
-    cull_points(tile, at.remaining, points);
     add_groups<kDim, kOutput>(points, tile, at, hn::Set(Tag(), sum.root), results);
   }
 }
