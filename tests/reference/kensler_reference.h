@@ -50,7 +50,8 @@ class KenslerProcedure {
       }
     }
     std::array<std::size_t, Dim> chosen;
-    return sum_from_axis<0>(stencil, chosen, 0.0, 0);
+    return setting_.stride == 1 ? sum_from_axis<0, 4>(stencil, chosen, 0.0, 0)
+                                : sum_from_axis<0, 2>(stencil, chosen, 0.0, 0);
   }
 
  private:
@@ -67,7 +68,7 @@ class KenslerProcedure {
     return period == 0 ? i : (i % period + period) % period;
   }
 
-  template <std::size_t Axis>
+  template <std::size_t Axis, std::size_t kPoints>
   double sum_from_axis(const Stencil& stencil, std::array<std::size_t, Dim>& chosen, double squared,
                        std::size_t hash) const {
     if constexpr (Axis == Dim) {
@@ -82,11 +83,11 @@ class KenslerProcedure {
       return dot * (setting_.c1 * t4 * t - setting_.c2 * t4);
     } else {
       double sum = 0.0;
-      for (std::size_t step = 0; step < static_cast<std::size_t>(points_per_axis()); ++step) {
+      for (std::size_t step = 0; step < kPoints; ++step) {
         chosen[Axis] = step;
         const double offset = stencil.offset[Axis][step];
-        sum += sum_from_axis<Axis + 1>(stencil, chosen, squared + offset * offset,
-                                       hash ^ stencil.permuted[Axis][step]);
+        sum += sum_from_axis<Axis + 1, kPoints>(stencil, chosen, squared + offset * offset,
+                                                hash ^ stencil.permuted[Axis][step]);
       }
       return sum;
     }
