@@ -1,7 +1,6 @@
 #include "solidnoise/volume/fill.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cstdint>
 #include <memory>
@@ -17,6 +16,7 @@ namespace {
 
 using Leaf = openvdb::FloatTree::LeafNodeType;
 using MaskLeaf = openvdb::MaskTree::LeafNodeType;
+using LeafMask = MaskLeaf::NodeMaskType;
 
 constexpr int kGroupLog2 = 5;  // a group is 4 x 4 x 4 leaves, 32^3 voxels
 
@@ -82,7 +82,7 @@ class Filler {
       const std::size_t leaf = grouped_.order[i];
       const openvdb::CoordBBox voxels = grouped_.leaves[leaf]->getNodeBoundingBox();
       if (field_.empty(frame_.bounds(voxels))) {
-        if (sparsity_ == Sparsity::keep) store(leaf, make_leaf(leaf));
+        if (sparsity_ == Sparsity::keep) store_zeros(leaf);
       } else {
         wanted.push_back(leaf);
         box.expand(voxels);
@@ -101,33 +101,40 @@ class Filler {
     if (progress_ != nullptr) progress_->advance(done_ += group.end - group.begin, leaves_.size());
   }
 
-  // A leaf with its memory, all 0 and inactive.
+  void store_zeros(std::size_t index) {
+    auto leaf = make_leaf(index);
+    leaf->buffer().fill(0.0f);
+    store(index, std::move(leaf));
+  }
+
+  // A leaf with its memory, inactive; its values are to be written yet.
   std::unique_ptr<Leaf> make_leaf(std::size_t index) const {
     auto leaf =
         std::make_unique<Leaf>(openvdb::PartialCreate(), grouped_.leaves[index]->origin(), 0.0f, false);
     leaf->buffer().allocate();
-    leaf->buffer().fill(0.0f);
     return leaf;
   }
 
   // Activates the voxels that are to stay, sets the others to the background and keeps the leaf's moments.
   void store(std::size_t index, std::unique_ptr<Leaf> leaf) {
-    const MaskLeaf& mask = *grouped_.leaves[index];
     float* const values = leaf->buffer().data();
-    std::array<float, Leaf::SIZE> active;
-    std::size_t count = 0;
-    for (unsigned voxel = 0; voxel < Leaf::SIZE; ++voxel) {
-      const bool kept = mask.isValueOn(voxel) && (sparsity_ == Sparsity::keep || values[voxel] != 0.0f);
-      if (kept) {
-        leaf->setActiveState(voxel, true);
-        active[count++] = values[voxel];
-      } else {
-        values[voxel] = 0.0f;
-      }
-    }
-    if (count == 0) return;
-    moments_[index] = Moments::of({active.data(), count});
+    LeafMask mask = grouped_.leaves[index]->valueMask();
+    if (sparsity_ == Sparsity::drop) drop_zeros(mask, values);
+    if (mask.isOff()) return;
+    leaf->setValueMask(mask);
+    for (auto voxel = mask.beginOff(); voxel; ++voxel) values[voxel.pos()] = 0.0f;
+    moments_[index] = measure(*leaf);
     leaves_[index] = std::move(leaf);
+  }
+
+  static void drop_zeros(LeafMask& mask, const float* values) {
+    for (unsigned word = 0; word < LeafMask::WORD_COUNT; ++word) {
+      std::uint64_t not_zero = 0;
+      for (unsigned bit = 0; bit < 64; ++bit) {
+        not_zero |= static_cast<std::uint64_t>(values[64 * word + bit] != 0.0f) << bit;
+      }
+      mask.getWord<std::uint64_t>(word) &= not_zero;
+    }
   }
 
   FilledGrid collect() {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -29,22 +30,53 @@ void visit_active_tiles(const openvdb::FloatGrid& grid, const Visit& visit) {
 
 }  // namespace
 
+// Sums are kept in lanes, which the compiler turns into vectors and adds up in one fixed order at the end:
+// value k goes to lane k % kLanes.
 Moments Moments::of(std::span<const float> values) {
   Moments result;
   if (values.empty()) return result;
-  result.count_ = values.size();
-  const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  result.min_ = *low;
-  result.max_ = *high;
-  double sum = 0.0;
-  for (const float value : values) sum += value;
-  result.mean_ = sum / static_cast<double>(values.size());
-  for (const float value : values) {
-    const double d = value - result.mean_;
-    result.m2_ += d * d;
-    result.m3_ += d * d * d;
-    result.m4_ += d * d * d * d;
+  constexpr std::size_t kLanes = 8;
+  using Lanes = std::array<double, kLanes>;
+  const auto total = [](const Lanes& lanes) { return std::accumulate(lanes.begin(), lanes.end(), 0.0); };
+  const std::size_t whole = values.size() - values.size() % kLanes;
+
+  std::array<float, kLanes> low;
+  std::array<float, kLanes> high;
+  low.fill(values[0]);
+  high.fill(values[0]);
+  Lanes sum{};
+  const auto add = [&](std::size_t lane, float value) {
+    low[lane] = value < low[lane] ? value : low[lane];
+    high[lane] = value > high[lane] ? value : high[lane];
+    sum[lane] += value;
+  };
+  for (std::size_t i = 0; i < whole; i += kLanes) {
+    for (std::size_t lane = 0; lane < kLanes; ++lane) add(lane, values[i + lane]);
   }
+  for (std::size_t i = whole; i < values.size(); ++i) add(i - whole, values[i]);
+  result.count_ = values.size();
+  result.min_ = *std::min_element(low.begin(), low.end());
+  result.max_ = *std::max_element(high.begin(), high.end());
+  const double mean = total(sum) / static_cast<double>(values.size());
+
+  Lanes m2{};
+  Lanes m3{};
+  Lanes m4{};
+  const auto add_powers = [&](std::size_t lane, float value) {
+    const double d = value - mean;
+    const double d2 = d * d;
+    m2[lane] += d2;
+    m3[lane] += d2 * d;
+    m4[lane] += d2 * d2;
+  };
+  for (std::size_t i = 0; i < whole; i += kLanes) {
+    for (std::size_t lane = 0; lane < kLanes; ++lane) add_powers(lane, values[i + lane]);
+  }
+  for (std::size_t i = whole; i < values.size(); ++i) add_powers(i - whole, values[i]);
+  result.mean_ = mean;
+  result.m2_ = total(m2);
+  result.m3_ = total(m3);
+  result.m4_ = total(m4);
   return result;
 }
 
@@ -89,15 +121,19 @@ double Moments::excess_kurtosis() const {
   return m2_ > 0.0 ? static_cast<double>(count_) * m4_ / (m2_ * m2_) - 3.0 : 0.0;
 }
 
+Moments measure(const openvdb::FloatTree::LeafNodeType& leaf) {
+  const float* const values = leaf.buffer().data();
+  if (leaf.isValueMaskOn()) return Moments::of({values, Leaf::SIZE});
+  std::array<float, Leaf::SIZE> active;
+  std::size_t count = 0;
+  for (auto voxel = leaf.valueMask().beginOn(); voxel; ++voxel) active[count++] = values[voxel.pos()];
+  return Moments::of({active.data(), count});
+}
+
 Moments measure(const openvdb::FloatGrid& grid) {
   openvdb::tree::LeafManager<const openvdb::FloatTree> leaves(grid.tree());
   std::vector<Moments> parts(leaves.leafCount());
-  leaves.foreach ([&](const Leaf& leaf, std::size_t index) {
-    std::array<float, Leaf::SIZE> values;
-    std::size_t count = 0;
-    for (auto value = leaf.cbeginValueOn(); value; ++value) values[count++] = *value;
-    parts[index] = Moments::of({values.data(), count});
-  });
+  leaves.foreach ([&](const Leaf& leaf, std::size_t index) { parts[index] = measure(leaf); });
   Moments total;
   for (const Moments& part : parts) total.merge(part);
   visit_active_tiles(grid, [&](float value, const openvdb::CoordBBox& box) {

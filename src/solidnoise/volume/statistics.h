@@ -39,6 +39,9 @@ class Moments {
   double m4_ = 0.0;
 };
 
+// Moments of a leaf's active voxels.
+Moments measure(const openvdb::FloatTree::LeafNodeType& leaf);
+
 // Moments of a grid's active voxels, leaf by leaf in tree order, in parallel: the same to the last bit for
 // any number of threads. Active tiles count with all their voxels.
 Moments measure(const openvdb::FloatGrid& grid);
