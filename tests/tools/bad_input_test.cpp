@@ -1,0 +1,206 @@
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tools/run_tool.h"
+
+namespace solidnoise {
+namespace {
+
+constexpr char kOpenMesh[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 2 3 4\n";
+
+// A command line that must be refused, with what the message must say.
+struct Refusal {
+  const char* name;
+  int status;
+  std::vector<std::string> arguments;
+  std::vector<std::string> says;
+};
+
+void PrintTo(const Refusal& refusal, std::ostream* stream) {
+  *stream << refusal.name;
+}
+
+class BadInput : public testing::TestWithParam<Refusal> {};
+
+// One line that names flag or file, value and what is allowed; then, for wrong usage, where to find help.
+TEST_P(BadInput, IsRefusedInOneLineAndLeavesNothing) {
+  const Refusal& refusal = GetParam();
+  const TemporaryFolder folder;
+  folder.write("open.obj", kOpenMesh);
+  folder.write("empty.obj", "");
+  folder.write("no_faces.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n");
+  folder.write("garbage.vdb", "this is no volume at all, and never was one");
+  folder.write("empty.vdb", "");
+  folder.write("exists.vdb", "precious");
+  folder.write("broken.json", "{\"solidnoise\": 1, \n\"noise\": }");
+  folder.write("bandwidth.json", R"({"solidnoise": 1, "noise": {"type": "gabor", "bandwidth": -1}})");
+  folder.write("unknown.json", R"({"solidnoise": 1, "nose": {}})");
+  folder.write("future.json", R"({"solidnoise": 99})");
+  const std::set<std::string> before = folder.names();
+
+  const ToolResult result = run_vdbnoise(refusal.arguments, {.folder = folder.path()});
+
+  EXPECT_EQ(result.status, refusal.status) << result.err;
+  EXPECT_TRUE(result.err.starts_with("vdbnoise: ")) << result.err;
+  for (const std::string& text : refusal.says) {
+    EXPECT_NE(result.err.find(text), std::string::npos) << "lacks \"" << text << "\": " << result.err;
+  }
+  const std::ptrdiff_t lines = std::count(result.err.begin(), result.err.end(), '\n');
+  EXPECT_EQ(lines, refusal.status == 2 ? 2 : 1) << result.err;
+  EXPECT_EQ(result.err.find("Try vdbnoise --help") != std::string::npos, refusal.status == 2);
+  EXPECT_EQ(result.out, "");
+  EXPECT_EQ(folder.names(), before);
+  EXPECT_EQ(folder.read("exists.vdb"), "precious");
+}
+
+const Refusal kRefusals[] = {
+    // The command line
+    {"UnknownFlag", 2, {"--out", "x.vdb", "--frequncy", "3"}, {"--frequncy", "did you mean --frequency"}},
+    {"UnknownShortFlag", 2, {"--out", "x.vdb", "-z"}, {"-z is not a flag"}},
+    {"StrayWord", 2, {"--out", "x.vdb", "stray"}, {"stray"}},
+    {"MissingValue", 2, {"--out", "x.vdb", "--voxel"}, {"--voxel", "SIZE"}},
+    {"MissingValueBeforeAFlag", 2, {"--out", "--force"}, {"--out"}},
+    {"TooFewValues", 2, {"--out", "x.vdb", "--box", "0", "0", "0"}, {"--box", "X0 Y0 Z0 X1 Y1 Z1"}},
+    {"GivenTwice", 2, {"--out", "x.vdb", "--seed", "1", "--seed", "2"}, {"--seed"}},
+    {"ValueForAToggle", 2, {"--out", "x.vdb", "--half=3"}, {"--half"}},
+    {"NoOutput", 2, {}, {"--out"}},
+    {"EmptyName", 2, {"--out", ""}, {"--out"}},
+    // Numbers
+    {"NotANumber", 2, {"--out", "x.vdb", "--bandwidth", "abc"}, {"--bandwidth is abc", "number"}},
+    {"HalfANumber", 2, {"--out", "x.vdb", "--frequency", "2x"}, {"--frequency is 2x", "number"}},
+    {"Nan", 2, {"--out", "x.vdb", "--frequency", "nan"}, {"--frequency is nan", "finite"}},
+    {"Infinite", 2, {"--out", "x.vdb", "--voxel", "inf"}, {"--voxel is inf", "finite"}},
+    {"TooLargeForADouble", 2, {"--out", "x.vdb", "--frequency", "1e999"}, {"--frequency is 1e999"}},
+    {"Hexadecimal", 2, {"--out", "x.vdb", "--frequency", "0x10"}, {"--frequency is 0x10"}},
+    {"FractionForAnInteger", 2, {"--out", "x.vdb", "--octaves", "2.5"}, {"--octaves is 2.5", "whole number"}},
+    {"NegativeSeed", 2, {"--out", "x.vdb", "--seed", "-1"}, {"--seed is -1", "18446744073709551615"}},
+    {"NanInABox", 2, {"--out", "x.vdb", "--box", "0", "0", "0", "1", "nan", "1"}, {"--box is nan"}},
+    // Ranges
+    {"VoxelZero", 2, {"--out", "x.vdb", "--voxel", "0"}, {"--voxel is 0", "greater than 0"}},
+    {"DimZero", 2, {"--out", "x.vdb", "--dim", "0"}, {"--dim is 0", "between 1 and"}},
+    {"NegativeImpulses", 2, {"--out", "x.vdb", "--impulses", "-3"}, {"--impulses is -3", "between 0 and"}},
+    {"NegativeBandwidth", 2, {"--out", "x.vdb", "--bandwidth", "-1"}, {"--bandwidth is -1", "octaves"}},
+    {"FrequencyZero", 2, {"--out", "x.vdb", "--frequency", "0"}, {"--frequency is 0", "greater than 0"}},
+    {"SizeZero", 2, {"--out", "x.vdb", "--size", "0"}, {"--size is 0", "greater than 0"}},
+    {"ErrorTooLarge", 2, {"--out", "x.vdb", "--error", "2"}, {"--error is 2"}},
+    {"NoOctaves", 2, {"--out", "x.vdb", "--octaves", "0"}, {"--octaves is 0"}},
+    {"Lacunarity", 2, {"--out", "x.vdb", "--lacunarity", "0"}, {"--lacunarity is 0"}},
+    {"FiveDimensions", 2, {"--out", "x.vdb", "--dims", "5"}, {"--dims is 5", "between 3 and 4"}},
+    {"ThreadsZero", 2, {"--out", "x.vdb", "--threads", "0"}, {"--threads is 0"}},
+    {"OpticalDepth", 2, {"--out", "x.vdb", "--optical-depth", "-1"}, {"--optical-depth is -1"}},
+    {"Density", 2, {"--out", "x.vdb", "--density", "0"}, {"--density is 0"}},
+    {"BoxInsideOut", 2, {"--out", "x.vdb", "--box", "0", "0", "0", "1", "-1", "1"}, {"--box", "along y"}},
+    {"Anisotropy",
+     2,
+     {"--out", "x.vdb", "--noise", "gabor-oriented", "--anisotropy", "2"},
+     {"--anisotropy is 2", "between 0 and 1"}},
+    {"NoDirection",
+     2,
+     {"--out", "x.vdb", "--noise", "gabor-oriented", "--direction", "0", "0", "0"},
+     {"--direction is 0"}},
+    {"PeriodNegative", 2, {"--out", "x.vdb", "--period", "-1", "0", "0"}, {"--period is -1"}},
+    {"MemoryUnit", 2, {"--out", "x.vdb", "--max-memory", "3parsecs"}, {"--max-memory is 3parsecs", "8G"}},
+    // Words
+    {"Noise",
+     2,
+     {"--out", "x.vdb", "--noise", "perlin"},
+     {"--noise is perlin", "gabor, gabor-oriented, kensler"}},
+    {"Codec", 2, {"--out", "x.vdb", "--codec", "rar"}, {"--codec is rar", "blosc, zip, none"}},
+    {"Shape", 2, {"--out", "x.vdb", "--shape", "teapot"}, {"--shape is teapot", "FILE.obj"}},
+    {"Preset", 2, {"--out", "x.vdb", "--preset", "fog"}, {"--preset is fog", "cumulus"}},
+    {"Preview", 2, {"--preview", "x.gif"}, {"--preview is x.gif", ".png"}},
+    // Contradictions
+    {"SizeAndFrequency", 2, {"--out", "x.vdb", "--size", "1", "--frequency", "2"}, {"--size", "--frequency"}},
+    {"VoxelAndDim", 2, {"--out", "x.vdb", "--voxel", "1", "--dim", "2"}, {"--voxel", "--dim"}},
+    {"DensityAndDepth",
+     2,
+     {"--out", "x.vdb", "--density", "1", "--optical-depth", "2"},
+     {"--density", "--optical-depth"}},
+    {"RawAndDensity", 2, {"--out", "x.vdb", "--raw", "--density", "1"}, {"--raw", "--density"}},
+    {"PresetAndRecipe",
+     2,
+     {"--out", "x.vdb", "--preset", "raw", "--recipe", "r.json"},
+     {"--preset", "--recipe"}},
+    {"RangeWithoutRaw", 2, {"--out", "x.vdb", "--range", "unit"}, {"--range", "--raw"}},
+    {"TimeWithoutDims", 2, {"--out", "x.vdb", "--time", "2"}, {"--time is 2", "dims"}},
+    {"NotOfThisNoise",
+     2,
+     {"--out", "x.vdb", "--noise", "kensler", "--bandwidth", "1"},
+     {"--bandwidth", "--noise kensler"}},
+    {"BoxOfAMesh",
+     2,
+     {"--out", "x.vdb", "--shape", "open.obj", "--box", "0", "0", "0", "1", "1", "1"},
+     {"--box", "--shape"}},
+    {"VoxelOfAGrid", 2, {"--out", "x.vdb", "--shape", "garbage.vdb", "--voxel", "1"}, {"--voxel", "--shape"}},
+    // Files
+    {"NoMesh", 1, {"--out", "x.vdb", "--shape", "missing.obj"}, {"missing.obj", "No such file"}},
+    {"OpenMesh", 1, {"--out", "x.vdb", "--shape", "open.obj"}, {"open.obj", "edge"}},
+    {"EmptyMesh", 1, {"--out", "x.vdb", "--shape", "empty.obj"}, {"empty.obj"}},
+    {"MeshWithoutFaces", 1, {"--out", "x.vdb", "--shape", "no_faces.obj"}, {"no_faces.obj"}},
+    {"NoGrid", 1, {"--out", "x.vdb", "--shape", "missing.vdb"}, {"missing.vdb"}},
+    {"GarbageGrid", 1, {"--out", "x.vdb", "--shape", "garbage.vdb"}, {"garbage.vdb"}},
+    {"EmptyGrid", 1, {"--out", "x.vdb", "--shape", "empty.vdb"}, {"empty.vdb"}},
+    {"NoRecipe", 1, {"--out", "x.vdb", "--recipe", "missing.json"}, {"missing.json", "No such file"}},
+    {"RecipeIsAFolder", 1, {"--out", "x.vdb", "--recipe", "."}, {"."}},
+    {"BrokenRecipe", 1, {"--out", "x.vdb", "--recipe", "broken.json"}, {"broken.json", "line 2"}},
+    {"RecipeOutOfRange",
+     1,
+     {"--out", "x.vdb", "--recipe", "bandwidth.json"},
+     {"bandwidth.json: noise.bandwidth is -1"}},
+    {"RecipeWithUnknownKey", 1, {"--out", "x.vdb", "--recipe", "unknown.json"}, {"unknown.json: nose"}},
+    {"RecipeOfTheFuture",
+     1,
+     {"--out", "x.vdb", "--recipe", "future.json"},
+     {"future.json: solidnoise is 99"}},
+    {"GarbageRecipe", 1, {"--out", "x.vdb", "--recipe", "garbage.vdb"}, {"garbage.vdb"}},
+    {"OutputExists", 1, {"--out", "exists.vdb", "--dim", "8"}, {"exists.vdb", "--force"}},
+    {"PreviewExists", 1, {"--out", "x.vdb", "--write-recipe", "broken.json"}, {"broken.json", "--force"}},
+    {"NoFolder", 1, {"--out", "nowhere/x.vdb", "--dim", "8"}, {"nowhere"}},
+    {"FolderIsAFile", 1, {"--out", "open.obj/x.vdb", "--dim", "8"}, {"open.obj"}},
+    {"UnwritableFolder", 1, {"--quiet", "--out", "/proc/x.vdb", "--dim", "8"}, {"/proc"}},
+    {"OutputIsAFolder", 1, {"--out", ".", "--force", "--dim", "8"}, {"."}},
+    // Memory
+    {"MaxMemory",
+     1,
+     {"--out", "x.vdb", "--dim", "64", "--max-memory", "100K"},
+     {"--max-memory", "100.0 KiB"}},
+    {"AvailableMemory",
+     1,
+     {"--out", "x.vdb", "--dim", "100000"},
+     {"100000 x 100000 x 100000", "--max-memory"}},
+    // The other commands
+    {"InfoWithoutFile", 2, {"info"}, {"FILE"}},
+    {"InfoMissing", 1, {"info", "missing.vdb"}, {"missing.vdb"}},
+    {"InfoGarbage", 1, {"info", "garbage.vdb"}, {"garbage.vdb"}},
+    {"InfoUnknownFlag", 2, {"info", "garbage.vdb", "--verbose"}, {"--verbose"}},
+};
+
+INSTANTIATE_TEST_SUITE_P(Vdbnoise, BadInput, testing::ValuesIn(kRefusals),
+                         [](const auto& refusal) { return refusal.param.name; });
+
+// Damaged files end in a message, never in a signal. The seed of the damage is fixed: 16 cuts, 16 flips.
+TEST(DamagedInput, VolumesAreRefusedOrRead) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run_vdbnoise({"--raw", "--dim", "16", "--quiet", "--out", folder.file("whole.vdb")}).status, 0);
+  const std::string whole = folder.read("whole.vdb");
+  for (std::size_t i = 0; i < 16; ++i) {
+    folder.write("damaged.vdb", whole.substr(0, whole.size() * i / 16));
+    const ToolResult cut =
+        run_vdbnoise({"--shape", "damaged.vdb", "--out", "x.vdb"}, {.folder = folder.path()});
+    EXPECT_EQ(cut.status, 1) << "cut at " << i << "/16: " << cut.err;
+    EXPECT_NE(cut.err.find("damaged.vdb"), std::string::npos) << cut.err;
+
+    std::string flipped = whole;
+    flipped[whole.size() * (2 * i + 1) / 32] ^= static_cast<char>(1 << (i % 8));
+    folder.write("damaged.vdb", flipped);
+    const ToolResult flip = run_vdbnoise({"info", "damaged.vdb"}, {.folder = folder.path()});
+    EXPECT_EQ(flip.signal, 0) << "flip at " << i << "/16";
+  }
+  EXPECT_EQ(folder.names(), (std::set<std::string>{"whole.vdb", "damaged.vdb"}));
+}
+
+}  // namespace
+}  // namespace solidnoise

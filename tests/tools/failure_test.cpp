@@ -1,0 +1,86 @@
+#include <chrono>
+#include <csignal>
+#include <string>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "tools/run_tool.h"
+
+namespace solidnoise {
+namespace {
+
+using namespace std::chrono_literals;
+
+// Large enough to take seconds to make and to write.
+const std::vector<std::string> kLongRun{"--raw", "--dim", "320", "--codec", "none", "--out", "x.vdb"};
+
+TEST(Interrupt, WhileMakingLeavesNothing) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const TemporaryFolder folder;
+    RunningTool tool(kLongRun, {.folder = folder.path()});
+    std::this_thread::sleep_for(200ms);  // the start takes a tenth of that
+    tool.send(signal);
+    const ToolResult result = tool.wait();
+    EXPECT_EQ(result.status, 128 + signal) << result.err;
+    EXPECT_NE(result.err.find("interrupted"), std::string::npos) << result.err;
+    EXPECT_TRUE(folder.names().empty()) << *folder.names().begin();
+  }
+}
+
+TEST(Interrupt, WhileWritingLeavesNothing) {
+  const TemporaryFolder folder;
+  RunningTool tool(kLongRun, {.folder = folder.path()});
+  const auto give_up = std::chrono::steady_clock::now() + 60s;
+  while (folder.names().empty() && std::chrono::steady_clock::now() < give_up)
+    std::this_thread::sleep_for(1ms);
+  ASSERT_EQ(folder.names().count("x.vdb"), 0u) << "the file must not have its name before it is whole";
+  ASSERT_FALSE(folder.names().empty()) << "no temporary file was seen";
+  tool.send(SIGINT);
+  const ToolResult result = tool.wait();
+  EXPECT_EQ(result.status, 128 + SIGINT) << result.err;
+  EXPECT_TRUE(folder.names().empty()) << *folder.names().begin();
+}
+
+TEST(FullDisk, IsReportedAndLeavesNothing) {
+  const TemporaryFolder folder;
+  const ToolResult result = run_vdbnoise({"--raw", "--dim", "64", "--out", "x.vdb"},
+                                         {.folder = folder.path(), .file_size_limit = 100000});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_NE(result.err.find("x.vdb"), std::string::npos) << result.err;
+  EXPECT_TRUE(folder.names().empty()) << *folder.names().begin();
+}
+
+TEST(FullDisk, KeepsTheFileThatWasThere) {
+  const TemporaryFolder folder;
+  folder.write("x.vdb", "precious");
+  const ToolResult result = run_vdbnoise({"--raw", "--dim", "64", "--force", "--out", "x.vdb"},
+                                         {.folder = folder.path(), .file_size_limit = 100000});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_EQ(folder.read("x.vdb"), "precious");
+  EXPECT_EQ(folder.names(), std::set<std::string>{"x.vdb"});
+}
+
+TEST(FullDisk, OfARecipeOrAPreviewLeavesNothing) {
+  const TemporaryFolder folder;
+  const RunOptions options{.folder = folder.path(), .file_size_limit = 64};
+  const ToolResult recipe =
+      run_vdbnoise({"--quiet", "--raw", "--dim", "8", "--write-recipe", "x.json"}, options);
+  EXPECT_EQ(recipe.status, 1);
+  EXPECT_NE(recipe.err.find("x.json"), std::string::npos) << recipe.err;
+  const ToolResult preview =
+      run_vdbnoise({"--quiet", "--dim", "16", "--octaves", "1", "--preview", "x.png"}, options);
+  EXPECT_EQ(preview.status, 1);
+  EXPECT_NE(preview.err.find("x.png"), std::string::npos) << preview.err;
+  EXPECT_TRUE(folder.names().empty()) << *folder.names().begin();
+}
+
+TEST(FullDisk, OfTheStandardOutputIsReported) {
+  const ToolResult result =
+      run_vdbnoise({"--raw", "--dim", "32", "--out", "-"}, {.standard_output = "/dev/full"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_NE(result.err.find("standard output"), std::string::npos) << result.err;
+}
+
+}  // namespace
+}  // namespace solidnoise

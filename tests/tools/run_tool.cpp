@@ -1,0 +1,142 @@
+#include "tools/run_tool.h"
+
+#include <array>
+#include <csignal>
+#include <cstdlib>
+#include <fcntl.h>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace solidnoise {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string read_file(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+fs::path make_temporary(const std::string& name) {
+  std::string path = (fs::temp_directory_path() / (name + "-XXXXXX")).string();
+  const int descriptor = mkstemp(path.data());
+  if (descriptor < 0) throw std::runtime_error("no temporary file");
+  close(descriptor);
+  return path;
+}
+
+// A pseudo-terminal; returns our end of it and puts the name of the other one into `path`.
+int open_terminal(fs::path& path) {
+  const int terminal = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
+  if (terminal < 0 || grantpt(terminal) != 0 || unlockpt(terminal) != 0)
+    throw std::runtime_error("no terminal");
+  path = ptsname(terminal);
+  return terminal;
+}
+
+// Everything until the other end is closed.
+std::string drain(int terminal) {
+  std::string text;
+  std::array<char, 4096> buffer;
+  for (ssize_t count; (count = read(terminal, buffer.data(), buffer.size())) > 0;) {
+    text.append(buffer.data(), static_cast<std::size_t>(count));
+  }
+  return text;
+}
+
+void redirect(const fs::path& path, int descriptor) {
+  const int file = open(path.c_str(), O_WRONLY | O_TRUNC | O_NOCTTY);
+  if (file < 0 || dup2(file, descriptor) < 0) _exit(125);
+}
+
+}  // namespace
+
+RunningTool::RunningTool(const std::vector<std::string>& arguments, const RunOptions& options)
+    : out_(options.standard_output.empty() ? make_temporary("vdbnoise-out") : options.standard_output),
+      err_(options.on_terminal ? fs::path() : make_temporary("vdbnoise-err")) {
+  if (options.on_terminal) terminal_ = open_terminal(err_);
+  std::vector<std::string> words{SOLIDNOISE_VDBNOISE};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+
+  pid_ = fork();
+  if (pid_ < 0) throw std::runtime_error("fork failed");
+  if (pid_ > 0) return;
+  redirect(out_, STDOUT_FILENO);
+  redirect(err_, STDERR_FILENO);
+  if (chdir(options.folder.c_str()) != 0) _exit(125);
+  if (options.file_size_limit > 0) {
+    const rlim_t bytes = static_cast<rlim_t>(options.file_size_limit);
+    const rlimit limit{bytes, bytes};
+    setrlimit(RLIMIT_FSIZE, &limit);
+    std::signal(SIGXFSZ, SIG_IGN);  // writes then fail, as on a full disk
+  }
+  execv(argv[0], argv.data());
+  _exit(125);
+}
+
+void RunningTool::send(int signal) const {
+  kill(pid_, signal);
+}
+
+ToolResult RunningTool::wait() {
+  ToolResult result;
+  if (terminal_ >= 0) result.err = drain(terminal_);
+  int status = 0;
+  rusage usage{};
+  wait4(pid_, &status, 0, &usage);
+  for (const timeval& time : {usage.ru_utime, usage.ru_stime}) {
+    result.cpu_milliseconds +=
+        1e3 * static_cast<double>(time.tv_sec) + 1e-3 * static_cast<double>(time.tv_usec);
+  }
+  if (WIFEXITED(status)) result.status = WEXITSTATUS(status);
+  if (WIFSIGNALED(status)) result.signal = WTERMSIG(status);
+  if (terminal_ >= 0) {
+    close(terminal_);
+  } else {
+    result.err = read_file(err_);
+    fs::remove(err_);
+  }
+  if (out_.string().find("vdbnoise-out-") != std::string::npos) {
+    result.out = read_file(out_);
+    fs::remove(out_);
+  }
+  return result;
+}
+
+ToolResult run_vdbnoise(const std::vector<std::string>& arguments, const RunOptions& options) {
+  return RunningTool(arguments, options).wait();
+}
+
+TemporaryFolder::TemporaryFolder() {
+  std::string path = (fs::temp_directory_path() / "vdbnoise-test-XXXXXX").string();
+  if (mkdtemp(path.data()) == nullptr) throw std::runtime_error("no temporary folder");
+  path_ = path;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
+void TemporaryFolder::write(const std::string& name, const std::string& content) const {
+  std::ofstream(path_ / name, std::ios::binary) << content;
+}
+
+std::string TemporaryFolder::read(const std::string& name) const {
+  return read_file(path_ / name);
+}
+
+std::set<std::string> TemporaryFolder::names() const {
+  std::set<std::string> names;
+  for (const auto& entry : fs::directory_iterator(path_)) names.insert(entry.path().filename().string());
+  return names;
+}
+
+}  // namespace solidnoise

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <sys/types.h>
+#include <vector>
+
+namespace solidnoise {
+
+// How a run of the real vdbnoise ended.
+struct ToolResult {
+  int status = -1;  // exit status; -1 if a signal ended it
+  int signal = 0;   // which one, or 0
+  double cpu_milliseconds = 0.0;
+  std::string out;
+  std::string err;
+};
+
+struct RunOptions {
+  std::filesystem::path folder = ".";          // in which it runs
+  std::filesystem::path standard_output = {};  // where that goes instead of ToolResult::out
+  bool on_terminal = false;                    // make its standard error a terminal
+  long file_size_limit = 0;  // bytes that a file may have, as if the disk were full then; 0: any
+};
+
+// A run that has begun. Wait for it once.
+class RunningTool {
+ public:
+  RunningTool(const std::vector<std::string>& arguments, const RunOptions& options);
+
+  void send(int signal) const;
+  ToolResult wait();
+
+ private:
+  pid_t pid_ = 0;
+  int terminal_ = -1;  // our end of it
+  std::filesystem::path out_;
+  std::filesystem::path err_;
+};
+
+ToolResult run_vdbnoise(const std::vector<std::string>& arguments, const RunOptions& options = {});
+
+// A folder that is empty at first and goes with the object.
+class TemporaryFolder {
+ public:
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+  std::string file(const std::string& name) const { return (path_ / name).string(); }
+  void write(const std::string& name, const std::string& content) const;
+  std::string read(const std::string& name) const;
+  std::set<std::string> names() const;  // of all files in it, hidden ones too
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace solidnoise

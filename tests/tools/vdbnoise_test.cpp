@@ -1,0 +1,244 @@
+#include <algorithm>
+#include <map>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "solidnoise/volume/make_volume.h"
+#include "solidnoise/volume/vdb_read.h"
+#include "solidnoise/volume/volume_recipe_json.h"
+#include "tools/run_tool.h"
+
+namespace solidnoise {
+namespace {
+
+// What the grid itself says: whether its values may be loaded later is a matter of the file, not of the grid.
+std::map<std::string, std::string> grid_metadata(const VdbSummary& summary) {
+  std::map<std::string, std::string> metadata = summary.grids[0].metadata;
+  metadata.erase("file_delayed_load");
+  return metadata;
+}
+
+// Topology, values and metadata, to the last bit.
+void expect_same_grid(const std::string& one, const std::string& other) {
+  const auto a = read_float_grid(one);
+  const auto b = read_float_grid(other);
+  EXPECT_TRUE(a->tree().hasSameTopology(b->tree()));
+  EXPECT_EQ(a->transform(), b->transform());
+  for (auto value = a->cbeginValueOn(); value; ++value) {
+    ASSERT_EQ(*value, b->tree().getValue(value.getCoord())) << value.getCoord();
+  }
+  const VdbSummary a_summary = read_vdb_summary(one);
+  const VdbSummary b_summary = read_vdb_summary(other);
+  EXPECT_EQ(a_summary.metadata, b_summary.metadata);
+  EXPECT_EQ(grid_metadata(a_summary), grid_metadata(b_summary));
+}
+
+VolumeRecipe recipe_in(const std::string& file) {
+  return volume_recipe_from_json(parse_json(read_vdb_summary(file).grids[0].metadata.at(kRecipeKey)));
+}
+
+void run_well(std::vector<std::string> arguments) {
+  arguments.push_back("--quiet");
+  const ToolResult result = run_vdbnoise(arguments);
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(result.err, "");
+}
+
+TEST(Vdbnoise, RecipeOfAVolumeMakesTheSameGridAgain) {
+  const std::vector<std::vector<std::string>> cases{
+      {"--dim", "40", "--octaves", "2"},
+      {"--raw", "--dim", "24", "--frequency", "3.3", "--seed", "18446744073709551615", "--half"},
+      {"--raw", "--voxel", "0.1", "--noise", "kensler", "--range", "unit", "--codec", "none"},
+      {"--raw", "--dim", "20", "--noise", "gabor-oriented", "--anisotropy", "0.7", "--octaves", "2"},
+      {"--preset", "marble", "--dim", "20", "--octaves", "1", "--dims", "4", "--time", "0.3", "--grid",
+       "stone", "--up", "z"},
+  };
+  for (std::vector<std::string> arguments : cases) {
+    const TemporaryFolder folder;
+    arguments.insert(arguments.end(),
+                     {"--out", folder.file("a.vdb"), "--write-recipe", folder.file("a.json")});
+    run_well(arguments);
+    run_well({"--recipe", folder.file("a.vdb"), "--out", folder.file("b.vdb")});
+    run_well({"--recipe", folder.file("a.json"), "--out", folder.file("c.vdb"), "--threads", "1"});
+    expect_same_grid(folder.file("a.vdb"), folder.file("b.vdb"));
+    expect_same_grid(folder.file("a.vdb"), folder.file("c.vdb"));
+  }
+}
+
+TEST(Vdbnoise, FlagsOverrideTheRecipeAndNothingElse) {
+  const TemporaryFolder folder;
+  run_well({"--raw", "--dim", "16", "--frequency", "5", "--out", folder.file("a.vdb")});
+  run_well({"--recipe", folder.file("a.vdb"), "--seed", "7", "--out", folder.file("b.vdb")});
+  VolumeRecipe expected = recipe_in(folder.file("a.vdb"));
+  std::get<GaborNoiseOptions>(expected.noise.noise).seed = 7;
+  EXPECT_EQ(to_json(recipe_in(folder.file("b.vdb"))), to_json(expected));
+}
+
+TEST(Vdbnoise, FilesThatFollowTheRecipeFileAreFoundFromAnyFolder) {
+  const TemporaryFolder folder;
+  folder.write("tetrahedron.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
+  const ToolResult made = run_vdbnoise(
+      {"--raw", "--shape", "tetrahedron.obj", "--dim", "24", "--out", "a.vdb"}, {.folder = folder.path()});
+  ASSERT_EQ(made.status, 0) << made.err;
+  run_well({"--recipe", folder.file("a.vdb"), "--out", folder.file("b.vdb")});
+  expect_same_grid(folder.file("a.vdb"), folder.file("b.vdb"));
+  run_well({"--raw", "--shape", folder.file("a.vdb:density"), "--seed", "3", "--out", folder.file("c.vdb")});
+  EXPECT_TRUE(read_float_grid(folder.file("a.vdb"))
+                  ->tree()
+                  .hasSameTopology(read_float_grid(folder.file("c.vdb"))->tree()));
+}
+
+TEST(Vdbnoise, ABoxCutInTwoHoldsTheSameNoise) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> common{"--raw", "--voxel", "0.1", "--frequency", "1.3"};
+  const auto make = [&](const std::string& name, std::vector<std::string> box) {
+    std::vector<std::string> arguments = common;
+    arguments.insert(arguments.end(), {"--out", folder.file(name), "--box"});
+    arguments.insert(arguments.end(), box.begin(), box.end());
+    run_well(arguments);
+    return read_float_grid(folder.file(name));
+  };
+  const auto whole = make("whole.vdb", {"-2", "-1", "-1", "2", "1", "1"});
+  const auto left = make("left.vdb", {"-2", "-1", "-1", "0.3", "1", "1"});
+  const auto right = make("right.vdb", {"0.3", "-1", "-1", "2", "1", "1"});
+  EXPECT_EQ(left->activeVoxelCount() + right->activeVoxelCount(), whole->activeVoxelCount());
+  for (const auto& part : {left, right}) {
+    for (auto value = part->cbeginValueOn(); value; ++value) {
+      ASSERT_EQ(*value, whole->tree().getValue(value.getCoord())) << value.getCoord();
+    }
+  }
+}
+
+TEST(Vdbnoise, DensityIsScaledToTheDepthOrThePeakThatIsAskedFor) {
+  const TemporaryFolder folder;
+  run_well({"--dim", "32", "--octaves", "2", "--optical-depth", "12", "--out", folder.file("depth.vdb")});
+  run_well({"--dim", "32", "--octaves", "2", "--density", "3", "--out", folder.file("peak.vdb")});
+  run_well({"--dim", "32", "--octaves", "2", "--optical-depth", "12", "--up", "z", "--out",
+            folder.file("up.vdb")});
+  const double tolerance = 1e-5;  // a few dozen roundings to single precision
+  EXPECT_NEAR(thickest_column(*read_float_grid(folder.file("depth.vdb")), 1), 12.0, 12.0 * tolerance);
+  EXPECT_NEAR(thickest_column(*read_float_grid(folder.file("up.vdb")), 2), 12.0, 12.0 * tolerance);
+  EXPECT_NEAR(measure(*read_float_grid(folder.file("peak.vdb"))).max(), 3.0, 3.0 * tolerance);
+}
+
+TEST(Vdbnoise, GridsAreWhatReadersExpect) {
+  const TemporaryFolder folder;
+  run_well({"--dim", "24", "--octaves", "2", "--out", folder.file("cloud.vdb")});
+  run_well({"--dim", "24", "--octaves", "2", "--half", "--grid", "fog", "--codec", "zip", "--out",
+            folder.file("half.vdb")});
+  const auto grid = read_float_grid(folder.file("cloud.vdb"));
+  EXPECT_EQ(grid->getName(), "density");
+  EXPECT_EQ(grid->getGridClass(), openvdb::GRID_FOG_VOLUME);
+  EXPECT_EQ(grid->background(), 0.0f);
+  EXPECT_GE(measure(*grid).min(), 0.0);
+  EXPECT_EQ(grid->metaValue<std::string>("solidnoise:up_axis"), "y");
+  const GridSummary half = read_vdb_summary(folder.file("half.vdb")).grids[0];
+  EXPECT_EQ(half.name, "fog");
+  EXPECT_TRUE(half.saved_as_half);
+}
+
+TEST(Vdbnoise, EveryPresetIsListedAndMakesAVolume) {
+  const ToolResult list = run_vdbnoise({"--list-presets"});
+  EXPECT_EQ(list.status, 0);
+  for (const std::string preset : {"cumulus", "smoke", "nebula", "marble", "raw"}) {
+    EXPECT_NE(list.out.find(preset + " "), std::string::npos) << list.out;
+    const TemporaryFolder folder;
+    run_well({"--preset", preset, "--dim", "32", "--octaves", "2", "--out", folder.file("x.vdb")});
+    const Moments moments = measure(*read_float_grid(folder.file("x.vdb")));
+    EXPECT_GT(moments.count(), 1000u) << preset;
+    EXPECT_GT(moments.sigma(), 0.0) << preset;
+  }
+}
+
+TEST(Vdbnoise, DescribesInJsonAndWritesNothing) {
+  const TemporaryFolder folder;
+  const ToolResult result =
+      run_vdbnoise({"--describe", "--raw", "--dim", "64", "--out", "x.vdb", "--preview", "x.png"},
+                   {.folder = folder.path()});
+  ASSERT_EQ(result.status, 0) << result.err;
+  const Json json = parse_json(result.out);
+  EXPECT_NEAR(json["noise"]["variance"].get<double>(), 1.0, 1e-6);
+  EXPECT_LE(json["noise"]["excess_kurtosis"].get<double>(), 0.5);
+  EXPECT_EQ(json["grid"]["voxels_at_most"], 64 * 64 * 64);
+  EXPECT_GE(json["grid"]["memory_at_most_bytes"].get<double>(), 64.0 * 64.0 * 64.0 * 4.0);
+  EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(Vdbnoise, StandardOutputCarriesTheVolumeAndNothingElse) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> common{"--raw", "--dim", "24"};
+  std::vector<std::string> to_stream = common;
+  to_stream.insert(to_stream.end(), {"--out", "-"});
+  const ToolResult streamed = run_vdbnoise(to_stream);
+  ASSERT_EQ(streamed.status, 0) << streamed.err;
+  EXPECT_EQ(streamed.err.find('\r'), std::string::npos) << "a progress bar without a terminal";
+  folder.write("streamed.vdb", streamed.out);
+  std::vector<std::string> to_file = common;
+  to_file.insert(to_file.end(), {"--out", folder.file("file.vdb")});
+  run_well(to_file);
+  expect_same_grid(folder.file("file.vdb"), folder.file("streamed.vdb"));
+}
+
+TEST(Vdbnoise, ShowsItsProgressOnATerminalUnlessQuiet) {
+  const TemporaryFolder folder;
+  const RunOptions on_terminal{.folder = folder.path(), .on_terminal = true};
+  const ToolResult shown = run_vdbnoise({"--raw", "--dim", "64", "--out", "a.vdb"}, on_terminal);
+  EXPECT_EQ(shown.status, 0);
+  EXPECT_NE(shown.err.find(" %"), std::string::npos) << shown.err;
+  EXPECT_NE(shown.err.find("sigma"), std::string::npos) << shown.err;
+  const ToolResult quiet = run_vdbnoise({"--raw", "--dim", "64", "--out", "b.vdb", "--quiet"}, on_terminal);
+  EXPECT_EQ(quiet.status, 0);
+  EXPECT_EQ(quiet.err, "");
+}
+
+TEST(Vdbnoise, PrintsStatisticsAndWarnsOfAliasing) {
+  const TemporaryFolder folder;
+  const ToolResult fine =
+      run_vdbnoise({"--raw", "--frequency", "1", "--dim", "32", "--out", folder.file("fine.vdb")});
+  for (const char* word : {"32768 active voxels", "32 x 32 x 32", "min", "max", "mean", "sigma", "0.0625"}) {
+    EXPECT_NE(fine.err.find(word), std::string::npos) << fine.err;
+  }
+  EXPECT_EQ(fine.err.find("warning"), std::string::npos) << fine.err;
+  const ToolResult coarse =
+      run_vdbnoise({"--raw", "--frequency", "8", "--dim", "32", "--out", folder.file("coarse.vdb")});
+  EXPECT_EQ(coarse.status, 0);
+  EXPECT_NE(coarse.err.find("cycles per voxel"), std::string::npos) << coarse.err;
+}
+
+TEST(Vdbnoise, InfoPrintsGridsAndTheRecipe) {
+  const TemporaryFolder folder;
+  run_well({"--raw", "--dim", "16", "--seed", "12345", "--out", folder.file("a.vdb")});
+  const ToolResult result = run_vdbnoise({"info", folder.file("a.vdb")});
+  EXPECT_EQ(result.status, 0) << result.err;
+  for (const char* word :
+       {"grid density", "float", "4096 active voxels", "\"seed\": 12345", "creator = vdbnoise"}) {
+    EXPECT_NE(result.out.find(word), std::string::npos) << result.out;
+  }
+}
+
+TEST(Vdbnoise, PreviewIsAPicture) {
+  const TemporaryFolder folder;
+  run_well(
+      {"--dim", "32", "--octaves", "2", "--out", folder.file("a.vdb"), "--preview", folder.file("a.png")});
+  EXPECT_EQ(folder.read("a.png").substr(1, 3), "PNG");
+  EXPECT_EQ(folder.names(), (std::set<std::string>{"a.vdb", "a.png"}));
+}
+
+// Processor time, the best of ten: the rest measures what else the machine does.
+TEST(Vdbnoise, HelpStartsInUnderFiftyMilliseconds) {
+  double least = 1e9;
+  for (int i = 0; i < 10; ++i) {
+    const ToolResult result = run_vdbnoise({"--help"});
+    ASSERT_EQ(result.status, 0);
+    least = std::min(least, result.cpu_milliseconds);
+    for (const char* flag : {"--out", "--noise", "--voxel", "--optical-depth", "--recipe", "--max-memory"}) {
+      EXPECT_NE(result.out.find(flag), std::string::npos);
+    }
+  }
+  EXPECT_LT(least, 50.0);
+}
+
+}  // namespace
+}  // namespace solidnoise

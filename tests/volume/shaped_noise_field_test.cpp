@@ -1,0 +1,115 @@
+#include "solidnoise/volume/shaped_noise_field.h"
+
+#include <array>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace solidnoise {
+namespace {
+
+// A "noise" whose value is the position's x.
+class Ramp final : public Noise<3> {
+ public:
+  using Noise<3>::evaluate;
+
+  std::unique_ptr<NoiseBlock<3>> block(const Box<3>&) const override { return std::make_unique<Block>(); }
+  void evaluate(const Points<3>&, const Samples<3>&) const override {}
+  double variance() const override { return 1.0; }
+  double power_spectrum(const Vec<3>&) const override { return 0.0; }
+  double excess_kurtosis() const override { return 0.0; }
+  Band band() const override { return {}; }
+
+ private:
+  struct Block final : NoiseBlock<3> {
+    void evaluate(const Lattice<3>& lattice, const Samples<3>& samples) const override {
+      std::size_t sample = 0;
+      for (int i = 0; i < lattice.count.x; ++i) {
+        for (int jk = 0; jk < lattice.count.y * lattice.count.z; ++jk) {
+          samples.values[sample++] = static_cast<float>(lattice.coordinate(0, i));
+        }
+      }
+    }
+  };
+};
+
+const Box<3> kWorld{{-10.0, -10.0, -10.0}, {10.0, 10.0, 10.0}};
+
+float value_at(const Field& field, double x, double y = 0.0, double z = 0.0) {
+  Lattice<3> lattice;
+  lattice.origin = {x, y, z};
+  std::array<float, 1> value{};
+  field.block(kWorld)->evaluate(lattice, value);
+  return value[0];
+}
+
+TEST(ShapedNoiseField, RangesMapThreeSigmasToTheirEnds) {
+  const auto noise = std::make_shared<Ramp>();
+  const auto raw = make_field(noise, RawShaping{RawShaping::Range::raw});
+  const auto both_signs = make_field(noise, RawShaping{RawShaping::Range::signed_values});
+  const auto unit = make_field(noise, RawShaping{RawShaping::Range::unit});
+  EXPECT_EQ(value_at(*raw, 7.5), 7.5f);
+  EXPECT_EQ(value_at(*both_signs, 1.5), 0.5f);
+  EXPECT_EQ(value_at(*both_signs, -3.0), -1.0f);
+  EXPECT_EQ(value_at(*both_signs, 9.0), 1.0f);
+  EXPECT_EQ(value_at(*unit, 0.0), 0.5f);
+  EXPECT_EQ(value_at(*unit, 3.0), 1.0f);
+  EXPECT_EQ(value_at(*unit, -9.0), 0.0f);
+}
+
+TEST(ShapedNoiseField, RemapIsASoftThreshold) {
+  const auto noise = std::make_shared<Ramp>();
+  RemapShaping shaping{.threshold = 1.0, .softness = 2.0};
+  const auto field = make_field(noise, shaping, kWorld);
+  EXPECT_EQ(value_at(*field, 1.0), 0.0f);
+  EXPECT_EQ(value_at(*field, 2.0), 0.5f);
+  EXPECT_EQ(value_at(*field, 3.0), 1.0f);
+  EXPECT_NEAR(value_at(*field, 1.5), 0.25 * 0.25 * 2.5, 1e-6);  // smoothstep(1/4) = t^2 (3 - 2 t)
+  shaping.power = 3.0;
+  EXPECT_NEAR(value_at(*make_field(noise, shaping, kWorld), 2.0), 0.125, 1e-6);
+  shaping.power = 1.0;
+  shaping.floor = 0.2;
+  EXPECT_NEAR(value_at(*make_field(noise, shaping, kWorld), -5.0), 0.2, 1e-6);
+  EXPECT_NEAR(value_at(*make_field(noise, shaping, kWorld), 2.0), 0.6, 1e-6);
+}
+
+TEST(ShapedNoiseField, FoldsAreSymmetric) {
+  const auto noise = std::make_shared<Ramp>();
+  const auto ridged =
+      make_field(noise, RemapShaping{.fold = RemapShaping::Fold::ridged, .threshold = -1.0}, kWorld);
+  const auto billow = make_field(noise, RemapShaping{.fold = RemapShaping::Fold::billow}, kWorld);
+  EXPECT_EQ(value_at(*ridged, 0.0), 1.0f);
+  EXPECT_EQ(value_at(*billow, 0.0), 0.0f);
+  for (const double x : {0.25, 0.5, 2.0}) {
+    EXPECT_EQ(value_at(*ridged, x), value_at(*ridged, -x));
+    EXPECT_EQ(value_at(*billow, x), value_at(*billow, -x));
+  }
+}
+
+// What empty() skips must be 0 everywhere, or clouds would have holes of the size of a block.
+TEST(ShapedNoiseField, WhatIsCalledEmptyIsZero) {
+  const Box<3> box{{-4.0, -2.0, -4.0}, {4.0, 2.0, 4.0}};
+  const auto noise = std::make_shared<Ramp>();
+  int empty_blocks = 0;
+  for (const auto fold : {RemapShaping::Fold::none, RemapShaping::Fold::ridged, RemapShaping::Fold::billow}) {
+    const auto field = make_field(noise, RemapShaping{.fold = fold, .threshold = -0.5, .edge = 3.0}, box);
+    for (double x = -4.0; x < 4.0; x += 1.0) {
+      for (double y = -2.0; y < 2.0; y += 0.5) {
+        const Box<3> block{{x, y, 0.0}, {x + 1.0, y + 0.5, 1.0}};
+        if (!field->empty(block)) continue;
+        ++empty_blocks;
+        for (int corner = 0; corner < 8; ++corner) {
+          EXPECT_EQ(value_at(*field, corner & 1 ? block.upper.x : block.lower.x,
+                             corner & 2 ? block.upper.y : block.lower.y, corner & 4 ? 1.0 : 0.0),
+                    0.0f);
+        }
+      }
+    }
+  }
+  EXPECT_GT(empty_blocks, 0);
+}
+
+}  // namespace
+}  // namespace solidnoise

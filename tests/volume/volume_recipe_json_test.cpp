@@ -1,0 +1,102 @@
+#include "solidnoise/volume/volume_recipe_json.h"
+
+#include <stdexcept>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace solidnoise {
+namespace {
+
+std::string message_of(const std::string& text) {
+  try {
+    volume_recipe_from_json(parse_json(text));
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+// Equal JSON is equal data: every field is in it, and numbers are written so that they read back exactly.
+void expect_round_trip(const VolumeRecipe& recipe) {
+  const std::string text = format_json(to_json(recipe));
+  EXPECT_EQ(format_json(to_json(volume_recipe_from_json(parse_json(text)))), text);
+}
+
+TEST(VolumeRecipeJson, RoundTripsEveryShapeAndShaping) {
+  for (const Shape& shape : {Shape(BoxShape{}), Shape(SphereShape{}), Shape(EllipsoidShape{}),
+                             Shape(MeshShape{"a \"b\".obj"}), Shape(GridShape{"in.vdb", "heat"})}) {
+    VolumeRecipe recipe;
+    recipe.shape = shape;
+    recipe.voxel = 0.1 + 0.2;
+    recipe.box = {{-1.0 / 3.0, 0.0, 1e-9}, {1.0, 2.0, 3.0}};
+    expect_round_trip(recipe);
+    EXPECT_EQ(volume_recipe_from_json(to_json(recipe)).shape, shape);
+  }
+  for (const Shaping& shaping :
+       {Shaping(RawShaping{RawShaping::Range::unit}),
+        Shaping(RemapShaping{RemapShaping::Fold::ridged, -0.3, 0.7, 2.5, 1.0, 0.1})}) {
+    VolumeRecipe recipe;
+    recipe.shaping = shaping;
+    recipe.density.peak = 2.5;
+    expect_round_trip(recipe);
+    EXPECT_EQ(volume_recipe_from_json(to_json(recipe)).shaping, shaping);
+  }
+}
+
+TEST(VolumeRecipeJson, RoundTripsWhatIsNotTheDefault) {
+  VolumeRecipe recipe;
+  recipe.description = "two\nlines";
+  recipe.noise.noise = GradientNoiseOptions{.frequency = 0.7, .seed = ~0ULL};
+  recipe.dims = 4;
+  recipe.time = -1.25;
+  recipe.density.optical_depth = 1.0 / 7.0;
+  recipe.dim = 99;
+  recipe.up = UpAxis::z;
+  recipe.grid = "smoke";
+  recipe.half = true;
+  recipe.codec = Codec::none;
+  expect_round_trip(recipe);
+  const VolumeRecipe back = volume_recipe_from_json(to_json(recipe));
+  EXPECT_EQ(back.noise, recipe.noise);
+  EXPECT_EQ(back.density, recipe.density);
+  EXPECT_EQ(back.time, recipe.time);
+  EXPECT_EQ(back.description, recipe.description);
+}
+
+TEST(VolumeRecipeJson, RefusesWhatIsNoRecipeOfThisVersion) {
+  EXPECT_EQ(message_of("{}"), "\"solidnoise\": 1 is missing; this is no recipe");
+  EXPECT_EQ(message_of(R"({"solidnoise": 2})"), "solidnoise is 2; this program reads recipes of version 1");
+  EXPECT_EQ(message_of(R"({"solidnoise": "1"})"), "solidnoise is \"1\"; it must be a whole number");
+  EXPECT_EQ(message_of("[1]"), "the recipe is [1]; it must be an object");
+  EXPECT_EQ(message_of(R"({"solidnoise": 1})"), "accepted");
+}
+
+TEST(VolumeRecipeJson, MessagesGiveThePathInTheTree) {
+  const auto with = [](const std::string& rest) { return message_of(R"({"solidnoise": 1, )" + rest + "}"); };
+  EXPECT_EQ(with(R"("noise": {"type": "gabor", "bandwidth": -1})"),
+            "noise.bandwidth is -1; it must be between 0.05 and 4 (octaves)");
+  EXPECT_EQ(with(R"("shaping": {"type": "remap", "softness": 0})"),
+            "shaping.softness is 0; it must be greater than 0 (sigmas)");
+  EXPECT_EQ(with(R"("shape": {"type": "cone"})"),
+            "shape.type is \"cone\"; it must be one of box, sphere, ellipsoid, mesh, grid");
+  EXPECT_EQ(with(R"("shape": {"type": "box", "file": "a"})"),
+            "shape.file is unknown; the keys here are type");
+  EXPECT_EQ(with(R"("voxel": 0)"), "voxel is 0; it must be greater than 0 (world units)");
+  EXPECT_EQ(with(R"("dims": 5)"), "dims is 5; it must be between 3 and 4");
+  EXPECT_EQ(with(R"("time": 1)"), "time is 1; it must be 0 where dims is 3");
+  EXPECT_EQ(with(R"("box": [0, 0, 0, 1, 1])"), "box is [0,0,0,1,1]; it must be an array of 6 numbers");
+  EXPECT_EQ(with(R"("half": 1)"), "half is 1; it must be true or false");
+  EXPECT_EQ(with(R"("voxel": 0.1, "dim": 3)"), "voxel and dim contradict each other; give one of them");
+  EXPECT_EQ(with(R"("density": 1, "optical_depth": 3)"),
+            "optical_depth and density contradict each other; give one of them");
+}
+
+TEST(VolumeRecipeJson, TellsTheAlgorithmsThatARecipeWasMadeWith) {
+  EXPECT_EQ(algorithm_of(to_json(VolumeRecipe{})), kAlgorithmVersion);
+  EXPECT_EQ(algorithm_of(parse_json(R"({"solidnoise": 1, "algorithm": 41})")), 41);
+}
+
+}  // namespace
+}  // namespace solidnoise

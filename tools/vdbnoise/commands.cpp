@@ -1,0 +1,13 @@
+#include "vdbnoise/commands.h"
+
+namespace solidnoise {
+
+int run_vdbnoise(const std::vector<std::string>& arguments) {
+  if (arguments.empty()) return run_make({});
+  const std::vector<std::string> rest(arguments.begin() + 1, arguments.end());
+  if (arguments[0] == "make") return run_make(rest);
+  if (arguments[0] == "info") return run_info(rest);
+  return run_make(arguments);
+}
+
+}  // namespace solidnoise

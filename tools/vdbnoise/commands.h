@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace solidnoise {
+
+inline constexpr char kVdbnoise[] = "vdbnoise " SOLIDNOISE_VERSION;  // name and version, in every file
+
+// The commands of vdbnoise. `arguments` follow the command's name. Each returns an exit status, and throws
+// what run_tool() expects.
+int run_make(const std::vector<std::string>& arguments);
+int run_info(const std::vector<std::string>& arguments);
+
+// Picks the command by the first argument; without one it is run_make().
+int run_vdbnoise(const std::vector<std::string>& arguments);
+
+}  // namespace solidnoise

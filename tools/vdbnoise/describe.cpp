@@ -1,0 +1,107 @@
+#include "vdbnoise/describe.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <variant>
+
+#include <nlohmann/json.hpp>
+
+#include "solidnoise/noise/gabor_noise.h"
+#include "solidnoise/noise/gradient_noise.h"
+#include "solidnoise/noise/oriented_gabor_noise.h"
+#include "solidnoise/recipe/noise_recipe_json.h"
+#include "solidnoise/volume/make_volume.h"
+#include "solidnoise/volume/volume_recipe_json.h"
+
+namespace solidnoise {
+namespace {
+
+// Lengths in world units, frequencies in cycles per world unit, the density in impulses per world unit^Dim.
+template <typename Noise>
+void describe_impulses(const Noise& noise, Json& json) {
+  json["impulses_per_kernel"] = noise.impulses_per_kernel();
+  json["impulse_density"] = noise.impulse_density();
+}
+
+template <int Dim>
+void describe_kernel(const GaborNoiseOptions& options, Json& json) {
+  const GaborNoise<Dim> noise(options);
+  json["kernel"]["kind"] = "isotropic Gabor";
+  json["kernel"]["frequency"] = noise.kernel().frequency();
+  json["kernel"]["a"] = noise.kernel().a();
+  json["kernel"]["radius"] = noise.radius();
+  json["kernel"]["degree"] = noise.compact_kernel().degree();
+  json["kernel"]["relative_error"] = noise.compact_kernel().relative_error();
+  describe_impulses(noise, json);
+}
+
+template <int Dim>
+void describe_kernel(const OrientedGaborNoiseOptions& options, Json& json) {
+  const OrientedGaborNoise<Dim> noise(options);
+  json["kernel"]["kind"] = "oriented Gabor, random phase";
+  json["kernel"]["frequency"] = noise.options().frequency;
+  json["kernel"]["a"] = noise.kernel().a();
+  json["kernel"]["radius"] = noise.radius();
+  json["kernel"]["half_width"] = noise.envelope().radius();
+  json["kernel"]["degree"] = noise.envelope().degree();
+  json["kernel"]["relative_error"] = noise.options().error;
+  describe_impulses(noise, json);
+}
+
+template <int Dim>
+void describe_kernel(const GradientNoiseOptions& options, Json& json) {
+  const GradientNoise<Dim> noise(options);
+  constexpr double kRadiusInSpacings = 2.0;
+  const Vec<Dim>& spacing = noise.lattice_spacing();
+  json["kernel"]["kind"] = "radial gradient";
+  json["kernel"]["frequency"] = noise.options().frequency;
+  json["kernel"]["radius"] = kRadiusInSpacings * spacing[0];
+  for (int axis = 0; axis < Dim; ++axis) json["lattice_spacing"].push_back(spacing[axis]);
+}
+
+// The kernel is that of the first octave; the others have theirs, smaller by the lacunarity.
+Json describe_noise(const VolumeRecipe& recipe, double largest_voxel) {
+  Json json = Json::object();
+  json["type"] = noise_type(recipe.noise);
+  json["dims"] = recipe.dims;
+  const auto by_type = [&](const auto& options) {
+    recipe.dims == 3 ? describe_kernel<3>(options, json) : describe_kernel<4>(options, json);
+  };
+  std::visit(by_type, recipe.noise.noise);
+  json["octaves"] = recipe.noise.fractal.octaves;
+
+  const std::shared_ptr<const Noise<3>> noise = make_volume_noise(recipe);
+  const auto band = noise->band();
+  json["variance"] = noise->variance();
+  json["excess_kurtosis"] = noise->excess_kurtosis();
+  json["band_cycles_per_unit"] = {band.lower, band.upper};
+  json["band_cycles_per_voxel"] = {band.lower * largest_voxel, band.upper * largest_voxel};
+  return json;
+}
+
+Json describe_grid(const VolumePlan& plan) {
+  const openvdb::Coord size = plan.voxels.dim();
+  const Vec<3>& voxel = plan.frame.voxel_size();
+  Json json = Json::object();
+  json["voxel_size"] = {voxel.x, voxel.y, voxel.z};
+  json["dim"] = {size.x(), size.y(), size.z()};
+  json["voxels_at_most"] = static_cast<std::uint64_t>(size.x()) * static_cast<std::uint64_t>(size.y()) *
+                           static_cast<std::uint64_t>(size.z());
+  json["memory_at_most_bytes"] = plan.memory;
+  return json;
+}
+
+}  // namespace
+
+Json describe_volume(const VolumeRecipe& recipe) {
+  const VolumePlan plan = plan_volume(recipe);
+  const Vec<3>& voxel = plan.frame.voxel_size();
+  Json json = Json::object();
+  json["noise"] = describe_noise(recipe, std::max({voxel.x, voxel.y, voxel.z}));
+  json["grid"] = describe_grid(plan);
+  json["recipe"] = to_json(recipe);
+  return json;
+}
+
+}  // namespace solidnoise

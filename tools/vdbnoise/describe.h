@@ -1,0 +1,12 @@
+#pragma once
+
+#include "solidnoise/recipe/json.h"
+#include "solidnoise/volume/volume_recipe.h"
+
+namespace solidnoise {
+
+// What a recipe would make, without making it: kernel, statistics in closed form, voxels, memory. Throws what
+// plan_volume() does.
+Json describe_volume(const VolumeRecipe& recipe);
+
+}  // namespace solidnoise

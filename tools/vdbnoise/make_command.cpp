@@ -1,0 +1,194 @@
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <unistd.h>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <tbb/global_control.h>
+
+#include "common/exit_status.h"
+#include "common/interrupt.h"
+#include "common/memory.h"
+#include "common/task_progress.h"
+#include "common/text_file.h"
+#include "common/usage_error.h"
+#include "solidnoise/image/image_file.h"
+#include "solidnoise/volume/make_volume.h"
+#include "solidnoise/volume/preview.h"
+#include "solidnoise/volume/volume_recipe_json.h"
+#include "vdbnoise/commands.h"
+#include "vdbnoise/describe.h"
+#include "vdbnoise/make_options.h"
+#include "vdbnoise/presets.h"
+#include "vdbnoise/recipe_source.h"
+
+namespace solidnoise {
+namespace {
+
+constexpr char kDescription[] =
+    "vdbnoise makes volumes of procedural noise, as OpenVDB files.\n"
+    "  vdbnoise --out cloud.vdb     makes a cloud\n"
+    "  vdbnoise info FILE           prints a file's grids and recipe";
+
+void list_presets() {
+  for (const Preset& preset : presets()) {
+    std::cout << fmt::format("{:<10} {}\n", preset.name, load_preset(std::string(preset.name)).description);
+  }
+}
+
+VolumeRecipe choose_recipe(const FlagSet& flags, bool quiet) {
+  if (const auto file = flags.value_of("--recipe")) {
+    const LoadedRecipe loaded = load_recipe(*file);
+    if (!loaded.warning.empty() && !quiet) std::cerr << "vdbnoise: warning: " << loaded.warning << '\n';
+    return loaded.recipe;
+  }
+  const std::string_view otherwise = flags.given("--raw") ? "raw" : kDefaultPreset;
+  return load_preset(flags.value_of("--preset").value_or(std::string(otherwise)));
+}
+
+// What the flags leave without effect is refused rather than ignored.
+void check_consistency(const FlagSet& flags, const MakeOptions& options) {
+  const bool from_mesh = std::holds_alternative<MeshShape>(options.recipe.shape);
+  const bool from_grid = std::holds_alternative<GridShape>(options.recipe.shape);
+  if ((from_mesh || from_grid) && flags.given("--box")) {
+    throw UsageError("--box has no effect where --shape is a file; leave one of them out");
+  }
+  for (const char* flag : {"--voxel", "--dim"}) {
+    if (from_grid && flags.given(flag)) {
+      throw UsageError(fmt::format("{} has no effect where --shape is a grid, whose voxels are kept", flag));
+    }
+  }
+  const bool raw = std::holds_alternative<RawShaping>(options.recipe.shaping);
+  for (const char* flag : {"--optical-depth", "--density"}) {
+    if (raw && flags.given(flag)) throw UsageError(fmt::format("{} has no effect on raw noise", flag));
+  }
+  if (!options.preview.empty() && !options.preview.ends_with(".png")) {
+    throw UsageError(fmt::format("--preview is {}; it must end in .png", options.preview));
+  }
+  if (options.out == "-" && options.write_recipe == "-") {
+    throw UsageError("--out and --write-recipe cannot both be the standard output");
+  }
+}
+
+void check_outputs(const MakeOptions& options) {
+  if (options.out.empty() && options.preview.empty() && options.write_recipe.empty()) {
+    throw UsageError("--out is missing; say where the grid goes: --out cloud.vdb");
+  }
+  if (options.out == "-" && isatty(STDOUT_FILENO) != 0) {
+    throw UsageError("--out is -, and the standard output is a terminal; send it to a file or a program");
+  }
+  for (const std::string* path : {&options.out, &options.preview, &options.write_recipe}) {
+    if (path->empty()) continue;
+    if (*path != "-" && options.existing == Existing::refuse && std::filesystem::exists(*path)) {
+      throw std::runtime_error(*path + " exists; --force replaces it");
+    }
+    require_writable(*path, options.existing);
+  }
+}
+
+void check_memory(const MakeOptions& options, const VolumePlan& plan) {
+  const std::uint64_t available = available_memory();
+  const std::uint64_t limit = options.max_memory != 0 ? options.max_memory : available;
+  if (limit == 0 || plan.memory <= limit) return;
+  const openvdb::Coord size = plan.voxels.dim();
+  throw std::runtime_error(fmt::format(
+      "{} x {} x {} voxels may need {}, --max-memory allows {}{}; make --dim smaller or --voxel larger",
+      size.x(), size.y(), size.z(), format_bytes(plan.memory), format_bytes(limit),
+      options.max_memory != 0 ? "" : ", what is available"));
+}
+
+// Frequencies that the voxels cannot hold come back as others.
+void warn_of_aliasing(const VolumeRecipe& recipe, const VolumePlan& plan) {
+  constexpr double kHighestCyclesPerVoxel = 0.5;
+  const Vec<3>& size = plan.frame.voxel_size();
+  const double highest = make_volume_noise(recipe)->band().upper * std::max({size.x, size.y, size.z});
+  if (highest <= kHighestCyclesPerVoxel) return;
+  std::cerr << fmt::format(
+      "vdbnoise: warning: the noise reaches {:.2f} cycles per voxel, above 0.5, and will alias; make --voxel "
+      "smaller, "
+      "--frequency lower or --octaves fewer\n",
+      highest);
+}
+
+void print_statistics(const Volume& volume, const std::string& where) {
+  const openvdb::Vec3d size = volume.grid->voxelSize();
+  const openvdb::Coord dim = volume.grid->evalActiveVoxelDim();
+  const Moments& moments = volume.moments;
+  std::cerr << fmt::format(
+      "{}: grid {}, {} active voxels in {} x {} x {}, voxel size {:.6g}\n"
+      "min {:.6g}  max {:.6g}  mean {:.6g}  sigma {:.6g}\n",
+      where, volume.grid->getName(), moments.count(), dim.x(), dim.y(), dim.z(), size.x(), moments.min(),
+      moments.max(), moments.mean(), moments.sigma());
+}
+
+void make(const MakeOptions& options) {
+  check_outputs(options);
+  catch_interrupts();
+  std::unique_ptr<tbb::global_control> threads;
+  if (options.threads > 0) {
+    threads = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
+                                                    static_cast<std::size_t>(options.threads));
+  }
+  const VolumePlan plan = plan_volume(options.recipe);
+  check_memory(options, plan);
+  if (!options.quiet) warn_of_aliasing(options.recipe, plan);
+
+  Volume volume;
+  {
+    TaskProgress progress(options.quiet ? ProgressBar::Visibility::hidden
+                                        : ProgressBar::Visibility::if_terminal);
+    progress.begin("noise");
+    volume = make_volume(options.recipe, plan, kVdbnoise, &progress);
+    progress.begin("writing");
+    std::optional<Image> preview;
+    if (!options.preview.empty()) preview = render_preview(*volume.grid, {.up = options.recipe.up});
+    throw_if_cancelled(&progress);
+    if (!options.out.empty()) {
+      VdbWriteOptions write;
+      write.codec = options.recipe.codec;
+      write.existing = options.existing;
+      write.creator = kVdbnoise;
+      write.progress = &progress;
+      write_vdb(options.out, {volume.grid}, write);
+    }
+    if (preview) write_image(options.preview, *preview);
+  }
+  if (!options.write_recipe.empty()) {
+    write_text_file(options.write_recipe, format_json(to_json(options.recipe)));
+  }
+  if (!options.quiet) print_statistics(volume, options.out.empty() ? options.preview : options.out);
+}
+
+}  // namespace
+
+int run_make(const std::vector<std::string>& arguments) {
+  MakeOptions options;
+  FlagSet flags("vdbnoise", kDescription);
+  declare_make_flags(flags, options);
+  flags.version(kVdbnoise);
+  flags.parse(arguments);
+  if (flags.given("--list-presets")) {
+    list_presets();
+    return kDone;
+  }
+  options.recipe = choose_recipe(flags, flags.given("--quiet"));
+  try {
+    flags.apply();
+    check_consistency(flags, options);
+    options.recipe.validate();
+    if (options.task == MakeOptions::Task::describe) {
+      std::cout << format_json(describe_volume(options.recipe));
+    } else {
+      make(options);
+    }
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(flags.name_flag(error.what()));
+  }
+  return kDone;
+}
+
+}  // namespace solidnoise

@@ -1,0 +1,148 @@
+#include "vdbnoise/make_options.h"
+
+#include <filesystem>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "common/noise_flags.h"
+#include "common/parse_value.h"
+#include "common/usage_error.h"
+#include "solidnoise/core/check.h"
+#include "solidnoise/volume/volume_recipe_json.h"
+
+namespace solidnoise {
+namespace {
+
+template <typename Enum, std::size_t Count>
+void declare_choice(FlagSet& flags, const std::string& flag, const Choices<Enum, Count>& choices,
+                    const std::string& help, Enum& target) {
+  flags.choice(flag, names_of(choices), help,
+               [&target, choices](std::size_t index) { target = choices[index].value; });
+}
+
+void keep(FlagSet& flags, const std::string& flag, const std::string& value_name, const std::string& help,
+          std::string& target) {
+  flags.text(flag, value_name, help, [flag, &target](const std::string& text) {
+    if (text.empty()) throw UsageError(flag + " is empty; it must be a name");
+    target = text;
+  });
+}
+
+// "box", "sphere", "ellipsoid", "bunny.obj", "smoke.vdb" or "smoke.vdb:density". Files are kept with their
+// whole path, so that the recipe can be used from any folder.
+Shape parse_shape(const std::string& text) {
+  if (text == "box") return BoxShape{};
+  if (text == "sphere") return SphereShape{};
+  if (text == "ellipsoid") return EllipsoidShape{};
+  const auto whole = [](const std::string& file) { return std::filesystem::absolute(file).string(); };
+  if (text.ends_with(".obj")) return MeshShape{whole(text)};
+  if (text.ends_with(".vdb")) return GridShape{whole(text), {}};
+  const std::size_t end_of_file = text.rfind(".vdb:");
+  if (end_of_file != std::string::npos && end_of_file + 5 < text.size()) {
+    return GridShape{whole(text.substr(0, end_of_file + 4)), text.substr(end_of_file + 5)};
+  }
+  throw UsageError(fmt::format(
+      "--shape is {}; it must be box, sphere, ellipsoid, FILE.obj, FILE.vdb or FILE.vdb:GRID", text));
+}
+
+void declare_output(FlagSet& flags, MakeOptions& options) {
+  flags.group("Output");
+  keep(flags, "--out", "FILE.vdb", "Where the grid goes; - for the standard output", options.out);
+  keep(flags, "--preview", "FILE.png", "A picture of the volume, rendered by OpenVDB", options.preview);
+  flags.toggle("--force", "Replace files that exist", [&] { options.existing = Existing::replace; });
+  keep(flags, "--grid", "NAME", "Name of the grid (default density)", options.recipe.grid);
+  flags.toggle("--half", "Store 16-bit floats: half the size, 3 digits", [&] { options.recipe.half = true; });
+  declare_choice(flags, "--codec", kCodecChoices, "Compression of the file (default blosc)",
+                 options.recipe.codec);
+}
+
+void declare_recipes(FlagSet& flags, MakeOptions& options) {
+  flags.group("Recipes");
+  flags.text("--preset", "NAME", "Start from a recipe that comes with the program (default cumulus)",
+             [](const std::string&) {});
+  flags.text("--recipe", "FILE", "Start from a recipe, .json, or from that of a .vdb made by vdbnoise",
+             [](const std::string&) {});
+  keep(flags, "--write-recipe", "FILE.json",
+       "Write the recipe with all flags in it; - for the standard output", options.write_recipe);
+  flags.exclude({"--preset", "--recipe"});
+}
+
+void declare_noise(FlagSet& flags, VolumeRecipe& recipe) {
+  flags.group("Noise");
+  declare_noise_flags(flags, recipe.noise);
+  flags.integer("--dims", "3|4", "Dimensions of the noise; 4 for one that changes in time (default 3)",
+                [&](int value) { recipe.dims = value; });
+  flags.number("--time", "TIME", "With --dims 4: the moment to make, in the noise's units (default 0)",
+               [&](double value) { recipe.time = value; });
+}
+
+void declare_shaping(FlagSet& flags, VolumeRecipe& recipe) {
+  flags.group("Density");
+  flags.toggle("--raw", "The noise itself: mean 0, variance 1; no shaping",
+               [&] { recipe.shaping = RawShaping{}; });
+  flags.choice("--range", names_of(kRangeChoices),
+               "With raw noise: 3 sigma to -1..1, to 0..1, or values as they are (default raw)",
+               [&](std::size_t index) {
+                 auto* const raw = std::get_if<RawShaping>(&recipe.shaping);
+                 if (!raw) throw UsageError("--range applies to raw noise only; give --raw too");
+                 raw->range = kRangeChoices[index].value;
+               });
+  flags.number("--optical-depth", "DEPTH", "Scale: density through the thickest column along the up axis",
+               [&](double value) { recipe.density = {.optical_depth = value, .peak = std::nullopt}; });
+  flags.number("--density", "PEAK", "Scale: the largest density, extinction per world unit",
+               [&](double value) { recipe.density.peak = value; });
+  flags.exclude({"--optical-depth", "--density"});
+  flags.exclude({"--raw", "--optical-depth"});
+  flags.exclude({"--raw", "--density"});
+}
+
+void declare_shape(FlagSet& flags, VolumeRecipe& recipe) {
+  flags.group("Shape and resolution (1 world unit is 1 m)");
+  flags.text(
+      "--shape", "SHAPE",
+      "box, sphere or ellipsoid: in the box; FILE.obj: inside of a closed mesh; FILE.vdb[:GRID]: active "
+      "voxels of a grid",
+      [&](const std::string& text) { recipe.shape = parse_shape(text); });
+  flags.numbers("--box", "X0 Y0 Z0 X1 Y1 Z1", 6, "Two corners, world units",
+                [&](const std::vector<double>& v) {
+                  recipe.box = {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
+                });
+  flags.number("--voxel", "SIZE", "Size of a voxel, world units",
+               [&](double value) { recipe.voxel = value; });
+  flags.integer("--dim", "COUNT", "Voxels along the longest side instead (default 256)", [&](int value) {
+    recipe.dim = value;
+    recipe.voxel.reset();
+  });
+  flags.exclude({"--voxel", "--dim"});
+  declare_choice(flags, "--up", kUpAxisChoices, "The up axis, kept in the file (default y)", recipe.up);
+}
+
+void declare_run(FlagSet& flags, MakeOptions& options) {
+  flags.group("Run");
+  flags.toggle("--describe", "Print what would be made, as JSON, and write nothing",
+               [&] { options.task = MakeOptions::Task::describe; });
+  flags.toggle("--list-presets", "Print the presets",
+               [&] { options.task = MakeOptions::Task::list_presets; });
+  flags.integer("--threads", "COUNT", "Threads to use (default: all)", [&](int value) {
+    require_in_range("threads", value, 1, 4096);
+    options.threads = value;
+  });
+  flags.text("--max-memory", "SIZE", "Refuse to need more than this, such as 8G (default: what is available)",
+             [&](const std::string& text) { options.max_memory = parse_bytes("--max-memory", text); });
+  flags.toggle("--quiet", "Print errors only", [&] { options.quiet = true; });
+}
+
+}  // namespace
+
+void declare_make_flags(FlagSet& flags, MakeOptions& options) {
+  declare_output(flags, options);
+  declare_recipes(flags, options);
+  declare_noise(flags, options.recipe);
+  declare_shaping(flags, options.recipe);
+  declare_shape(flags, options.recipe);
+  declare_run(flags, options);
+}
+
+}  // namespace solidnoise

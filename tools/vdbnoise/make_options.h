@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "common/flag_set.h"
+#include "solidnoise/volume/vdb_write.h"
+#include "solidnoise/volume/volume_recipe.h"
+
+namespace solidnoise {
+
+// What the command line of `vdbnoise --out FILE` says, beside the recipe.
+struct MakeOptions {
+  enum class Task { make, describe, list_presets };
+
+  Task task = Task::make;
+  VolumeRecipe recipe;
+  std::string out;           // .vdb, "-" for the standard output; empty: none
+  std::string preview;       // .png; empty: none
+  std::string write_recipe;  // .json, "-" for the standard output; empty: none
+  Existing existing = Existing::refuse;
+  int threads = 0;               // 0: as many as the machine has
+  std::uint64_t max_memory = 0;  // bytes; 0: what the machine has available
+  bool quiet = false;
+};
+
+// Declares all flags. Before they are applied the caller puts the recipe that they override into `options`:
+// --preset, --recipe and --raw choose it.
+void declare_make_flags(FlagSet& flags, MakeOptions& options);
+
+}  // namespace solidnoise
