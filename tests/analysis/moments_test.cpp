@@ -13,7 +13,7 @@ namespace {
 
 TEST(Moments, OfAFewValuesAreTheirFormulas) {
   // Values 0, 0, 0, 1: mean 1/4, variance 3/16, third and fourth central moments 6/64 and 21/256.
-  const Moments moments = measure_moments(std::vector<float>{0.0f, 0.0f, 0.0f, 1.0f});
+  const SampleMoments moments = measure_moments(std::vector<float>{0.0f, 0.0f, 0.0f, 1.0f});
 
   EXPECT_EQ(moments.count, 4);
   EXPECT_EQ(moments.minimum, 0.0);
@@ -26,7 +26,7 @@ TEST(Moments, OfAFewValuesAreTheirFormulas) {
 
 TEST(Moments, OfNothingAndOfAConstantAreFinite) {
   EXPECT_EQ(measure_moments({}).count, 0);
-  const Moments moments = measure_moments(std::vector<float>(5, 3.0f));
+  const SampleMoments moments = measure_moments(std::vector<float>(5, 3.0f));
   EXPECT_EQ(moments.mean, 3.0);
   EXPECT_EQ(moments.variance, 0.0);
   EXPECT_EQ(moments.skewness, 0.0);
@@ -37,7 +37,7 @@ TEST(Moments, OfAGaussianSampleAreWithinFourStandardErrors) {
   const DenseField<1> field = white_field<1>(glm::vec<1, int>(100000), Vec<1>(1.0), 5);
   const double n = 1e5;
 
-  const Moments moments = measure_moments(field.values);
+  const SampleMoments moments = measure_moments(field.values);
 
   EXPECT_NEAR(moments.mean, 0.0, 4.0 * std::sqrt(1.0 / n));
   EXPECT_NEAR(moments.variance, 1.0, 4.0 * std::sqrt(2.0 / n));
@@ -47,7 +47,8 @@ TEST(Moments, OfAGaussianSampleAreWithinFourStandardErrors) {
 
 TEST(Histogram, CountsEveryValueOnce) {
   const std::vector<float> values{-5.0f, -4.0f, -0.1f, 0.0f, 0.1f, 3.9f, 4.0f};
-  const Histogram histogram = measure_histogram(values, {.mean = 0.0, .sigma = 1.0, .reach = 4.0, .bins = 2});
+  const SampleHistogram histogram =
+      measure_histogram(values, {.mean = 0.0, .sigma = 1.0, .reach = 4.0, .bins = 2});
 
   EXPECT_EQ(histogram.below, 1);
   EXPECT_EQ(histogram.counts, (std::vector<std::int64_t>{2, 3}));
@@ -56,7 +57,7 @@ TEST(Histogram, CountsEveryValueOnce) {
 
 TEST(Histogram, OfAGaussianSampleMatchesTheGaussianCounts) {
   const DenseField<1> field = white_field<1>(glm::vec<1, int>(100000), Vec<1>(1.0), 9);
-  const Histogram histogram = measure_histogram(field.values, {.bins = 32});
+  const SampleHistogram histogram = measure_histogram(field.values, {.bins = 32});
 
   // The bins within 3 sigma hold at least 80 values each: binomial counts, near enough to a Gaussian for
   // 4.5 standard deviations to be exceeded by one of 24 bins once in 6000 runs.

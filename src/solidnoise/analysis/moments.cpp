@@ -15,8 +15,8 @@ double gaussian_below(double x) {
 
 }  // namespace
 
-Moments measure_moments(std::span<const float> values) {
-  Moments result;
+SampleMoments measure_moments(std::span<const float> values) {
+  SampleMoments result;
   if (values.empty()) return result;
   result.count = static_cast<std::int64_t>(values.size());
   const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
@@ -45,13 +45,13 @@ Moments measure_moments(std::span<const float> values) {
   return result;
 }
 
-Histogram measure_histogram(std::span<const float> values, const HistogramOptions& options) {
+SampleHistogram measure_histogram(std::span<const float> values, const HistogramOptions& options) {
   require_finite("histogram mean", options.mean);
   require_positive("histogram sigma", options.sigma);
   require_positive("histogram reach", options.reach);
   require_at_least("histogram bins", options.bins, 1);
 
-  Histogram result;
+  SampleHistogram result;
   result.lower = options.mean - options.reach * options.sigma;
   result.upper = options.mean + options.reach * options.sigma;
   result.counts.resize(static_cast<std::size_t>(options.bins));

@@ -7,7 +7,7 @@
 namespace solidnoise {
 
 // The moments of a set of values, in double precision, by two passes. All but count are 0 for no values.
-struct Moments {
+struct SampleMoments {
   std::int64_t count = 0;
   double minimum = 0.0;
   double maximum = 0.0;
@@ -17,11 +17,11 @@ struct Moments {
   double excess_kurtosis = 0.0;  // E[d^4] / variance^2 - 3; 0 where the variance is 0
 };
 
-Moments measure_moments(std::span<const float> values);
+SampleMoments measure_moments(std::span<const float> values);
 
 // Counts of values in bins of equal width, and what a Gaussian of the given mean and standard deviation would
 // give. A value at an inner edge belongs to the upper bin.
-struct Histogram {
+struct SampleHistogram {
   double lower = 0.0;
   double upper = 0.0;
   std::vector<std::int64_t> counts;
@@ -41,6 +41,6 @@ struct HistogramOptions {
 };
 
 // Throws std::invalid_argument for options out of range.
-Histogram measure_histogram(std::span<const float> values, const HistogramOptions& options);
+SampleHistogram measure_histogram(std::span<const float> values, const HistogramOptions& options);
 
 }  // namespace solidnoise
