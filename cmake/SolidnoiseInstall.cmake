@@ -31,11 +31,6 @@ foreach(_library IN LISTS _libraries)
     FILES_MATCHING PATTERN "*.h" PATTERN "*-inl.h" EXCLUDE)
 endforeach()
 
-# Modules are opened at run time by the libraries and tools that want them.
-get_property(_modules GLOBAL PROPERTY SOLIDNOISE_MODULES)
-if(_modules)
-  install(TARGETS ${_modules} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/solidnoise)
-endif()
 if(TARGET vdbnoise)
   install(TARGETS vdbnoise RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()

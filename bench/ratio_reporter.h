@@ -1,0 +1,35 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+
+namespace solidnoise::bench {
+
+// One row of the final table: how many times faster one benchmark is than another.
+struct Ratio {
+  std::string title;
+  std::string slow;  // names of the two benchmarks
+  std::string fast;
+  double at_least = 0.0;  // what is to be reached
+  double aim = 0.0;       // what is hoped for
+};
+
+// Prints each benchmark's median, and at the end a table of ratios. Repetitions of different benchmarks are
+// interleaved at random, so that the k-th repetitions of two benchmarks saw about the same machine: their
+// quotient is one sample of the ratio.
+class RatioReporter : public benchmark::ConsoleReporter {
+ public:
+  explicit RatioReporter(std::vector<Ratio> ratios) : ConsoleReporter(OO_None), ratios_(std::move(ratios)) {}
+
+  void ReportRuns(const std::vector<Run>& runs) override;
+  void Finalize() override;
+
+ private:
+  std::vector<Ratio> ratios_;
+  std::map<std::string, std::vector<double>> nanoseconds_;  // per sample, by name and repetition
+};
+
+}  // namespace solidnoise::bench

@@ -1,0 +1,26 @@
+# Installs BUILD into a folder of its own, then configures, builds and runs the project CONSUMER against that copy.
+# Run by ctest with -D BUILD=... -D CONSUMER=... -D WORK=...
+set(prefix ${WORK}/prefix)
+file(REMOVE_RECURSE ${WORK})
+
+execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${CMAKE_COMMAND} -S ${CONSUMER} -B ${WORK}/consumer -D CMAKE_PREFIX_PATH=${prefix}
+  -D CMAKE_BUILD_TYPE=Release COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK}/consumer COMMAND_ERROR_IS_FATAL ANY)
+
+# Every program of the consumer runs.
+foreach(program variance write_volume)
+  if(EXISTS ${WORK}/consumer/${program})
+    execute_process(COMMAND ${WORK}/consumer/${program} WORKING_DIRECTORY ${WORK} COMMAND_ERROR_IS_FATAL ANY)
+  endif()
+endforeach()
+
+# A component that was not installed is refused by name.
+file(WRITE ${WORK}/refused/CMakeLists.txt
+  "cmake_minimum_required(VERSION 3.25)\nproject(refused LANGUAGES CXX)\n"
+  "find_package(solidnoise REQUIRED COMPONENTS noise marzipan)\n")
+execute_process(COMMAND ${CMAKE_COMMAND} -S ${WORK}/refused -B ${WORK}/refused/build -D CMAKE_PREFIX_PATH=${prefix}
+  RESULT_VARIABLE status OUTPUT_QUIET ERROR_VARIABLE message)
+if(status EQUAL 0 OR NOT message MATCHES "no component[ \n]+'marzipan'")
+  message(FATAL_ERROR "A missing component should be refused by name; cmake said: ${message}")
+endif()
