@@ -51,26 +51,30 @@ DirectionCone<Dim>::DirectionCone(const Vec<Dim>& axis, double anisotropy)
 }
 
 template <int Dim>
-double DirectionCone<Dim>::polar_angle(double share) const {
+typename DirectionCone<Dim>::Polar DirectionCone<Dim>::polar_angle(double share) const {
   const double covered = share * (1.0 - anisotropy_);
-  if constexpr (Dim == 2) return 0.5 * pi * covered;
-  if constexpr (Dim == 3) return std::acos(1.0 - covered);
-  if constexpr (Dim == 4) return invert_cap_area_in_4d(0.5 * pi * covered);
-  return 0.0;
+  if constexpr (Dim == 3) {
+    const double cosine = 1.0 - covered;
+    return {cosine, std::sqrt(covered * (1.0 + cosine))};
+  }
+  double angle = 0.0;
+  if constexpr (Dim == 2) angle = 0.5 * pi * covered;
+  if constexpr (Dim == 4) angle = invert_cap_area_in_4d(0.5 * pi * covered);
+  return {std::cos(angle), std::sin(angle)};
 }
 
 template <int Dim>
-Vec<Dim> DirectionCone<Dim>::at(double polar, const std::array<double, 3>& around) const {
+Vec<Dim> DirectionCone<Dim>::at(const Polar& polar, const std::array<double, 3>& around) const {
   Vec<Dim> direction(0.0);
-  direction[0] = std::cos(polar);
-  for (int axis = 1; axis < Dim; ++axis) direction[axis] = std::sin(polar) * around[axis - 1];
+  direction[0] = polar.cosine;
+  for (int axis = 1; axis < Dim; ++axis) direction[axis] = polar.sine * around[axis - 1];
   return direction - 2.0 * glm::dot(direction, mirror_) * mirror_;
 }
 
 template <int Dim>
 Vec<Dim> DirectionCone<Dim>::draw(RandomStream& stream) const {
   if (Dim == 1 || anisotropy_ == 1.0) return axis_;
-  const double polar = polar_angle(stream.next_unit());
+  const Polar polar = polar_angle(stream.next_unit());
   return at(polar, draw_around<Dim>(stream));
 }
 

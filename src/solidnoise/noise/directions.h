@@ -21,12 +21,18 @@ class DirectionCone {
 
   Vec<Dim> draw(RandomStream& stream) const;
 
-  // The direction at angle `polar` (radians) from the axis, around it at the direction `around` of Dim - 1
-  // coordinates, of unit length.
-  Vec<Dim> at(double polar, const std::array<double, 3>& around) const;
+  // An angle from the axis.
+  struct Polar {
+    double cosine = 1.0;
+    double sine = 0.0;
+  };
 
-  // The polar angle below which lies the fraction `share` of the cone.
-  double polar_angle(double share) const;
+  // The angle below which lies the fraction `share` of the cone.
+  Polar polar_angle(double share) const;
+
+  // The direction at an angle from the axis, around it at the direction `around` of Dim - 1 coordinates, of
+  // unit length.
+  Vec<Dim> at(const Polar& polar, const std::array<double, 3>& around) const;
 
  private:
   Vec<Dim> axis_;

@@ -16,19 +16,22 @@ class ImpulseBlock {
   static constexpr int kQuanta = 1 << CellAxis::kFractionBits;  // of a cell
   static constexpr std::int64_t kMaxCellsPerAxis = 1000;        // so that a position fits 32 bits
 
-  // The cells that an evaluation anywhere in `box` may need, with impulses reaching at most one cell.
-  struct CellRange {
-    Index<Dim> first{0};
+  // The cells whose impulses may reach some samples, and within them the positions that do, with impulses
+  // reaching at most one cell.
+  struct Reach {
+    Index<Dim> first{0};  // cells
     Index<Dim> last{0};
+    std::array<float, Dim> from_first{};  // positions: from this far into the first cell, 0 to 1,
+    std::array<float, Dim> into_last{};   // to this far into the last
 
     double cells() const;  // in double: may be huge
   };
-  static CellRange cells_within_reach(const std::array<CellAxis, Dim>& axes, const Box<Dim>& box);
+  static Reach reach_of(const std::array<CellAxis, Dim>& axes, const Box<Dim>& box);
 
   // Precondition: at most kMaxCellsPerAxis cells along each axis.
-  ImpulseBlock(const ImpulseProcess<Dim>& process, const CellRange& range);
+  ImpulseBlock(const ImpulseProcess<Dim>& process, const Reach& reach);
 
-  const CellRange& range() const { return range_; }
+  const Index<Dim>& first_cell() const { return first_; }
   std::size_t size() const { return marks_.size(); }
 
   // Position of each impulse relative to the first cell's corner, in 2^-20 of a cell.
@@ -44,15 +47,15 @@ class ImpulseBlock {
   Run run(const Index<Dim>& cell, std::int64_t from, std::int64_t to) const {
     std::size_t row = 0;
     for (int axis = 0; axis + 1 < Dim; ++axis) {
-      row = row * extent_[axis] + static_cast<std::size_t>(cell[axis] - range_.first[axis]);
+      row = row * extent_[axis] + static_cast<std::size_t>(cell[axis] - first_[axis]);
     }
     const std::size_t base = row * extent_[Dim - 1];
-    return {starts_[base + static_cast<std::size_t>(from - range_.first[Dim - 1])],
-            starts_[base + static_cast<std::size_t>(to - range_.first[Dim - 1]) + 1]};
+    return {starts_[base + static_cast<std::size_t>(from - first_[Dim - 1])],
+            starts_[base + static_cast<std::size_t>(to - first_[Dim - 1]) + 1]};
   }
 
  private:
-  CellRange range_;
+  Index<Dim> first_;
   std::array<std::size_t, Dim> extent_{};
   std::array<std::vector<std::int32_t>, Dim> positions_;
   std::vector<std::uint64_t> marks_;

@@ -1,5 +1,7 @@
 // Culling of impulses, for one instruction set. Included once per target; see impulse_sums_simd.cpp.
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 
 #include <hwy/highway.h>
 
@@ -30,6 +32,22 @@ HWY_INLINE V Excess(D d, V position, float lower, float upper, float scale) {
 // The small margin keeps what rounding might wrongly drop: an impulse kept in vain adds exactly 0.
 constexpr float kSupportWithMargin = 1.0f + 1e-5f;
 
+// Stores the kept lanes side by side; what follows them is overwritten next, or padding. With AVX-512 a
+// register is compressed and stored whole, for compressing into memory takes a hundred cycles on some
+// processors; elsewhere Highway's tables cost more than moving lane by lane.
+template <class D, class M, class V = hn::Vec<D>>
+HWY_INLINE void StoreKept(D d, V values, M keep, hn::TFromD<D>* to) {
+#if HWY_TARGET <= HWY_AVX3
+  hn::StoreU(hn::Compress(values, keep), d, to);
+#else
+  alignas(64) hn::TFromD<D> lanes[hn::MaxLanes(d)];
+  hn::Store(values, d, lanes);
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(d, keep, bytes);
+  for (unsigned bits = bytes[0]; bits != 0; bits &= bits - 1) *to++ = lanes[std::countr_zero(bits)];
+#endif
+}
+
 inline void CullImpulses(const ImpulseRun& run, const CullBox& box, ImpulseList& list) {
   const hn::CappedTag<float, 16> d;
   const hn::RebindToSigned<decltype(d)> di;
@@ -54,14 +72,13 @@ inline void CullImpulses(const ImpulseRun& run, const CullBox& box, ImpulseList&
     }
     const auto valid = hn::FirstN(d, std::min(lanes, run.count - i));
     const auto keep = hn::And(hn::Lt(distance, hn::Set(d, kSupportWithMargin)), valid);
-    std::size_t added = 0;
     for (int axis = 0; axis < run.dimensions; ++axis) {
-      added = hn::CompressStore(position(axis, i), keep, d, list.position(run.role[axis]) + kept);
+      StoreKept(d, position(axis, i), keep, list.position(run.role[axis]) + kept);
     }
     for (int channel = 0; channel < run.attributes; ++channel) {
-      hn::CompressStore(hn::LoadU(d, run.attribute[channel] + i), keep, d, list.attribute(channel) + kept);
+      StoreKept(d, hn::LoadU(d, run.attribute[channel] + i), keep, list.attribute(channel) + kept);
     }
-    kept += added;
+    kept += hn::CountTrue(d, keep);
   }
   list.set_size(kept);
 }

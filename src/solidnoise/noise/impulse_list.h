@@ -1,9 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
+#include <memory>
+#include <utility>
 
 namespace solidnoise {
 
@@ -32,20 +34,30 @@ class ImpulseList {
   // Makes room for `capacity` impulses, keeping those that are there.
   void reserve(std::size_t capacity) {
     if (capacity <= capacity_) return;
-    capacity_ = capacity + capacity / 2;
-    for (auto& channel : position_) channel.resize(capacity_ + kPadding, 0.0f);
-    for (auto& channel : attribute_) channel.resize(capacity_ + kPadding, 0.0f);
+    const std::size_t stride = capacity + capacity / 2 + kPadding;
+    auto memory = std::make_unique_for_overwrite<float[]>(kChannels * stride);
+    for (int channel = 0; channel < kChannels; ++channel) {
+      float* const to = memory.get() + static_cast<std::size_t>(channel) * stride;
+      std::copy_n(memory_.get() + static_cast<std::size_t>(channel) * stride_, size_, to);
+      // Roles without an axis are never written to.
+      if (channel < kRoles) std::fill(to + size_, to + stride, 0.0f);
+    }
+    memory_ = std::move(memory);
+    stride_ = stride;
+    capacity_ = stride - kPadding;
   }
 
-  float* position(int role) { return position_[role].data(); }
-  const float* position(int role) const { return position_[role].data(); }
-  float* attribute(int channel) { return attribute_[channel].data(); }
-  const float* attribute(int channel) const { return attribute_[channel].data(); }
+  float* position(int role) { return memory_.get() + static_cast<std::size_t>(role) * stride_; }
+  const float* position(int role) const { return memory_.get() + static_cast<std::size_t>(role) * stride_; }
+  float* attribute(int channel) { return position(kRoles + channel); }
+  const float* attribute(int channel) const { return position(kRoles + channel); }
 
  private:
-  std::array<std::vector<float>, kRoles> position_;
-  std::array<std::vector<float>, kMaxAttributes> attribute_;
+  static constexpr int kChannels = kRoles + kMaxAttributes;
+
+  std::unique_ptr<float[]> memory_;
   std::size_t size_ = 0;
+  std::size_t stride_ = 0;
   std::size_t capacity_ = 0;
 };
 

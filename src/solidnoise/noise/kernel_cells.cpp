@@ -10,7 +10,7 @@ namespace solidnoise {
 namespace {
 
 // Horner's rule is compiled for these degrees.
-constexpr int kLowestHornerDegree = 4;
+constexpr int kLowestHornerDegree = 2;
 constexpr int kHighestHornerDegree = 12;
 
 std::vector<double> power_derivative(std::span<const double> coefficients) {

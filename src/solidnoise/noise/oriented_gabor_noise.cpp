@@ -79,7 +79,8 @@ template <int Dim>
 double mean_over_cone(const RandomPhaseGaborKernel<Dim>& kernel, const DirectionCone<Dim>& directions,
                       const Vec<Dim>& f) {
   const double frequency = glm::length(kernel.frequency());
-  const auto at = [&](double polar, const std::array<double, 3>& around) {
+  using Polar = typename DirectionCone<Dim>::Polar;
+  const auto at = [&](const Polar& polar, const std::array<double, 3>& around) {
     return RandomPhaseGaborKernel<Dim>(kernel.amplitude(), kernel.a(),
                                        frequency * directions.at(polar, around))
         .power_spectrum(f);
@@ -89,7 +90,7 @@ double mean_over_cone(const RandomPhaseGaborKernel<Dim>& kernel, const Direction
   constexpr double kTurn = 2.0 * std::numbers::pi;
   return integrate(
       [&](double share) {
-        const double polar = directions.polar_angle(share);
+        const Polar polar = directions.polar_angle(share);
         if constexpr (Dim == 2) return 0.5 * (at(polar, {1.0, 0.0, 0.0}) + at(polar, {-1.0, 0.0, 0.0}));
         if constexpr (Dim == 3) {
           return integrate(
@@ -112,7 +113,7 @@ double mean_over_cone(const RandomPhaseGaborKernel<Dim>& kernel, const Direction
               },
               0.0, 1.0, count);
         }
-        return at(0.0, {});
+        return at({}, {});
       },
       0.0, 1.0, count);
 }

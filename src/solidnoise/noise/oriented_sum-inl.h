@@ -2,8 +2,13 @@
 //
 // An oriented kernel is the real part of a product of one complex factor per axis: envelope times wave. On a
 // lattice each factor is a small table per impulse, and a sample costs two multiply-adds an impulse.
-#include <cmath>
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <memory>
 #include <numbers>
+#include <type_traits>
+#include <vector>
 
 #include <hwy/highway.h>
 
@@ -48,15 +53,15 @@ struct AxisFactor {
 };
 
 // `offset` from the impulse in cells, `wave` in cycles per cell, `phase` in cycles.
-template <Derivatives kDerivatives, class D, class Polynomial, class V = hn::Vec<D>>
-HWY_INLINE AxisFactor<V> FactorAlongAxis(D d, const Polynomial& polynomial, const RadialPolynomial& envelope,
-                                         V offset, V wave, V phase, float scale) {
+template <Derivatives kDerivatives, class D, class Kernel, class V = hn::Vec<D>>
+HWY_INLINE AxisFactor<V> FactorAlongAxis(D d, const Kernel& envelope, V offset, V wave, V phase,
+                                         float scale) {
   const V half = hn::Set(d, 0.5f);
   const V scaled = hn::Mul(offset, hn::Set(d, scale));
   const V v = hn::Max(hn::NegMulAdd(scaled, scaled, half), hn::Set(d, -0.5f));
   const V t = hn::Add(v, half);
   const V t2 = hn::Mul(t, t);
-  const V shape = polynomial(d, v, envelope.value.data());
+  const V shape = envelope.value(d, v);
   const V amplitude = hn::Mul(t2, shape);
   V cosine, sine;
   CosineSine(d, hn::MulAdd(offset, wave, phase), cosine, sine);
@@ -65,7 +70,7 @@ HWY_INLINE AxisFactor<V> FactorAlongAxis(D d, const Polynomial& polynomial, cons
   factor.value = {hn::Mul(amplitude, cosine), hn::Mul(amplitude, sine)};
   if constexpr (kDerivatives == Derivatives::gradient) {
     // d amplitude / d scaled = -2 scaled (2 t P + t^2 P'); d wave / d scaled = i 2 pi wave / scale.
-    const V slope = polynomial(d, v, envelope.derivative.data());
+    const V slope = envelope.derivative(d, v);
     const V by_v = hn::MulAdd(t2, slope, hn::Mul(hn::Add(t, t), shape));
     const V amplitude_slope = hn::Mul(hn::Mul(hn::Set(d, -2.0f), scaled), by_v);
     const V turning = hn::Mul(hn::Mul(amplitude, wave), hn::Set(d, 2.0f * std::numbers::pi_v<float> / scale));
@@ -83,20 +88,29 @@ struct FactorTable {
 
 // The factors of all impulses near a brick. A gradient replaces one axis' factors by their derivatives.
 struct FactorTables {
-  std::vector<FactorTable> axis[3];
-  std::vector<FactorTable> derivative[kRoles];  // that of time is time's derivative times the x factors
+  FactorTables(std::size_t impulses, Derivatives derivatives)
+      : memory(std::make_unique_for_overwrite<FactorTable[]>(
+            impulses * (derivatives == Derivatives::gradient ? 3 + kRoles : 3))) {
+    for (int role = 0; role < 3; ++role)
+      axis[role] = memory.get() + static_cast<std::size_t>(role) * impulses;
+    for (int role = 0; role < kRoles; ++role) {
+      derivative[role] = memory.get() + static_cast<std::size_t>(3 + role) * impulses;
+    }
+  }
+
+  std::unique_ptr<FactorTable[]> memory;
+  FactorTable* axis[3];
+  FactorTable*
+      derivative[kRoles];  // that of time is time's derivative times the x factors; only for gradients
 };
 
 template <Derivatives kDerivatives, class Polynomial>
 void MakeTables(const OrientedSum& sum, const ImpulseList& list, const SampleBrick& brick,
-                const Polynomial& polynomial, FactorTables& tables) {
+                FactorTables& tables) {
   const hn::CappedTag<float, SampleBrick::kSide> d;
   using V = hn::Vec<decltype(d)>;
+  const BoundKernel<decltype(d), Polynomial> envelope(d, sum.envelope);
   const V zero = hn::Zero(d);
-  for (auto& table : tables.axis) table.resize(list.size());
-  if constexpr (kDerivatives == Derivatives::gradient) {
-    for (auto& table : tables.derivative) table.resize(list.size());
-  }
   const auto store = [&](const Complex<V>& value, FactorTable& table, int piece) HWY_ATTR {
     hn::StoreU(value.re, d, table.re + piece);
     hn::StoreU(value.im, d, table.im + piece);
@@ -106,8 +120,8 @@ void MakeTables(const OrientedSum& sum, const ImpulseList& list, const SampleBri
     const auto factor = [&](Role role, V sample) HWY_ATTR {
       const V offset = hn::Sub(sample, hn::Set(d, list.position(role)[i]));
       const V phase = role == kZ ? hn::Set(d, list.attribute(kRoles)[i]) : zero;  // every noise has a z
-      return FactorAlongAxis<kDerivatives>(d, polynomial, sum.envelope, offset,
-                                           hn::Set(d, list.attribute(role)[i]), phase, sum.scale[role]);
+      return FactorAlongAxis<kDerivatives>(d, envelope, offset, hn::Set(d, list.attribute(role)[i]), phase,
+                                           sum.scale[role]);
     };
     AxisFactor<V> time{{hn::Set(d, 1.0f), zero}, {zero, zero}};
     if (sum.scale[kT] != 0.0f) time = factor(kT, hn::Set(d, brick.time));
@@ -136,53 +150,135 @@ void MakeTables(const OrientedSum& sum, const ImpulseList& list, const SampleBri
   }
 }
 
-// The products of the x and y factors of the impulses that reach one plane of constant x.
+// A brick is summed in tiles, a product of matrices each: two vectors of (x, y) samples, all y of a few x, by
+// four z.
+struct ProductTile {
+  static constexpr int kZ = 4;
+  static constexpr int kMaxLanes = 16;
+  static constexpr int kMaxPlanes = 2 * kMaxLanes / SampleBrick::kSide;
+};
+
+// Which impulses reach the tiles that start at some sample of an axis: bit k of word w is impulse 64 w + k.
+template <int kTileSide>
+std::vector<std::uint64_t> ReachingTile(const OrientedSum& sum, const ImpulseList& list,
+                                        const SampleBrick& brick, Role role, int start) {
+  const int last = std::min(start + kTileSide, brick.count[role]) - 1;
+  const float lower = brick.coordinate[role][start];
+  const float upper = brick.coordinate[role][last];
+  std::vector<std::uint64_t> words;
+  for (std::size_t from = 0; from < list.size(); from += 64) {
+    words.push_back(SupportBits(from, list.size(), [&](auto d, std::size_t i) HWY_ATTR {
+      return SquaredExcess(d, list.position(role) + i, lower, upper, sum.scale[role]);
+    }));
+  }
+  return words;
+}
+
+// The products of the x and y factors of each impulse, at the (x, y) samples of one tile.
 struct PlaneProducts {
-  std::vector<FactorTable> xy;
-  std::vector<const FactorTable*> z;
+  static constexpr int kSamples = 2 * ProductTile::kMaxLanes;
+
+  struct Samples {
+    float re[kSamples];
+    float im[kSamples];
+  };
+
+  explicit PlaneProducts(std::size_t impulses) : of(std::make_unique_for_overwrite<Samples[]>(impulses)) {}
+
+  std::unique_ptr<Samples[]> of;
+};
+
+// Calls visit(i) for each set bit of the words, in order.
+template <class Visit>
+HWY_INLINE void ForEachBit(const std::vector<std::uint64_t>& words,
+                           const std::vector<std::uint64_t>& and_words, const Visit& visit) {
+  for (std::size_t w = 0; w < words.size(); ++w) {
+    for (std::uint64_t bits = words[w] & and_words[w]; bits != 0; bits &= bits - 1) {
+      visit(64 * w + static_cast<std::size_t>(std::countr_zero(bits)));
+    }
+  }
+}
+
+// Where in which impulses have to be summed.
+struct ReachingTiles {
+  ReachingTiles(const OrientedSum& sum, const ImpulseList& list, const SampleBrick& brick) {
+    const hn::CappedTag<float, ProductTile::kMaxLanes> d;
+    planes = 2 * static_cast<int>(hn::Lanes(d)) / SampleBrick::kSide;
+    for (int start = 0; start < brick.count[kX]; start += planes) {
+      x.push_back(planes == 4   ? ReachingTile<4>(sum, list, brick, kX, start)
+                  : planes == 2 ? ReachingTile<2>(sum, list, brick, kX, start)
+                                : ReachingTile<1>(sum, list, brick, kX, start));
+    }
+    for (int start = 0; start < brick.count[kZ]; start += ProductTile::kZ) {
+      z.push_back(ReachingTile<ProductTile::kZ>(sum, list, brick, kZ, start));
+    }
+  }
+
+  int planes;  // of constant x in a tile
+  std::vector<std::vector<std::uint64_t>> x;
+  std::vector<std::vector<std::uint64_t>> z;
 };
 
 // values = sum over impulses of Re(x y z) at every sample of the brick.
-inline void SumProducts(const std::vector<FactorTable>& x_factors, const std::vector<FactorTable>& y_factors,
-                        const std::vector<FactorTable>& z_factors, const SampleBrick& brick,
-                        PlaneProducts& plane, float* values) {
+inline void SumProducts(const ReachingTiles& reaching, const FactorTable* x_factors,
+                        const FactorTable* y_factors, const FactorTable* z_factors, PlaneProducts& products,
+                        float* HWY_RESTRICT values) {
   constexpr int kSide = SampleBrick::kSide;
-  const hn::CappedTag<float, kSide> d;
+  const hn::CappedTag<float, kSide> row;
+  const hn::CappedTag<float, ProductTile::kMaxLanes> d;
+  using Row = hn::Vec<decltype(row)>;
   using V = hn::Vec<decltype(d)>;
   const int lanes = static_cast<int>(hn::Lanes(d));
-  plane.xy.resize(x_factors.size());
-  plane.z.resize(x_factors.size());
 
-  for (int x = 0; x < brick.count[kX]; ++x) {
-    // An x factor of exactly 0 is outside the support: the impulse adds nothing to this plane.
-    std::size_t reaching = 0;
-    for (std::size_t i = 0; i < x_factors.size(); ++i) {
-      if (x_factors[i].re[x] == 0.0f && x_factors[i].im[x] == 0.0f) continue;
-      const Complex<V> factor{hn::Set(d, x_factors[i].re[x]), hn::Set(d, x_factors[i].im[x])};
-      for (int piece = 0; piece < kSide; piece += lanes) {
-        const Complex<V> xy = Multiply(
-            factor, Complex<V>{hn::LoadU(d, y_factors[i].re + piece), hn::LoadU(d, y_factors[i].im + piece)});
-        hn::StoreU(xy.re, d, plane.xy[reaching].re + piece);
-        hn::StoreU(xy.im, d, plane.xy[reaching].im + piece);
+  for (std::size_t x_tile = 0; x_tile < reaching.x.size(); ++x_tile) {
+    const int first_plane = static_cast<int>(x_tile) * reaching.planes;
+    ForEachBit(reaching.x[x_tile], reaching.x[x_tile], [&](std::size_t i) HWY_ATTR {
+      for (int piece = 0; piece < kSide; piece += static_cast<int>(hn::Lanes(row))) {
+        const Complex<Row> y{hn::LoadU(row, y_factors[i].re + piece),
+                             hn::LoadU(row, y_factors[i].im + piece)};
+        for (int plane = 0; plane < reaching.planes; ++plane) {
+          const int x = first_plane + plane;
+          const Complex<Row> xy =
+              Multiply(Complex<Row>{hn::Set(row, x_factors[i].re[x]), hn::Set(row, x_factors[i].im[x])}, y);
+          hn::StoreU(xy.re, row, products.of[i].re + plane * kSide + piece);
+          hn::StoreU(xy.im, row, products.of[i].im + plane * kSide + piece);
+        }
       }
-      plane.z[reaching++] = &z_factors[i];
-    }
+    });
 
-    float* const rows = values + x * kSide * kSide;
-    for (int piece = 0; piece < kSide; piece += lanes) {
-      V row0 = hn::Zero(d), row1 = hn::Zero(d), row2 = hn::Zero(d), row3 = hn::Zero(d);
-      V row4 = hn::Zero(d), row5 = hn::Zero(d), row6 = hn::Zero(d), row7 = hn::Zero(d);
-      for (std::size_t i = 0; i < reaching; ++i) {
-        const FactorTable& xy = plane.xy[i];
-        const Complex<V> z{hn::LoadU(d, plane.z[i]->re + piece), hn::LoadU(d, plane.z[i]->im + piece)};
-        const auto add = [&](int y, V& row) HWY_ATTR {
-          row = AddRealProduct(Complex<V>{hn::Set(d, xy.re[y]), hn::Set(d, xy.im[y])}, z, row);
+    for (std::size_t z_tile = 0; z_tile < reaching.z.size(); ++z_tile) {
+      const int first_z = static_cast<int>(z_tile) * ProductTile::kZ;
+      V low0 = hn::Zero(d), low1 = hn::Zero(d), low2 = hn::Zero(d), low3 = hn::Zero(d);
+      V high0 = hn::Zero(d), high1 = hn::Zero(d), high2 = hn::Zero(d), high3 = hn::Zero(d);
+      ForEachBit(reaching.x[x_tile], reaching.z[z_tile], [&](std::size_t i) HWY_ATTR {
+        const auto& xy = products.of[i];
+        const Complex<V> low{hn::LoadU(d, xy.re), hn::LoadU(d, xy.im)};
+        const Complex<V> high{hn::LoadU(d, xy.re + lanes), hn::LoadU(d, xy.im + lanes)};
+        const auto add = [&](int k, V& low_sum, V& high_sum) HWY_ATTR {
+          const Complex<V> z{hn::Set(d, z_factors[i].re[first_z + k]),
+                             hn::Set(d, z_factors[i].im[first_z + k])};
+          low_sum = AddRealProduct(low, z, low_sum);
+          high_sum = AddRealProduct(high, z, high_sum);
         };
-        add(0, row0), add(1, row1), add(2, row2), add(3, row3);
-        add(4, row4), add(5, row5), add(6, row6), add(7, row7);
+        add(0, low0, high0);
+        add(1, low1, high1);
+        add(2, low2, high2);
+        add(3, low3, high3);
+      });
+
+      alignas(64) float tile[ProductTile::kZ][PlaneProducts::kSamples];
+      const auto store = [&](int k, V low, V high) HWY_ATTR {
+        hn::Store(low, d, tile[k]);
+        hn::Store(high, d, tile[k] + lanes);
+      };
+      store(0, low0, high0);
+      store(1, low1, high1);
+      store(2, low2, high2);
+      store(3, low3, high3);
+      float* const to = values + first_plane * kSide * kSide + first_z;
+      for (int sample = 0; sample < 2 * lanes; ++sample) {
+        for (int k = 0; k < ProductTile::kZ; ++k) to[sample * kSide + k] = tile[k][sample];
       }
-      const V* const all[kSide] = {&row0, &row1, &row2, &row3, &row4, &row5, &row6, &row7};
-      for (int y = 0; y < kSide; ++y) hn::StoreU(*all[y], d, rows + y * kSide + piece);
     }
   }
 }
@@ -190,17 +286,18 @@ inline void SumProducts(const std::vector<FactorTable>& x_factors, const std::ve
 template <class Polynomial, Derivatives kDerivatives>
 void SumOrientedBrick(const OrientedSum& sum, const ImpulseList& list, const SampleBrick& brick,
                       BrickSums& sums) {
-  const Polynomial polynomial(static_cast<int>(sum.envelope.value.size()) - 1);
-  FactorTables tables;
-  PlaneProducts plane;
-  MakeTables<kDerivatives>(sum, list, brick, polynomial, tables);
+  const std::size_t impulses = list.size();
+  FactorTables tables(impulses, kDerivatives);
+  const ReachingTiles reaching(sum, list, brick);
+  PlaneProducts products(impulses);
+  MakeTables<kDerivatives, Polynomial>(sum, list, brick, tables);
   const auto& [x, y, z] = tables.axis;
-  SumProducts(x, y, z, brick, plane, sums.value);
+  SumProducts(reaching, x, y, z, products, sums.value);
   if constexpr (kDerivatives == Derivatives::gradient) {
-    SumProducts(tables.derivative[kX], y, z, brick, plane, sums.gradient[kX]);
-    SumProducts(x, tables.derivative[kY], z, brick, plane, sums.gradient[kY]);
-    SumProducts(x, y, tables.derivative[kZ], brick, plane, sums.gradient[kZ]);
-    SumProducts(tables.derivative[kT], y, z, brick, plane, sums.gradient[kT]);
+    SumProducts(reaching, tables.derivative[kX], y, z, products, sums.gradient[kX]);
+    SumProducts(reaching, x, tables.derivative[kY], z, products, sums.gradient[kY]);
+    SumProducts(reaching, x, y, tables.derivative[kZ], products, sums.gradient[kZ]);
+    SumProducts(reaching, tables.derivative[kT], y, z, products, sums.gradient[kT]);
   }
 }
 
@@ -210,7 +307,7 @@ void SumOrientedCluster(const OrientedSum& sum, const ImpulseList& list, const S
                         ClusterSums& sums) {
   const hn::CappedTag<float, SampleCluster::kSamples> d;
   using V = hn::Vec<decltype(d)>;
-  const Polynomial polynomial(static_cast<int>(sum.envelope.value.size()) - 1);
+  const BoundKernel<decltype(d), Polynomial> envelope(d, sum.envelope);
   const V zero = hn::Zero(d);
 
   for (int piece = 0; piece < cluster.count; piece += static_cast<int>(hn::Lanes(d))) {
@@ -222,8 +319,8 @@ void SumOrientedCluster(const OrientedSum& sum, const ImpulseList& list, const S
         const V offset =
             hn::Sub(hn::Load(d, cluster.coordinate[role] + piece), hn::Set(d, list.position(role)[i]));
         const V phase = role == kZ ? hn::Set(d, list.attribute(kRoles)[i]) : zero;
-        return FactorAlongAxis<kDerivatives>(d, polynomial, sum.envelope, offset,
-                                             hn::Set(d, list.attribute(role)[i]), phase, sum.scale[role]);
+        return FactorAlongAxis<kDerivatives>(d, envelope, offset, hn::Set(d, list.attribute(role)[i]), phase,
+                                             sum.scale[role]);
       };
       AxisFactor<V> x = factor(kX);
       const AxisFactor<V> y = factor(kY), z = factor(kZ), t = factor(kT);

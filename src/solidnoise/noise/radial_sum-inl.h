@@ -1,5 +1,8 @@
 // Sums of isotropic kernels, for one instruction set. Included once per target; see impulse_sums_simd.cpp.
-#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <memory>
+#include <utility>
 
 #include <hwy/highway.h>
 
@@ -20,180 +23,260 @@ namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 // w t^2 P(v) and, where wanted, its derivative by v, of one vector of samples and one impulse.
-template <class D, class Polynomial, class V = hn::Vec<D>>
+template <class D, class Kernel, class V = hn::Vec<D>>
 struct RadialTerm {
-  HWY_INLINE RadialTerm(D d, const Polynomial& polynomial, const RadialPolynomial& kernel, V v, V weight) {
+  HWY_INLINE RadialTerm(D d, const Kernel& kernel, V v, V weight) {
     const V half = hn::Set(d, 0.5f);
     const V t = hn::Add(v, half);
     weighted_t = hn::MulAdd(v, weight, hn::Mul(weight, half));
     weighted_t2 = hn::Mul(weighted_t, t);
-    value = polynomial(d, v, kernel.value.data());
+    polynomial = kernel.value(d, v);
   }
 
-  HWY_INLINE V derivative(D d, const Polynomial& polynomial, const RadialPolynomial& kernel, V v) const {
-    const V slope = polynomial(d, v, kernel.derivative.data());
-    return hn::MulAdd(weighted_t2, slope, hn::Mul(hn::Add(weighted_t, weighted_t), value));
+  HWY_INLINE V derivative(D d, const Kernel& kernel, V v) const {
+    return hn::MulAdd(weighted_t2, kernel.derivative(d, v),
+                      hn::Mul(hn::Add(weighted_t, weighted_t), polynomial));
   }
 
   V weighted_t;
   V weighted_t2;
-  V value;
+  V polynomial;
 };
 
-// The impulses near a 4 x 4 x 4 part of a brick, prepared for summation: what depends on x alone, or on no
-// sample, is computed here, once per impulse.
-struct NearImpulses {
-  static constexpr int kSide = 4;
+// Squared excess (see Excess) of each impulse over an interval of one axis.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V SquaredExcess(D d, const float* positions, float lower, float upper, float scale) {
+  const V excess = Excess(d, hn::LoadU(d, positions), lower, upper, scale);
+  return hn::Mul(excess, excess);
+}
 
-  explicit NearImpulses(std::size_t capacity) { reserve(capacity); }
+// A brick is summed in columns of 2 x 4 samples in (y, z), and these in pairs of x: small units, for what
+// reaches one of them should reach most of its samples.
+struct Column {
+  static constexpr int kY = 4;
+  static constexpr int kZ = 4;
+  static constexpr int kSamples = kY * kZ;
+};
+constexpr int kPair = 2;
+constexpr int kPairs = SampleBrick::kSide / kPair;
 
-  void reserve(std::size_t capacity) {
-    for (auto* channel : {&y, &z, &time_offset, &rest, &weight})
-      channel->resize(capacity + ImpulseList::kPadding);
-    for (int i = 0; i < kSide; ++i) {
-      x_offset[i].resize(capacity + ImpulseList::kPadding);
-      x_squared[i].resize(capacity + ImpulseList::kPadding);
-    }
-  }
+// What the sums need to know of each impulse, computed once per brick or column. Offsets in radii.
+class PreparedImpulses {
+ public:
+  PreparedImpulses(const RadialSum& sum, const ImpulseList& list, const SampleBrick& brick,
+                   Derivatives derivatives);
 
-  std::size_t count = 0;
-  std::vector<float> y, z;         // positions, cells from the anchor
-  std::vector<float> time_offset;  // radii
-  std::vector<float> rest;         // 1/2 minus the squared offset in time
-  std::vector<float> weight;
-  std::vector<float> x_offset[kSide];  // radii, per x of the part
-  std::vector<float> x_squared[kSide];
+  // Makes what depends on y and z for the column that starts at (y, z).
+  void enter_column(int y, int z);
+
+  // Bit k: whether impulse `from + k` reaches the column, or the pair of planes of the column.
+  std::uint64_t reaching_column(std::size_t from) const;
+  std::uint64_t reaching_pair(std::size_t from, int pair) const;
+
+  std::size_t size() const { return list_.size(); }
+  const float* x_offset(int x) const { return x_offset_ + static_cast<std::size_t>(x) * stride_; }
+  const float* x_squared(int x) const { return x_squared_ + static_cast<std::size_t>(x) * stride_; }
+  const float* time_offset() const { return time_offset_; }
+  const float* weight() const { return list_.attribute(0); }
+  // Per impulse, of the column's samples: 1/2 minus the squared offset in y, z and time; and the offsets.
+  const float* rest(std::size_t i) const { return rest_ + i * Column::kSamples; }
+  const float* y_offset(std::size_t i) const { return y_offset_ + i * Column::kSamples; }
+  const float* z_offset(std::size_t i) const { return z_offset_ + i * Column::kSamples; }
+
+ private:
+  const RadialSum& sum_;
+  const ImpulseList& list_;
+  const SampleBrick& brick_;
+  Derivatives derivatives_;
+  std::size_t stride_;
+  std::unique_ptr<float[]> memory_;
+  float* x_offset_;
+  float* x_squared_;
+  float* pair_excess_;  // squared, of each pair of planes
+  float* time_offset_;
+  float* rest_in_time_;   // 1/2 minus the squared offset in time
+  float* column_excess_;  // squared, of the column and the time
+  float* rest_;
+  float* y_offset_;
+  float* z_offset_;
 };
 
-// The part of a brick that starts at (x, y, z).
-struct BrickPart {
-  int x, y, z;
-};
+inline PreparedImpulses::PreparedImpulses(const RadialSum& sum, const ImpulseList& list,
+                                          const SampleBrick& brick, Derivatives derivatives)
+    : sum_(sum),
+      list_(list),
+      brick_(brick),
+      derivatives_(derivatives),
+      stride_(list.size() + ImpulseList::kPadding) {
+  constexpr std::size_t kScalars = 2 * SampleBrick::kSide + kPairs + 3;
+  memory_ = std::make_unique_for_overwrite<float[]>((kScalars + 3 * Column::kSamples) * stride_);
+  float* next = memory_.get();
+  const auto take = [&](std::size_t count) { return std::exchange(next, next + count * stride_); };
+  x_offset_ = take(SampleBrick::kSide);
+  x_squared_ = take(SampleBrick::kSide);
+  pair_excess_ = take(kPairs);
+  time_offset_ = take(1);
+  rest_in_time_ = take(1);
+  column_excess_ = take(1);
+  rest_ = take(Column::kSamples);
+  y_offset_ = take(Column::kSamples);
+  z_offset_ = take(Column::kSamples);
 
-HWY_INLINE void GatherNear(const RadialSum& sum, const ImpulseList& list, const SampleBrick& brick,
-                           const BrickPart& part, Derivatives derivatives, NearImpulses& near) {
   const hn::CappedTag<float, 16> d;
   using V = hn::Vec<decltype(d)>;
-  const std::size_t lanes = hn::Lanes(d);
-  constexpr int kLast = NearImpulses::kSide - 1;
-  const V half = hn::Set(d, 0.5f);
-  const int start[3] = {part.x, part.y, part.z};
-
-  near.count = 0;
-  for (std::size_t i = 0; i < list.size(); i += lanes) {
-    V distance = hn::Zero(d);
-    for (int role = kX; role <= kZ; ++role) {
-      const float* coordinate = brick.coordinate[role] + start[role];
-      const V excess =
-          Excess(d, hn::LoadU(d, list.position(role) + i), coordinate[0], coordinate[kLast], sum.scale[role]);
-      distance = hn::MulAdd(excess, excess, distance);
+  const auto offset = [&](float sample, Role role, std::size_t i) HWY_ATTR {
+    return hn::Mul(hn::Sub(hn::Set(d, sample), hn::LoadU(d, list.position(role) + i)),
+                   hn::Set(d, sum.scale[role]));
+  };
+  const float* const x = brick.coordinate[kX];
+  const int planes_used = (brick.count[kX] + kPair - 1) / kPair * kPair;
+  for (std::size_t i = 0; i < list.size(); i += hn::Lanes(d)) {
+    for (int k = 0; k < planes_used; ++k) {
+      const V x_offset = offset(x[k], kX, i);
+      hn::StoreU(x_offset, d, x_offset_ + static_cast<std::size_t>(k) * stride_ + i);
+      hn::StoreU(hn::Mul(x_offset, x_offset), d, x_squared_ + static_cast<std::size_t>(k) * stride_ + i);
     }
-    const V time_offset = hn::Mul(hn::Sub(hn::Set(d, brick.time), hn::LoadU(d, list.position(kT) + i)),
-                                  hn::Set(d, sum.scale[kT]));
-    const V time_squared = hn::Mul(time_offset, time_offset);
-    distance = hn::Add(distance, time_squared);
-
-    const auto valid = hn::FirstN(d, std::min(lanes, list.size() - i));
-    const auto keep = hn::And(hn::Lt(distance, hn::Set(d, kSupportWithMargin)), valid);
-    const std::size_t at = near.count;
-    near.count += hn::CompressStore(hn::LoadU(d, list.position(kY) + i), keep, d, near.y.data() + at);
-    hn::CompressStore(hn::LoadU(d, list.position(kZ) + i), keep, d, near.z.data() + at);
-    hn::CompressStore(hn::Sub(half, time_squared), keep, d, near.rest.data() + at);
-    hn::CompressStore(hn::LoadU(d, list.attribute(0) + i), keep, d, near.weight.data() + at);
-    if (derivatives == Derivatives::gradient) {
-      hn::CompressStore(time_offset, keep, d, near.time_offset.data() + at);
+    for (int pair = 0; pair * kPair < brick.count[kX]; ++pair) {
+      const float* const planes = x + pair * kPair;
+      hn::StoreU(SquaredExcess(d, list.position(kX) + i, planes[0], planes[kPair - 1], sum.scale[kX]), d,
+                 pair_excess_ + static_cast<std::size_t>(pair) * stride_ + i);
     }
-    for (int k = 0; k < NearImpulses::kSide; ++k) {
-      const V offset =
-          hn::Mul(hn::Sub(hn::Set(d, brick.coordinate[kX][part.x + k]), hn::LoadU(d, list.position(kX) + i)),
-                  hn::Set(d, sum.scale[kX]));
-      hn::CompressStore(hn::Mul(offset, offset), keep, d, near.x_squared[k].data() + at);
-      if (derivatives == Derivatives::gradient) {
-        hn::CompressStore(offset, keep, d, near.x_offset[k].data() + at);
+    const V time = offset(brick.time, kT, i);
+    hn::StoreU(time, d, time_offset_ + i);
+    hn::StoreU(hn::Sub(hn::Set(d, 0.5f), hn::Mul(time, time)), d, rest_in_time_ + i);
+  }
+}
+
+inline void PreparedImpulses::enter_column(int y, int z) {
+  const float* const y_samples = brick_.coordinate[kY] + y;
+  const float* const z_samples = brick_.coordinate[kZ] + z;
+  const hn::CappedTag<float, 16> wide;
+  for (std::size_t i = 0; i < size(); i += hn::Lanes(wide)) {
+    const auto in_y =
+        SquaredExcess(wide, list_.position(kY) + i, y_samples[0], y_samples[Column::kY - 1], sum_.scale[kY]);
+    const auto in_z =
+        SquaredExcess(wide, list_.position(kZ) + i, z_samples[0], z_samples[Column::kZ - 1], sum_.scale[kZ]);
+    const auto in_time = hn::Sub(hn::Set(wide, 0.5f), hn::LoadU(wide, rest_in_time_ + i));
+    hn::StoreU(hn::Add(hn::Add(in_y, in_z), in_time), wide, column_excess_ + i);
+  }
+
+  const hn::CappedTag<float, Column::kSamples> d;
+  using V = hn::Vec<decltype(d)>;
+  alignas(64) float y_lanes[Column::kSamples];
+  alignas(64) float z_lanes[Column::kSamples];
+  for (int k = 0; k < Column::kSamples; ++k) {
+    y_lanes[k] = y_samples[k / Column::kZ];
+    z_lanes[k] = z_samples[k % Column::kZ];
+  }
+  const V y_scale = hn::Set(d, sum_.scale[kY]);
+  const V z_scale = hn::Set(d, sum_.scale[kZ]);
+  for (std::size_t from = 0; from < size(); from += 64) {
+    for (std::uint64_t bits = reaching_column(from); bits != 0; bits &= bits - 1) {
+      const std::size_t i = from + static_cast<std::size_t>(std::countr_zero(bits));
+      for (int piece = 0; piece < Column::kSamples; piece += static_cast<int>(hn::Lanes(d))) {
+        const V y_offset =
+            hn::Mul(hn::Sub(hn::Load(d, y_lanes + piece), hn::Set(d, list_.position(kY)[i])), y_scale);
+        const V z_offset =
+            hn::Mul(hn::Sub(hn::Load(d, z_lanes + piece), hn::Set(d, list_.position(kZ)[i])), z_scale);
+        const V squared = hn::MulAdd(z_offset, z_offset, hn::Mul(y_offset, y_offset));
+        const std::size_t at = i * Column::kSamples + static_cast<std::size_t>(piece);
+        hn::StoreU(hn::Sub(hn::Set(d, rest_in_time_[i]), squared), d, rest_ + at);
+        if (derivatives_ == Derivatives::gradient) {
+          hn::StoreU(y_offset, d, y_offset_ + at);
+          hn::StoreU(z_offset, d, z_offset_ + at);
+        }
       }
     }
   }
 }
 
-// Sums one part of a brick: lanes are samples of a (y, z) plane, four planes at once, impulses are the loop.
-template <class Polynomial, Derivatives kDerivatives>
-HWY_INLINE void SumPart(const RadialSum& sum, const NearImpulses& near, const SampleBrick& brick,
-                        const BrickPart& part, const Polynomial& polynomial, BrickSums& sums) {
-  constexpr int kSide = NearImpulses::kSide;
-  const hn::CappedTag<float, kSide * kSide> d;
-  using V = hn::Vec<decltype(d)>;
-  const int lanes = static_cast<int>(hn::Lanes(d));
-  const V lowest = hn::Set(d, -0.5f);
-  const V scale_y = hn::Set(d, sum.scale[kY]);
-  const V scale_z = hn::Set(d, sum.scale[kZ]);
-
-  alignas(64) float plane_y[kSide * kSide];
-  alignas(64) float plane_z[kSide * kSide];
-  for (int i = 0; i < kSide * kSide; ++i) {
-    plane_y[i] = brick.coordinate[kY][part.y + i / kSide];
-    plane_z[i] = brick.coordinate[kZ][part.z + i % kSide];
+// One bit per impulse from `from` to `from + 63`: whether its squared distance, given per vector, is in the
+// support.
+template <class SquaredDistance>
+HWY_INLINE std::uint64_t SupportBits(std::size_t from, std::size_t size,
+                                     const SquaredDistance& squared_distance) {
+  const hn::CappedTag<float, 16> d;
+  std::uint64_t bits = 0;
+  for (std::size_t k = 0; k < 64 && from + k < size; k += hn::Lanes(d)) {
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(d, hn::Lt(squared_distance(d, from + k), hn::Set(d, kSupportWithMargin)), bytes);
+    bits |= (bytes[0] | static_cast<std::uint64_t>(bytes[1]) << 8) << k;
   }
+  const std::size_t valid = size - from;
+  return valid < 64 ? bits & ((std::uint64_t{1} << valid) - 1) : bits;
+}
 
-  alignas(64) float plane[1 + kRoles][kSide][kSide * kSide];
-  for (int piece = 0; piece < kSide * kSide; piece += lanes) {
-    const V y = hn::Load(d, plane_y + piece);
-    const V z = hn::Load(d, plane_z + piece);
-    V value0 = hn::Zero(d), value1 = hn::Zero(d), value2 = hn::Zero(d), value3 = hn::Zero(d);
-    V x0 = hn::Zero(d), x1 = hn::Zero(d), x2 = hn::Zero(d), x3 = hn::Zero(d);
-    V y0 = hn::Zero(d), y1 = hn::Zero(d), y2 = hn::Zero(d), y3 = hn::Zero(d);
-    V z0 = hn::Zero(d), z1 = hn::Zero(d), z2 = hn::Zero(d), z3 = hn::Zero(d);
-    V t0 = hn::Zero(d), t1 = hn::Zero(d), t2 = hn::Zero(d), t3 = hn::Zero(d);
+inline std::uint64_t PreparedImpulses::reaching_column(std::size_t from) const {
+  return SupportBits(from, size(),
+                     [&](auto d, std::size_t i) HWY_ATTR { return hn::LoadU(d, column_excess_ + i); });
+}
 
-    for (std::size_t i = 0; i < near.count; ++i) {
-      const V offset_y = hn::Mul(hn::Sub(y, hn::Set(d, near.y[i])), scale_y);
-      const V offset_z = hn::Mul(hn::Sub(z, hn::Set(d, near.z[i])), scale_z);
-      const V plane_squared = hn::MulAdd(offset_z, offset_z, hn::Mul(offset_y, offset_y));
-      const V rest = hn::Sub(hn::Set(d, near.rest[i]), plane_squared);
-      const V weight = hn::Set(d, near.weight[i]);
+inline std::uint64_t PreparedImpulses::reaching_pair(std::size_t from, int pair) const {
+  const float* const pair_excess = pair_excess_ + static_cast<std::size_t>(pair) * stride_;
+  return SupportBits(from, size(), [&](auto d, std::size_t i) HWY_ATTR {
+    return hn::Add(hn::LoadU(d, column_excess_ + i), hn::LoadU(d, pair_excess + i));
+  });
+}
 
-      const auto add = [&](int k, V& value, V& gx, V& gy, V& gz, V& gt) HWY_ATTR {
-        const V v = hn::Max(hn::Sub(rest, hn::Set(d, near.x_squared[k][i])), lowest);
-        const RadialTerm<decltype(d), Polynomial> term(d, polynomial, sum.kernel, v, weight);
-        value = hn::MulAdd(term.weighted_t2, term.value, value);
-        if constexpr (kDerivatives == Derivatives::gradient) {
-          const V slope = term.derivative(d, polynomial, sum.kernel, v);
-          gx = hn::MulAdd(slope, hn::Set(d, near.x_offset[k][i]), gx);
-          gy = hn::MulAdd(slope, offset_y, gy);
-          gz = hn::MulAdd(slope, offset_z, gz);
-          gt = hn::MulAdd(slope, hn::Set(d, near.time_offset[i]), gt);
-        }
-      };
-      add(0, value0, x0, y0, z0, t0);
-      add(1, value1, x1, y1, z1, t1);
-      add(2, value2, x2, y2, z2, t2);
-      add(3, value3, x3, y3, z3, t3);
+// Where a pair of planes of a column starts in its brick.
+struct Unit {
+  int x, y, z;
+};
+
+// Sums a pair of planes of the entered column: lanes are samples, impulses are the loop.
+template <class Polynomial, Derivatives kDerivatives>
+HWY_INLINE void SumUnit(const RadialPolynomial& polynomials, const PreparedImpulses& prepared,
+                        const Unit& unit, BrickSums& sums) {
+  const hn::CappedTag<float, Column::kSamples> d;
+  using V = hn::Vec<decltype(d)>;
+  const BoundKernel<decltype(d), Polynomial> kernel(d, polynomials);
+  const V lowest = hn::Set(d, -0.5f);
+  const float* const weight = prepared.weight();
+  const float* const x_squared[kPair] = {prepared.x_squared(unit.x), prepared.x_squared(unit.x + 1)};
+  const float* const x_offset[kPair] = {prepared.x_offset(unit.x), prepared.x_offset(unit.x + 1)};
+
+  for (int piece = 0; piece < Column::kSamples; piece += static_cast<int>(hn::Lanes(d))) {
+    V value0 = hn::Zero(d), value1 = hn::Zero(d);
+    V gx0 = hn::Zero(d), gy0 = hn::Zero(d), gz0 = hn::Zero(d), gt0 = hn::Zero(d);
+    V gx1 = hn::Zero(d), gy1 = hn::Zero(d), gz1 = hn::Zero(d), gt1 = hn::Zero(d);
+    for (std::size_t from = 0; from < prepared.size(); from += 64) {
+      for (std::uint64_t bits = prepared.reaching_pair(from, unit.x / kPair); bits != 0; bits &= bits - 1) {
+        const std::size_t i = from + static_cast<std::size_t>(std::countr_zero(bits));
+        const V rest = hn::LoadU(d, prepared.rest(i) + piece);
+        const auto add = [&](int k, V& value, V& gx, V& gy, V& gz, V& gt) HWY_ATTR {
+          const V v = hn::Max(hn::Sub(rest, hn::Set(d, x_squared[k][i])), lowest);
+          const RadialTerm<decltype(d), decltype(kernel)> term(d, kernel, v, hn::Set(d, weight[i]));
+          value = hn::MulAdd(term.weighted_t2, term.polynomial, value);
+          if constexpr (kDerivatives == Derivatives::gradient) {
+            const V slope = term.derivative(d, kernel, v);
+            gx = hn::MulAdd(slope, hn::Set(d, x_offset[k][i]), gx);
+            gy = hn::MulAdd(slope, hn::LoadU(d, prepared.y_offset(i) + piece), gy);
+            gz = hn::MulAdd(slope, hn::LoadU(d, prepared.z_offset(i) + piece), gz);
+            gt = hn::MulAdd(slope, hn::Set(d, prepared.time_offset()[i]), gt);
+          }
+        };
+        add(0, value0, gx0, gy0, gz0, gt0);
+        add(1, value1, gx1, gy1, gz1, gt1);
+      }
     }
 
-    const auto store = [&](int k, V value, V gx, V gy, V gz, V gt) HWY_ATTR {
-      hn::Store(value, d, plane[0][k] + piece);
-      if constexpr (kDerivatives == Derivatives::gradient) {
-        hn::Store(gx, d, plane[1 + kX][k] + piece);
-        hn::Store(gy, d, plane[1 + kY][k] + piece);
-        hn::Store(gz, d, plane[1 + kZ][k] + piece);
-        hn::Store(gt, d, plane[1 + kT][k] + piece);
+    const auto store = [&](int k, V sum, float* to) HWY_ATTR {
+      alignas(64) float lanes[Column::kSamples];
+      hn::Store(sum, d, lanes);
+      for (int lane = 0; lane < static_cast<int>(hn::Lanes(d)); ++lane) {
+        const int y = unit.y + (piece + lane) / Column::kZ;
+        const int z = unit.z + (piece + lane) % Column::kZ;
+        to[((unit.x + k) * SampleBrick::kSide + y) * SampleBrick::kSide + z] = lanes[lane];
       }
     };
-    store(0, value0, x0, y0, z0, t0);
-    store(1, value1, x1, y1, z1, t1);
-    store(2, value2, x2, y2, z2, t2);
-    store(3, value3, x3, y3, z3, t3);
-  }
-
-  // d v / d offset = -2 offset.
-  constexpr float kChain = -2.0f;
-  for (int k = 0; k < kSide; ++k) {
-    for (int i = 0; i < kSide * kSide; ++i) {
-      const int sample =
-          ((part.x + k) * SampleBrick::kSide + part.y + i / kSide) * SampleBrick::kSide + part.z + i % kSide;
-      sums.value[sample] = plane[0][k][i];
-      if constexpr (kDerivatives == Derivatives::gradient) {
+    store(0, value0, sums.value);
+    store(1, value1, sums.value);
+    if constexpr (kDerivatives == Derivatives::gradient) {
+      const V chain = hn::Set(d, -2.0f);  // d v / d offset = -2 offset
+      const V* const gradients[kPair][kRoles] = {{&gx0, &gy0, &gz0, &gt0}, {&gx1, &gy1, &gz1, &gt1}};
+      for (int k = 0; k < kPair; ++k) {
         for (int role = 0; role < kRoles; ++role)
-          sums.gradient[role][sample] = kChain * plane[1 + role][k][i];
+          store(k, hn::Mul(chain, *gradients[k][role]), sums.gradient[role]);
       }
     }
   }
@@ -202,14 +285,12 @@ HWY_INLINE void SumPart(const RadialSum& sum, const NearImpulses& near, const Sa
 template <class Polynomial, Derivatives kDerivatives>
 void SumRadialBrick(const RadialSum& sum, const ImpulseList& list, const SampleBrick& brick,
                     BrickSums& sums) {
-  const Polynomial polynomial(static_cast<int>(sum.kernel.value.size()) - 1);
-  NearImpulses near(list.size());
-  for (int x = 0; x < brick.count[kX]; x += NearImpulses::kSide) {
-    for (int y = 0; y < brick.count[kY]; y += NearImpulses::kSide) {
-      for (int z = 0; z < brick.count[kZ]; z += NearImpulses::kSide) {
-        const BrickPart part{x, y, z};
-        GatherNear(sum, list, brick, part, kDerivatives, near);
-        SumPart<Polynomial, kDerivatives>(sum, near, brick, part, polynomial, sums);
+  PreparedImpulses prepared(sum, list, brick, kDerivatives);
+  for (int y = 0; y < brick.count[kY]; y += Column::kY) {
+    for (int z = 0; z < brick.count[kZ]; z += Column::kZ) {
+      prepared.enter_column(y, z);
+      for (int x = 0; x < brick.count[kX]; x += kPair) {
+        SumUnit<Polynomial, kDerivatives>(sum.kernel, prepared, {x, y, z}, sums);
       }
     }
   }
@@ -221,7 +302,7 @@ void SumRadialCluster(const RadialSum& sum, const ImpulseList& list, const Sampl
                       ClusterSums& sums) {
   const hn::CappedTag<float, SampleCluster::kSamples> d;
   using V = hn::Vec<decltype(d)>;
-  const Polynomial polynomial(static_cast<int>(sum.kernel.value.size()) - 1);
+  const BoundKernel<decltype(d), Polynomial> kernel(d, sum.kernel);
   const V half = hn::Set(d, 0.5f);
   const V lowest = hn::Set(d, -0.5f);
 
@@ -238,10 +319,10 @@ void SumRadialCluster(const RadialSum& sum, const ImpulseList& list, const Sampl
       const V rest = hn::Sub(hn::Sub(half, hn::Mul(t, t)), plane_squared);
       const V v = hn::Max(hn::Sub(rest, hn::Mul(x, x)), lowest);
       const V weight = hn::Set(d, list.attribute(0)[i]);
-      const RadialTerm<decltype(d), Polynomial> term(d, polynomial, sum.kernel, v, weight);
-      value = hn::MulAdd(term.weighted_t2, term.value, value);
+      const RadialTerm<decltype(d), decltype(kernel)> term(d, kernel, v, weight);
+      value = hn::MulAdd(term.weighted_t2, term.polynomial, value);
       if constexpr (kDerivatives == Derivatives::gradient) {
-        const V slope = term.derivative(d, polynomial, sum.kernel, v);
+        const V slope = term.derivative(d, kernel, v);
         gx = hn::MulAdd(slope, x, gx);
         gy = hn::MulAdd(slope, y, gy);
         gz = hn::MulAdd(slope, z, gz);
@@ -256,25 +337,6 @@ void SumRadialCluster(const RadialSum& sum, const ImpulseList& list, const Sampl
       hn::Store(hn::Mul(chain, gz), d, sums.gradient[kZ] + piece);
       hn::Store(hn::Mul(chain, gt), d, sums.gradient[kT] + piece);
     }
-  }
-}
-
-// Calls the evaluator compiled for the kernel's polynomial: Horner's rule for the even degrees up to 12
-// (coefficient lists are padded to those), Clenshaw's recurrence otherwise.
-template <class Call>
-HWY_INLINE void WithPolynomial(const RadialPolynomial& kernel, Call&& call) {
-  if (kernel.basis == RadialPolynomial::Basis::chebyshev) return call(Clenshaw(0));
-  switch (kernel.value.size()) {
-    case 5:
-      return call(Horner<4>(0));
-    case 7:
-      return call(Horner<6>(0));
-    case 9:
-      return call(Horner<8>(0));
-    case 11:
-      return call(Horner<10>(0));
-    default:
-      return call(Horner<12>(0));
   }
 }
 

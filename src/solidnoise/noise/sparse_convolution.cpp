@@ -40,8 +40,8 @@ float from_anchor(const CellPosition& position, std::int64_t anchor) {
 template <int Dim>
 struct SparseConvolution<Dim>::Source {
   Source(const ImpulseProcess<Dim>& process, const ImpulseKernel& kernel,
-         const typename ImpulseBlock<Dim>::CellRange& range)
-      : impulses(process, range) {
+         const typename ImpulseBlock<Dim>::Reach& reach)
+      : impulses(process, reach) {
     for (int channel = 0; channel < kernel.attribute_count(); ++channel) {
       attributes[channel].resize(impulses.size() + ImpulseList::kPadding);
     }
@@ -83,7 +83,7 @@ void SparseConvolution<Dim>::gather(const Source& source, const Neighborhood& ne
   ImpulseRun run;
   run.dimensions = Dim;
   run.attributes = kernel_->attribute_count();
-  const Index<Dim>& origin = source.impulses.range().first;
+  const Index<Dim>& origin = source.impulses.first_cell();
   for (int axis = 0; axis < Dim; ++axis) {
     run.role[axis] = role_of_axis<Dim>(axis);
     run.anchor[axis] =
@@ -117,12 +117,12 @@ template <int Dim>
 class SparseConvolution<Dim>::Block final : public NoiseBlock<Dim> {
  public:
   Block(const SparseConvolution& noise, const Box<Dim>& box) : noise_(noise) {
-    const auto range = ImpulseBlock<Dim>::cells_within_reach(noise_.process_.axes(), box);
-    bool fits = range.cells() <= kMaxCellsInBlock;
+    const auto reach = ImpulseBlock<Dim>::reach_of(noise_.process_.axes(), box);
+    bool fits = reach.cells() <= kMaxCellsInBlock;
     for (int axis = 0; axis < Dim; ++axis) {
-      fits = fits && range.last[axis] - range.first[axis] < ImpulseBlock<Dim>::kMaxCellsPerAxis;
+      fits = fits && reach.last[axis] - reach.first[axis] < ImpulseBlock<Dim>::kMaxCellsPerAxis;
     }
-    if (fits) source_.emplace(noise_.process_, *noise_.kernel_, range);
+    if (fits) source_.emplace(noise_.process_, *noise_.kernel_, reach);
   }
 
   void evaluate(const Lattice<Dim>& lattice, const Samples<Dim>& samples) const override {
@@ -169,9 +169,10 @@ class SparseConvolution<Dim>::Block final : public NoiseBlock<Dim> {
 
     std::optional<Source> local;
     if (!source_) {
-      local.emplace(noise_.process_, *noise_.kernel_,
-                    typename ImpulseBlock<Dim>::CellRange{neighborhood.first - std::int64_t{1},
-                                                          neighborhood.last + std::int64_t{1}});
+      typename ImpulseBlock<Dim>::Reach reach{
+          neighborhood.first - std::int64_t{1}, neighborhood.last + std::int64_t{1}, {}, {}};
+      reach.into_last.fill(1.0f);
+      local.emplace(noise_.process_, *noise_.kernel_, reach);
     }
     noise_.gather(source_ ? *source_ : *local, neighborhood, list);
 
@@ -252,7 +253,8 @@ void SparseConvolution<Dim>::evaluate(const Points<Dim>& points, const Samples<D
   });
 
   const auto bounds = [](auto begin, auto end) {
-    typename ImpulseBlock<Dim>::CellRange range{begin->cell, begin->cell};
+    typename ImpulseBlock<Dim>::Reach range{begin->cell, begin->cell, {}, {}};
+    range.into_last.fill(1.0f);
     for (auto it = begin; it != end; ++it) {
       for (int axis = 0; axis < Dim; ++axis) {
         range.first[axis] = std::min(range.first[axis], it->cell[axis]);
