@@ -281,9 +281,9 @@ double correlation(const std::vector<float>& a, const std::vector<float>& b) {
 }
 
 TEST(GradientNoiseStatistics, SeedsAreIndependent) {
-  constexpr std::size_t kCount = 8000;
   for_each_dimension([]<int Dim>() {
     for_each_gradient_noise([](GradientNoiseOptions options) {
+      constexpr std::size_t kCount = 8000;
       options.seed = 1;
       const auto first = scattered_values(GradientNoise<Dim>(options), kCount, 5);
       for (const std::uint64_t seed : {std::uint64_t{0}, std::uint64_t{2}, std::uint64_t{1} << 40}) {

@@ -42,15 +42,15 @@ CellAxis make_axis(const GradientNoiseOptions& options, double lattice_unit, int
 template <int Dim>
 class GradientBlock final : public NoiseBlock<Dim> {
  public:
-  GradientBlock(std::shared_ptr<const GradientEvaluator<Dim>> evaluator, const Box<Dim>& box)
-      : evaluator_(std::move(evaluator)), known_(evaluator_->gradients_around(box)) {}
+  GradientBlock(std::shared_ptr<const GradientField<Dim>> field, const Box<Dim>& box)
+      : field_(std::move(field)), known_(gradients_around(*field_, box)) {}
 
   void evaluate(const Lattice<Dim>& lattice, const Samples<Dim>& samples) const override {
-    evaluator_->evaluate(lattice, samples, known_);
+    evaluate_gradient_noise(*field_, known_, lattice, samples);
   }
 
  private:
-  std::shared_ptr<const GradientEvaluator<Dim>> evaluator_;
+  std::shared_ptr<const GradientField<Dim>> field_;
   KnownGradients<Dim> known_;
 };
 
@@ -67,19 +67,19 @@ GradientNoise<Dim>::GradientNoise(const GradientNoiseOptions& options)
     made = make_axis(options, lattice_unit, steps, options.period[axis]);
     spacing_[axis] = made.size() / steps;
   }
-  const typename GradientEvaluator<Dim>::Shape shape{
+  const typename GradientField<Dim>::Shape shape{
       .c1 = kernel_.c1(), .c2 = kernel_.c2(), .amplitude = 1.0 / std::sqrt(kernel_.mean_variance())};
-  evaluator_ = std::make_shared<const GradientEvaluator<Dim>>(options_, axes, shape);
+  field_ = std::make_shared<const GradientField<Dim>>(options_, axes, shape);
 }
 
 template <int Dim>
 std::unique_ptr<NoiseBlock<Dim>> GradientNoise<Dim>::block(const Box<Dim>& box) const {
-  return std::make_unique<GradientBlock<Dim>>(evaluator_, box);
+  return std::make_unique<GradientBlock<Dim>>(field_, box);
 }
 
 template <int Dim>
 void GradientNoise<Dim>::evaluate(const Points<Dim>& points, const Samples<Dim>& samples) const {
-  evaluator_->evaluate(points, samples);
+  evaluate_gradient_noise(*field_, points, samples);
 }
 
 template <int Dim>
