@@ -125,5 +125,28 @@ TEST(ExpectedSpectrum, OfANoiseIsThatOfItsPowerSpectrum) {
   }
 }
 
+// Depends on the components along and across (3, 4) / 5.
+class AxialSpectrum : public KnownSpectrum {
+ public:
+  AxialSpectrum() : KnownSpectrum(1.0) {}
+  double power_spectrum(const Vec<2>& f) const override {
+    return band_density(std::hypot(0.6 * f.x + 0.8 * f.y, 1.7 * (0.8 * f.x - 0.6 * f.y)));
+  }
+};
+
+TEST(ExpectedSpectrum, OfAnAxialNoiseMayBeTabulated) {
+  const AxialSpectrum noise;
+  const PowerSpectrum<2> direct = expected_periodogram<2>(noise, {48, 40}, {0.6, 0.8});
+
+  // The axis need not be of unit length; a wrong one is not used.
+  const auto with_axis = [&](const Vec<2>& axis) {
+    return expected_periodogram<2>(noise, {48, 40}, {0.6, 0.8}, Window::hann, axis);
+  };
+  const PowerSpectrum<2> tabulated = with_axis({3.0, 4.0});
+  EXPECT_LT(largest_difference(tabulated.density, direct.density), 1e-4 * largest(direct.density));
+  EXPECT_NE(tabulated.density, direct.density);
+  EXPECT_EQ(with_axis({1.0, 0.0}).density, direct.density);
+}
+
 }  // namespace
 }  // namespace solidnoise

@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include "analysis/synthetic_fields.h"
-#include "solidnoise/analysis/moments.h"
 
 namespace solidnoise {
 namespace {

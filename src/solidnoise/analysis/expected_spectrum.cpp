@@ -5,70 +5,14 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "solidnoise/analysis/fft.h"
 
 namespace solidnoise {
 namespace {
-
-// A function of the distance, by Catmull-Rom interpolation between equidistant values; 0 beyond the last one.
-class RadialTable {
- public:
-  RadialTable(double spacing, std::vector<double> values)
-      : per_unit_(1.0 / spacing), values_(std::move(values)) {}
-
-  double operator()(double r) const {
-    const double at = r * per_unit_;
-    const std::size_t i = static_cast<std::size_t>(at);
-    if (i + 2 >= values_.size()) return 0.0;
-    const double t = at - static_cast<double>(i);
-    const double before = values_[i == 0 ? 1 : i - 1];  // the function is even
-    const double a = values_[i];
-    const double b = values_[i + 1];
-    const double after = values_[i + 2];
-    const double value =
-        a + 0.5 * t *
-                (b - before +
-                 t * (2.0 * before - 5.0 * a + 4.0 * b - after + t * (3.0 * (a - b) + after - before)));
-    return std::max(value, 0.0);
-  }
-
- private:
-  double per_unit_;
-  std::vector<double> values_;
-};
-
-// Compares directions along the axes, between them and in general position, at frequencies through the band.
-template <int Dim>
-bool is_isotropic(const Noise<Dim>& noise) {
-  const double upper = noise.band().upper;
-  std::vector<Vec<Dim>> directions;
-  for (int axis = 0; axis < Dim; ++axis) {
-    Vec<Dim> direction(0.0);
-    direction[axis] = 1.0;
-    directions.push_back(direction);
-    direction = Vec<Dim>(1.0);
-    direction[axis] = -0.37;
-    directions.push_back(direction);
-  }
-  double highest = 0.0;
-  double difference = 0.0;
-  for (int i = 1; i <= 16; ++i) {
-    const double f = upper * i / 16.0;
-    std::vector<double> values;
-    for (const Vec<Dim>& direction : directions) {
-      double length = 0.0;
-      for (int axis = 0; axis < Dim; ++axis) length += direction[axis] * direction[axis];
-      values.push_back(noise.power_spectrum(direction * (f / std::sqrt(length))));
-    }
-    const auto [low, high] = std::minmax_element(values.begin(), values.end());
-    highest = std::max(highest, *high);
-    difference = std::max(difference, *high - *low);
-  }
-  return difference <= 1e-6 * highest;
-}
 
 template <int Dim>
 double length_of(const Vec<Dim>& vector) {
@@ -77,18 +21,26 @@ double length_of(const Vec<Dim>& vector) {
   return std::sqrt(sum);
 }
 
-// |W|^2 at offsets of -reach to +reach half frequency steps; the sum over all offsets is 1.
-std::vector<double> leakage(Window window, int n, int reach) {
+struct Leak {
+  int offset;  // half frequency steps
+  double share;
+};
+
+// |W|^2 up to 24 half steps away, where a Hann window's has fallen to 1e-9; the sum over all offsets is 1.
+std::vector<Leak> leakage(Window window, int n) {
+  if (window == Window::none) return {{0, 1.0}};
   std::vector<std::complex<double>> padded(2 * static_cast<std::size_t>(n));
   const std::vector<double> values = window_values(window, n);
   std::copy(values.begin(), values.end(), padded.begin());
-  const int length = 2 * n;
-  fft(padded, std::array<int, 1>{length}, FftDirection::forward);
+  fft(padded, std::array<int, 1>{2 * n}, FftDirection::forward);
   double sum = 0.0;
   for (const std::complex<double>& value : padded) sum += std::norm(value);
-  std::vector<double> result;
-  for (int j = -reach; j <= reach; ++j) {
-    result.push_back(std::norm(padded[static_cast<std::size_t>((j + length) % length)]) / sum);
+
+  const int reach = std::min(24, n - 1);
+  std::vector<Leak> result;
+  for (int offset = -reach; offset <= reach; ++offset) {
+    const double share = std::norm(padded[static_cast<std::size_t>((offset + 2 * n) % (2 * n))]) / sum;
+    if (share > 1e-16) result.push_back({offset, share});
   }
   return result;
 }
@@ -97,27 +49,22 @@ std::vector<double> leakage(Window window, int n, int reach) {
 template <int Dim>
 void smooth_axis(std::vector<double>& values, ArrayShape<Dim>& shape, int axis, Window window) {
   const int length = shape.count[axis];
-  const int reach = std::min(24, length / 2 - 1);
-  const std::vector<double> kernel =
-      window == Window::none ? std::vector<double>{1.0} : leakage(window, length / 2, reach);
-  const int half = static_cast<int>(kernel.size()) / 2;
+  const std::vector<Leak> leaks = leakage(window, length / 2);
   const std::size_t stride = shape.stride(axis);
+  const std::size_t blocks = shape.size() / (stride * static_cast<std::size_t>(length));
   ArrayShape<Dim> smaller = shape;
   smaller.count[axis] = length / 2;
   std::vector<double> result(smaller.size());
-  const std::size_t lines = shape.size() / static_cast<std::size_t>(length);
-  for (std::size_t line = 0; line < lines; ++line) {
-    const std::size_t outer = line / stride;
-    const std::size_t inner = line % stride;
-    const double* const source = values.data() + outer * stride * static_cast<std::size_t>(length) + inner;
-    double* const target = result.data() + outer * stride * static_cast<std::size_t>(length / 2) + inner;
+  for (std::size_t block = 0; block < blocks; ++block) {
+    const double* const source = values.data() + block * stride * static_cast<std::size_t>(length);
+    double* const target = result.data() + block * stride * static_cast<std::size_t>(length / 2);
     for (int k = 0; k < length / 2; ++k) {
-      double sum = 0.0;
-      for (int j = -half; j <= half; ++j) {
-        const int from = (2 * k - j + 2 * length) % length;
-        sum += kernel[static_cast<std::size_t>(j + half)] * source[static_cast<std::size_t>(from) * stride];
+      double* const row = target + static_cast<std::size_t>(k) * stride;
+      for (const Leak& leak : leaks) {
+        const int from = (2 * k - leak.offset + length) % length;
+        const double* const other = source + static_cast<std::size_t>(from) * stride;
+        for (std::size_t i = 0; i < stride; ++i) row[i] += leak.share * other[i];
       }
-      target[static_cast<std::size_t>(k) * stride] = sum;
     }
   }
   values = std::move(result);
@@ -154,24 +101,6 @@ double folded(const SpectralDensity<Dim>& density, const Vec<Dim>& frequency, co
 }  // namespace
 
 template <int Dim>
-SpectralDensity<Dim> spectral_density(const Noise<Dim>& noise, double block_length) {
-  const double upper = noise.band().upper;
-  if (!is_isotropic(noise)) {
-    return {[&noise](const Vec<Dim>& frequency) { return noise.power_spectrum(frequency); }, 2.0 * upper};
-  }
-  const double reach = 4.0 * upper;
-  const double spacing = 1.0 / (32.0 * block_length);
-  std::vector<double> values;
-  for (double f = 0.0; f < reach + 3.0 * spacing; f += spacing) {
-    Vec<Dim> frequency(0.0);
-    frequency[0] = f;
-    values.push_back(noise.power_spectrum(frequency));
-  }
-  const auto table = std::make_shared<const RadialTable>(spacing, std::move(values));
-  return {[table](const Vec<Dim>& frequency) { return (*table)(length_of<Dim>(frequency)); }, reach};
-}
-
-template <int Dim>
 PowerSpectrum<Dim> expected_periodogram(const SpectralDensity<Dim>& density, const glm::vec<Dim, int>& count,
                                         const Vec<Dim>& step, Window window) {
   PowerSpectrum<Dim> result;
@@ -202,15 +131,13 @@ PowerSpectrum<Dim> expected_periodogram(const SpectralDensity<Dim>& density, con
 
 template <int Dim>
 PowerSpectrum<Dim> expected_periodogram(const Noise<Dim>& noise, const glm::vec<Dim, int>& count,
-                                        const Vec<Dim>& step, Window window) {
+                                        const Vec<Dim>& step, Window window,
+                                        const std::optional<Vec<Dim>>& axis) {
   double longest = 0.0;
-  for (int axis = 0; axis < Dim; ++axis) longest = std::max(longest, step[axis] * count[axis]);
-  return expected_periodogram(spectral_density(noise, longest), count, step, window);
+  for (int i = 0; i < Dim; ++i) longest = std::max(longest, step[i] * count[i]);
+  return expected_periodogram(spectral_density(noise, longest, axis), count, step, window);
 }
 
-template SpectralDensity<1> spectral_density<1>(const Noise<1>&, double);
-template SpectralDensity<2> spectral_density<2>(const Noise<2>&, double);
-template SpectralDensity<3> spectral_density<3>(const Noise<3>&, double);
 template PowerSpectrum<1> expected_periodogram<1>(const SpectralDensity<1>&, const glm::vec<1, int>&,
                                                   const Vec<1>&, Window);
 template PowerSpectrum<2> expected_periodogram<2>(const SpectralDensity<2>&, const glm::vec<2, int>&,
@@ -218,10 +145,10 @@ template PowerSpectrum<2> expected_periodogram<2>(const SpectralDensity<2>&, con
 template PowerSpectrum<3> expected_periodogram<3>(const SpectralDensity<3>&, const glm::vec<3, int>&,
                                                   const Vec<3>&, Window);
 template PowerSpectrum<1> expected_periodogram<1>(const Noise<1>&, const glm::vec<1, int>&, const Vec<1>&,
-                                                  Window);
+                                                  Window, const std::optional<Vec<1>>&);
 template PowerSpectrum<2> expected_periodogram<2>(const Noise<2>&, const glm::vec<2, int>&, const Vec<2>&,
-                                                  Window);
+                                                  Window, const std::optional<Vec<2>>&);
 template PowerSpectrum<3> expected_periodogram<3>(const Noise<3>&, const glm::vec<3, int>&, const Vec<3>&,
-                                                  Window);
+                                                  Window, const std::optional<Vec<3>>&);
 
 }  // namespace solidnoise

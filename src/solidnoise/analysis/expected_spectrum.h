@@ -1,25 +1,13 @@
 #pragma once
 
-#include <functional>
+#include <optional>
 
 #include "solidnoise/analysis/periodogram.h"
+#include "solidnoise/analysis/spectral_density.h"
 #include "solidnoise/core/vec.h"
 #include "solidnoise/noise/noise.h"
 
 namespace solidnoise {
-
-// A two-sided power spectral density in closed form.
-template <int Dim>
-struct SpectralDensity {
-  std::function<double(const Vec<Dim>&)> density;  // at a frequency in cycles per unit; even
-  double reach = 0.0;                              // taken as 0 beyond this |frequency|; > 0
-};
-
-// The noise's power_spectrum(); the noise must outlive the result. An isotropic one is tabulated, finely
-// enough for blocks of `block_length` world units (the longest axis), up to 4 times its band's upper end;
-// another one is evaluated where it is asked for, up to 2 times.
-template <int Dim>
-SpectralDensity<Dim> spectral_density(const Noise<Dim>& noise, double block_length);
 
 // The mean of the periodogram (of its average) of a stationary field with this density:
 //   E P(f_k) = integral of S(f) |W(f_k - f)|^2 df,   S folded at the sampling rate,
@@ -31,8 +19,10 @@ template <int Dim>
 PowerSpectrum<Dim> expected_periodogram(const SpectralDensity<Dim>& density, const glm::vec<Dim, int>& count,
                                         const Vec<Dim>& step, Window window = Window::hann);
 
+// The same for a noise; `axis` as in spectral_density(). For 64^3 samples it takes about half a second.
 template <int Dim>
 PowerSpectrum<Dim> expected_periodogram(const Noise<Dim>& noise, const glm::vec<Dim, int>& count,
-                                        const Vec<Dim>& step, Window window = Window::hann);
+                                        const Vec<Dim>& step, Window window = Window::hann,
+                                        const std::optional<Vec<Dim>>& axis = std::nullopt);
 
 }  // namespace solidnoise

@@ -183,6 +183,7 @@ SpectrumComparison compare_spectra(const PowerSpectrum<Dim>& measured, const Pow
     throw std::invalid_argument("spectra of different blocks, steps or windows cannot be compared");
   }
   require_at_least("impulse density", options.impulse_density, 0.0, "impulses per unit^Dim");
+  require_in_range("kernel error", options.kernel_error, 0.0, 1.0);
 
   const Binning binning = bin_frequencies(measured, options.width);
   const std::vector<double> powers = bin_means(binning, measured.density);
@@ -194,8 +195,15 @@ SpectrumComparison compare_spectra(const PowerSpectrum<Dim>& measured, const Pow
     covariance += relative_variance * mean * mean.transpose();
   }
 
-  SpectrumComparison result;
   const double highest = means.empty() ? 0.0 : *std::max_element(means.begin(), means.end());
+  for (std::size_t b = 0; b < means.size(); ++b) {
+    const double e = options.kernel_error;
+    const double tolerance = e * std::sqrt(means[b] * highest) + e * e * highest;
+    const Eigen::Index at = static_cast<Eigen::Index>(b);
+    covariance(at, at) += tolerance * tolerance;
+  }
+
+  SpectrumComparison result;
   for (std::size_t b = 0; b < means.size(); ++b) {
     const Eigen::Index at = static_cast<Eigen::Index>(b);
     ComparedBin bin{binning.bins[b], means[b], false};
