@@ -1,0 +1,238 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include "reference/gabor_reference.h"
+#include "solidnoise/noise/gabor_noise.h"
+#include "solidnoise/noise/oriented_gabor_noise.h"
+
+namespace solidnoise {
+
+// The width of a noise's kernel: its support is a ball of this radius, or a cube of this half-width.
+template <int Dim>
+double support_of(const GaborNoise<Dim>& noise) {
+  return noise.radius();
+}
+template <int Dim>
+double support_of(const OrientedGaborNoise<Dim>& noise) {
+  return noise.envelope().radius();
+}
+
+// Runs a check with the isotropic Gabor noise and with oriented ones of directions all around, in a cone and
+// along one axis. Frequency 1, 20 impulses per kernel.
+template <int Dim, typename Check>
+void for_each_gabor_noise(const Check& check, double bandwidth = 1.0, double error = 0.02,
+                          const Vec<4>& period = Vec<4>(0.0)) {
+  SCOPED_TRACE(testing::Message() << "bandwidth " << bandwidth << ", error " << error);
+  GaborNoiseOptions isotropic;
+  isotropic.frequency = 1.0;
+  isotropic.bandwidth = bandwidth;
+  isotropic.error = error;
+  isotropic.impulses = 20.0;
+  isotropic.seed = 3;
+  isotropic.period = period;
+  {
+    SCOPED_TRACE("isotropic");
+    check(GaborNoise<Dim>(isotropic));
+  }
+  for (const double anisotropy : {0.0, 0.5, 1.0}) {
+    SCOPED_TRACE(testing::Message() << "oriented, anisotropy " << anisotropy);
+    OrientedGaborNoiseOptions oriented;
+    oriented.frequency = 1.0;
+    oriented.bandwidth = bandwidth;
+    oriented.error = error;
+    oriented.impulses = 20.0;
+    oriented.anisotropy = anisotropy;
+    oriented.direction = Vec<4>(0.6, -0.3, 1.0, 0.7);
+    oriented.seed = 4;
+    oriented.period = period;
+    check(OrientedGaborNoise<Dim>(oriented));
+  }
+}
+
+// A small lattice of odd counts that crosses 0, of several bricks, about 5 samples per support's radius.
+template <int Dim>
+Lattice<Dim> some_lattice(double support) {
+  constexpr std::array kCount = {41, 15, 10, 5};
+  Lattice<Dim> lattice;
+  for (int axis = 0; axis < Dim; ++axis) {
+    lattice.origin[axis] = 0.013 * axis;
+    lattice.step[axis] = support / (4.6 + 0.7 * axis);
+    lattice.first[axis] = -3 - axis;
+    lattice.count[axis] = kCount[Dim - 1] + axis;
+  }
+  return lattice;
+}
+
+// The impulses of the cells up to `reach` cells away from a sample's, at their offsets from the sample, in
+// world units. The sample's position is rounded to 2^-20 of a cell, as the library documents.
+template <int Dim, typename Draw>
+std::vector<reference::Impulse<Dim>> impulses_near(const ImpulseProcess<Dim>& process,
+                                                   const Vec<Dim>& position, int reach, const Draw& draw) {
+  constexpr double kQuanta = static_cast<double>(CellAxis::kQuantaPerCell);
+  Index<Dim> home;
+  Vec<Dim> fraction;
+  for (int axis = 0; axis < Dim; ++axis) {
+    const double cells = std::floor(position[axis] / process.axes()[axis].size() * kQuanta + 0.5) / kQuanta;
+    home[axis] = static_cast<std::int64_t>(std::floor(cells));
+    fraction[axis] = cells - std::floor(cells);
+  }
+
+  std::vector<reference::Impulse<Dim>> impulses;
+  int cells = 1;
+  for (int axis = 0; axis < Dim; ++axis) cells *= 2 * reach + 1;
+  for (int i = 0; i < cells; ++i) {
+    Index<Dim> step;
+    int rest = i;
+    for (int axis = 0; axis < Dim; ++axis) {
+      step[axis] = rest % (2 * reach + 1) - reach;
+      rest /= 2 * reach + 1;
+    }
+    process.generate(home + step, [&](const Impulse<Dim>& found) {
+      reference::Impulse<Dim> impulse = draw(found.mark);
+      for (int axis = 0; axis < Dim; ++axis) {
+        const double in_cells = static_cast<double>(step[axis]) + found.position[axis] / kQuanta;
+        impulse.position[axis] = (in_cells - fraction[axis]) * process.axes()[axis].size();
+      }
+      impulses.push_back(impulse);
+    });
+  }
+  return impulses;
+}
+
+template <int Dim>
+auto impulses_near(const GaborNoise<Dim>& noise, const Vec<Dim>& position, int reach = 1) {
+  return impulses_near<Dim>(noise.impulses(), position, reach, [&](std::uint64_t mark) {
+    reference::Impulse<Dim> impulse;
+    impulse.weight = GaborNoise<Dim>::weight(mark, noise.options().weights);
+    return impulse;
+  });
+}
+
+template <int Dim>
+auto impulses_near(const OrientedGaborNoise<Dim>& noise, const Vec<Dim>& position, int reach = 1) {
+  return impulses_near<Dim>(noise.impulses(), position, reach, [&](std::uint64_t mark) {
+    const auto wave = noise.wave(mark);
+    reference::Impulse<Dim> impulse;
+    for (int axis = 0; axis < Dim; ++axis) impulse.frequency[axis] = wave.frequency[axis];
+    impulse.phase = wave.phase;
+    return impulse;
+  });
+}
+
+template <int Dim>
+double length(const reference::Position<Dim>& offset) {
+  double squared = 0.0;
+  for (const double component : offset) squared += component * component;
+  return std::sqrt(squared);
+}
+
+// The angle of an oriented kernel's wave at an offset from its impulse.
+template <int Dim>
+double wave_angle(const reference::Position<Dim>& offset, const reference::Impulse<Dim>& impulse) {
+  double cycles = impulse.phase;
+  for (int axis = 0; axis < Dim; ++axis) cycles += impulse.frequency[axis] * offset[axis];
+  return 2.0 * std::numbers::pi * cycles;
+}
+
+// A noise's kernel in double precision, at an offset from an impulse: what the noise evaluates, its
+// derivative along an axis, and the kernel of unlimited support that it stands for.
+template <int Dim>
+struct IsotropicReference {
+  const GaborNoise<Dim>& noise;
+
+  double value(const reference::Position<Dim>& offset, const reference::Impulse<Dim>& impulse) const {
+    return impulse.weight * noise.compact_kernel().value(length<Dim>(offset));
+  }
+  double derivative(int axis, const reference::Position<Dim>& offset,
+                    const reference::Impulse<Dim>& impulse) const {
+    const double r = length<Dim>(offset);
+    return r == 0.0 ? 0.0 : impulse.weight * noise.compact_kernel().derivative(r) * offset[axis] / r;
+  }
+  double unlimited(const reference::Position<Dim>& offset, const reference::Impulse<Dim>& impulse) const {
+    return impulse.weight * noise.kernel().value(length<Dim>(offset));
+  }
+};
+
+template <int Dim>
+struct OrientedReference {
+  const OrientedGaborNoise<Dim>& noise;
+
+  // The product of the axes' envelopes, or its derivative along an axis; -1 for none.
+  double envelope(const reference::Position<Dim>& offset, int derived) const {
+    double product = 1.0;
+    for (int axis = 0; axis < Dim; ++axis) {
+      const double d = std::abs(offset[axis]);
+      const double slope = std::copysign(1.0, offset[axis]) * noise.envelope().derivative(d);
+      product *= axis == derived ? slope : noise.envelope().value(d);
+    }
+    return product;
+  }
+  double value(const reference::Position<Dim>& offset, const reference::Impulse<Dim>& impulse) const {
+    return envelope(offset, -1) * std::cos(wave_angle<Dim>(offset, impulse));
+  }
+  double derivative(int axis, const reference::Position<Dim>& offset,
+                    const reference::Impulse<Dim>& impulse) const {
+    const double angle = wave_angle<Dim>(offset, impulse);
+    return envelope(offset, axis) * std::cos(angle) -
+           2.0 * std::numbers::pi * impulse.frequency[axis] * envelope(offset, -1) * std::sin(angle);
+  }
+  double unlimited(const reference::Position<Dim>& offset, const reference::Impulse<Dim>& impulse) const {
+    const double gaussian =
+        std::exp(-std::numbers::pi * std::pow(noise.kernel().a() * length<Dim>(offset), 2));
+    return gaussian * std::cos(wave_angle<Dim>(offset, impulse));
+  }
+};
+
+template <int Dim>
+IsotropicReference<Dim> kernel_reference(const GaborNoise<Dim>& noise) {
+  return {noise};
+}
+template <int Dim>
+OrientedReference<Dim> kernel_reference(const OrientedGaborNoise<Dim>& noise) {
+  return {noise};
+}
+
+// A noise's value and derivatives at a position, plainly: its own impulses, kernels in double precision.
+template <int Dim>
+struct ReferenceSample {
+  double value = 0.0;
+  std::array<double, Dim> derivative{};
+};
+
+template <int Dim, template <int> class Noise>
+ReferenceSample<Dim> reference_sample(const Noise<Dim>& noise, const Vec<Dim>& position) {
+  using Offset = reference::Position<Dim>;
+  using Impulse = reference::Impulse<Dim>;
+  const auto kernel = kernel_reference(noise);
+  std::vector<Impulse> reaching;
+  for (const Impulse& impulse : impulses_near(noise, position)) {
+    bool inside = true;
+    for (const double component : impulse.position)
+      inside = inside && std::abs(component) < support_of(noise);
+    if (inside) reaching.push_back(impulse);
+  }
+  ReferenceSample<Dim> sample;
+  sample.value =
+      noise.amplitude() *
+      reference::sum_impulses<Dim>(reaching, Offset{}, [&](const Offset& offset, const Impulse& impulse) {
+        return kernel.value(offset, impulse);
+      });
+  for (int axis = 0; axis < Dim; ++axis) {
+    sample.derivative[axis] =
+        noise.amplitude() *
+        reference::sum_impulses<Dim>(reaching, Offset{}, [&](const Offset& offset, const Impulse& impulse) {
+          return kernel.derivative(axis, offset, impulse);
+        });
+  }
+  return sample;
+}
+
+}  // namespace solidnoise
