@@ -44,27 +44,34 @@ void NoiseRecipe::validate() const {
       noise);
 }
 
+NoiseRecipe octave_of(const NoiseRecipe& recipe, int k) {
+  NoiseRecipe octave = recipe;
+  octave.fractal.octaves = 1;
+  std::visit(
+      [&](auto& options) {
+        options.frequency *= std::pow(recipe.fractal.lacunarity, k);
+        if (k > 0) options.seed = derive_seed(options.seed, kOctaveStream + static_cast<std::uint64_t>(k));
+      },
+      octave.noise);
+  return octave;
+}
+
 template <int Dim>
 std::unique_ptr<Noise<Dim>> make_noise(const NoiseRecipe& recipe) {
   recipe.validate();
   const FractalOptions& fractal = recipe.fractal;
-  return std::visit(
-      [&](const auto& options) -> std::unique_ptr<Noise<Dim>> {
-        if (fractal.octaves == 1) return make_single<Dim>(options);
-        double power = 0.0;
-        for (int k = 0; k < fractal.octaves; ++k) power += std::pow(fractal.gain, 2 * k);
-        const double scale = fractal.renormalize ? 1.0 / std::sqrt(power) : 1.0;
+  if (fractal.octaves == 1) {
+    return std::visit([](const auto& options) { return make_single<Dim>(options); }, recipe.noise);
+  }
+  double power = 0.0;
+  for (int k = 0; k < fractal.octaves; ++k) power += std::pow(fractal.gain, 2 * k);
+  const double scale = fractal.renormalize ? 1.0 / std::sqrt(power) : 1.0;
 
-        std::vector<typename FractalNoise<Dim>::Octave> octaves;
-        for (int k = 0; k < fractal.octaves; ++k) {
-          auto octave = options;
-          octave.frequency *= std::pow(fractal.lacunarity, k);
-          if (k > 0) octave.seed = derive_seed(options.seed, kOctaveStream + static_cast<std::uint64_t>(k));
-          octaves.push_back({make_single<Dim>(octave), scale * std::pow(fractal.gain, k)});
-        }
-        return std::make_unique<FractalNoise<Dim>>(std::move(octaves));
-      },
-      recipe.noise);
+  std::vector<typename FractalNoise<Dim>::Octave> octaves;
+  for (int k = 0; k < fractal.octaves; ++k) {
+    octaves.push_back({make_noise<Dim>(octave_of(recipe, k)), scale * std::pow(fractal.gain, k)});
+  }
+  return std::make_unique<FractalNoise<Dim>>(std::move(octaves));
 }
 
 template std::unique_ptr<Noise<1>> make_noise<1>(const NoiseRecipe&);

@@ -24,6 +24,9 @@ struct NoiseRecipe {
 // Changes whenever any noise's values do, for the same recipe; stored in every file that is written.
 inline constexpr int kAlgorithmVersion = 1;
 
+// Octave k of a recipe as a noise by itself, of unit variance: what the recipe's noise sums. k is at least 0.
+NoiseRecipe octave_of(const NoiseRecipe& recipe, int k);
+
 // Makes the noise, of unit variance unless the recipe's octaves are not renormalised. Dim is 1 to 4.
 // Throws std::invalid_argument.
 template <int Dim>

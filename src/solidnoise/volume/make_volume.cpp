@@ -1,6 +1,7 @@
 #include "solidnoise/volume/make_volume.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -9,6 +10,7 @@
 
 #include "solidnoise/noise/slice_noise.h"
 #include "solidnoise/recipe/json.h"
+#include "solidnoise/volume/cloud_field.h"
 #include "solidnoise/volume/fill.h"
 #include "solidnoise/volume/shaped_noise_field.h"
 #include "solidnoise/volume/topology.h"
@@ -44,11 +46,32 @@ Topology make_topology(const VolumeRecipe& recipe, const VolumePlan& plan, Progr
   return std::visit(by_shape, recipe.shape);
 }
 
+std::uint64_t seed_of(const NoiseRecipe& recipe) {
+  return std::visit([](const auto& options) { return options.seed; }, recipe.noise);
+}
+
+std::unique_ptr<Field> make_cloud(const VolumeRecipe& recipe, const VolumePlan& plan,
+                                  const CloudShaping& shaping) {
+  CloudParts parts;
+  parts.shaping = shaping;
+  parts.wavelength =
+      1.0 / std::visit([](const auto& options) { return options.frequency; }, recipe.noise.noise);
+  parts.box = plan.box;
+  parts.up = recipe.up;
+  parts.seed = seed_of(recipe.noise);
+  for (int k = 0; k < recipe.noise.fractal.octaves; ++k) {
+    VolumeRecipe octave = recipe;
+    octave.noise = octave_of(recipe.noise, k);
+    parts.octaves.push_back({make_volume_noise(octave), std::pow(recipe.noise.fractal.gain, k)});
+  }
+  return make_cloud_field(parts);
+}
+
 std::unique_ptr<Field> make_volume_field(const VolumeRecipe& recipe, const VolumePlan& plan) {
-  const std::shared_ptr<const Noise<3>> noise = make_volume_noise(recipe);
   const Overloaded by_shaping{
-      [&](const RawShaping& raw) { return make_field(noise, raw); },
-      [&](const RemapShaping& remap) { return make_field(noise, remap, plan.box); },
+      [&](const RawShaping& raw) { return make_field(make_volume_noise(recipe), raw); },
+      [&](const RemapShaping& remap) { return make_field(make_volume_noise(recipe), remap, plan.box); },
+      [&](const CloudShaping& cloud) { return make_cloud(recipe, plan, cloud); },
   };
   return std::visit(by_shaping, recipe.shaping);
 }
@@ -61,10 +84,6 @@ void scale_density(const VolumeRecipe& recipe, FilledGrid& filled) {
   const double wanted = recipe.density.peak.value_or(recipe.density.optical_depth);
   scale_values(*filled.grid, static_cast<float>(wanted / largest));
   filled.moments = measure(*filled.grid);
-}
-
-std::uint64_t seed_of(const NoiseRecipe& recipe) {
-  return std::visit([](const auto& options) { return options.seed; }, recipe.noise);
 }
 
 Metadata describe(const VolumeRecipe& recipe, const Moments& moments) {

@@ -2,6 +2,8 @@
 
 #include <variant>
 
+#include "solidnoise/volume/cloud_shaping.h"
+
 namespace solidnoise {
 
 // The noise itself, in one of three ranges.
@@ -44,6 +46,6 @@ struct RemapShaping {
 };
 
 // What becomes of the noise. One more look is one more alternative here.
-using Shaping = std::variant<RawShaping, RemapShaping>;
+using Shaping = std::variant<RawShaping, RemapShaping, CloudShaping>;
 
 }  // namespace solidnoise

@@ -18,6 +18,16 @@ void RemapShaping::validate() const {
   require_in_range("floor", floor, 0.0, 1.0);
 }
 
+void CloudShaping::validate() const {
+  require_in_range("puffs", puffs, 1, 1000);
+  require_in_range("lobes", lobes, 0.0, 2.0, "wavelengths");
+  require_in_range("base", base, 0.0, 1.0);
+  require_positive("edge", edge, "wavelengths");
+  require_in_range("wisps", wisps, 0.0, 4.0, "edge widths");
+  require_in_range("core", core, 0.0, 1.0);
+  require_in_range("lean", lean, 0.0, 2.0);
+}
+
 void VolumeRecipe::validate() const {
   noise.validate();
   require_in_range("dims", dims, 3, 4);

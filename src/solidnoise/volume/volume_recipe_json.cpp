@@ -16,8 +16,8 @@ namespace {
 
 // In the order of the alternatives of Shape and Shaping.
 const std::vector<std::string_view> kShapeTypes{"box", "sphere", "ellipsoid", "mesh", "grid"};
-const std::vector<std::string_view> kShapingTypes{"raw", "remap"};
-static_assert(std::variant_size_v<Shape> == 5 && std::variant_size_v<Shaping> == 2, "name each alternative");
+const std::vector<std::string_view> kShapingTypes{"raw", "remap", "cloud"};
+static_assert(std::variant_size_v<Shape> == 5 && std::variant_size_v<Shaping> == 3, "name each alternative");
 
 template <typename Variant, std::size_t... Is>
 Variant default_alternative(std::size_t index, std::index_sequence<Is...>) {
@@ -65,6 +65,15 @@ Json shaping_to_json(const Shaping& shaping) {
     json["edge"] = remap->edge;
     json["floor"] = remap->floor;
   }
+  if (const auto* cloud = std::get_if<CloudShaping>(&shaping)) {
+    json["puffs"] = cloud->puffs;
+    json["lobes"] = cloud->lobes;
+    json["base"] = cloud->base;
+    json["edge"] = cloud->edge;
+    json["wisps"] = cloud->wisps;
+    json["core"] = cloud->core;
+    json["lean"] = cloud->lean;
+  }
   return json;
 }
 
@@ -78,6 +87,15 @@ Shaping shaping_from_json(JsonReader& reader) {
     reader.read("power", remap->power);
     reader.read("edge", remap->edge);
     reader.read("floor", remap->floor);
+  }
+  if (auto* cloud = std::get_if<CloudShaping>(&shaping)) {
+    reader.read("puffs", cloud->puffs);
+    reader.read("lobes", cloud->lobes);
+    reader.read("base", cloud->base);
+    reader.read("edge", cloud->edge);
+    reader.read("wisps", cloud->wisps);
+    reader.read("core", cloud->core);
+    reader.read("lean", cloud->lean);
   }
   reader.finish();
   std::visit([&](const auto& look) { reader.validate(look); }, shaping);
