@@ -22,12 +22,11 @@ HWY_INLINE void CosineSine(D d, V r, V& cosine, V& sine) {
   const V reduced = hn::NegMulAdd(half_cycles, hn::Set(d, 0.5f), r);
   const V square = hn::Mul(reduced, reduced);
 
-  V c = hn::Set(d, -24.98183597f);
-  c = hn::MulAdd(c, square, hn::Set(d, 60.14395231f));
-  c = hn::MulAdd(c, square, hn::Set(d, -85.45356819f));
-  c = hn::MulAdd(c, square, hn::Set(d, 64.93934655f));
-  c = hn::MulAdd(c, square, hn::Set(d, -19.73920855f));
-  c = hn::MulAdd(c, square, hn::Set(d, 1.0f));
+  V c = hn::Set(d, 56.24054045f);
+  c = hn::MulAdd(c, square, hn::Set(d, -85.24010036f));
+  c = hn::MulAdd(c, square, hn::Set(d, 64.93458165f));
+  c = hn::MulAdd(c, square, hn::Set(d, -19.73917132f));
+  c = hn::MulAdd(c, square, hn::Set(d, 0.99999995f));
 
   V s = hn::Set(d, 39.76072212f);
   s = hn::MulAdd(s, square, hn::Set(d, -76.58128456f));

@@ -13,10 +13,14 @@ namespace solidnoise {
 // (a 2D noise uses y and z), and time, which is the same for all samples of a brick.
 enum Role { kX, kY, kZ, kT, kRoles };
 
+constexpr Role role_of_axis(int dimensions, int axis) {
+  const int spatial = dimensions < 3 ? dimensions : 3;
+  return static_cast<Role>(axis < 3 ? axis + 3 - spatial : kT);
+}
+
 template <int Dim>
 constexpr Role role_of_axis(int axis) {
-  constexpr int kSpatial = Dim < 3 ? Dim : 3;
-  return static_cast<Role>(axis < 3 ? axis + 3 - kSpatial : kT);
+  return role_of_axis(Dim, axis);
 }
 
 // The impulses near a few samples, as arrays. Positions are in cells, relative to the samples' anchor cell,
@@ -27,6 +31,10 @@ class ImpulseList {
   static constexpr int kMaxAttributes = 5;
   static constexpr std::size_t kPadding = 16;  // SIMD stores may write this far past the end
 
+  explicit ImpulseList(int dimensions) {
+    for (int axis = 0; axis < dimensions; ++axis) used_[role_of_axis(dimensions, axis)] = true;
+  }
+
   void clear() { size_ = 0; }
   std::size_t size() const { return size_; }
   void set_size(std::size_t size) { size_ = size; }
@@ -34,13 +42,12 @@ class ImpulseList {
   // Makes room for `capacity` impulses, keeping those that are there.
   void reserve(std::size_t capacity) {
     if (capacity <= capacity_) return;
-    const std::size_t stride = capacity + capacity / 2 + kPadding;
+    const std::size_t stride = std::max(capacity + capacity / 2, kLeast) + kPadding;
     auto memory = std::make_unique_for_overwrite<float[]>(kChannels * stride);
     for (int channel = 0; channel < kChannels; ++channel) {
       float* const to = memory.get() + static_cast<std::size_t>(channel) * stride;
       std::copy_n(memory_.get() + static_cast<std::size_t>(channel) * stride_, size_, to);
-      // Roles without an axis are never written to.
-      if (channel < kRoles) std::fill(to + size_, to + stride, 0.0f);
+      if (channel < kRoles && !used_[channel]) std::fill(to, to + stride, 0.0f);
     }
     memory_ = std::move(memory);
     stride_ = stride;
@@ -54,7 +61,9 @@ class ImpulseList {
 
  private:
   static constexpr int kChannels = kRoles + kMaxAttributes;
+  static constexpr std::size_t kLeast = 384;  // impulses that the first allocation has room for
 
+  std::array<bool, kRoles> used_{};
   std::unique_ptr<float[]> memory_;
   std::size_t size_ = 0;
   std::size_t stride_ = 0;

@@ -158,13 +158,11 @@ struct ProductTile {
   static constexpr int kMaxPlanes = 2 * kMaxLanes / SampleBrick::kSide;
 };
 
-// Which impulses reach the tiles that start at some sample of an axis: bit k of word w is impulse 64 w + k.
-template <int kTileSide>
-std::vector<std::uint64_t> ReachingTile(const OrientedSum& sum, const ImpulseList& list,
-                                        const SampleBrick& brick, Role role, int start) {
-  const int last = std::min(start + kTileSide, brick.count[role]) - 1;
+// Which impulses reach the `side` samples of an axis from `start` on: bit k of word w is impulse 64 w + k.
+inline std::vector<std::uint64_t> ReachingTile(const OrientedSum& sum, const ImpulseList& list,
+                                               const SampleBrick& brick, Role role, int start, int side) {
   const float lower = brick.coordinate[role][start];
-  const float upper = brick.coordinate[role][last];
+  const float upper = brick.coordinate[role][std::min(start + side, brick.count[role]) - 1];
   std::vector<std::uint64_t> words;
   for (std::size_t from = 0; from < list.size(); from += 64) {
     words.push_back(SupportBits(from, list.size(), [&](auto d, std::size_t i) HWY_ATTR {
@@ -174,43 +172,16 @@ std::vector<std::uint64_t> ReachingTile(const OrientedSum& sum, const ImpulseLis
   return words;
 }
 
-// The products of the x and y factors of each impulse, at the (x, y) samples of one tile.
-struct PlaneProducts {
-  static constexpr int kSamples = 2 * ProductTile::kMaxLanes;
-
-  struct Samples {
-    float re[kSamples];
-    float im[kSamples];
-  };
-
-  explicit PlaneProducts(std::size_t impulses) : of(std::make_unique_for_overwrite<Samples[]>(impulses)) {}
-
-  std::unique_ptr<Samples[]> of;
-};
-
-// Calls visit(i) for each set bit of the words, in order.
-template <class Visit>
-HWY_INLINE void ForEachBit(const std::vector<std::uint64_t>& words,
-                           const std::vector<std::uint64_t>& and_words, const Visit& visit) {
-  for (std::size_t w = 0; w < words.size(); ++w) {
-    for (std::uint64_t bits = words[w] & and_words[w]; bits != 0; bits &= bits - 1) {
-      visit(64 * w + static_cast<std::size_t>(std::countr_zero(bits)));
-    }
-  }
-}
-
-// Where in which impulses have to be summed.
+// Which impulses reach which tiles of a brick.
 struct ReachingTiles {
   ReachingTiles(const OrientedSum& sum, const ImpulseList& list, const SampleBrick& brick) {
     const hn::CappedTag<float, ProductTile::kMaxLanes> d;
     planes = 2 * static_cast<int>(hn::Lanes(d)) / SampleBrick::kSide;
     for (int start = 0; start < brick.count[kX]; start += planes) {
-      x.push_back(planes == 4   ? ReachingTile<4>(sum, list, brick, kX, start)
-                  : planes == 2 ? ReachingTile<2>(sum, list, brick, kX, start)
-                                : ReachingTile<1>(sum, list, brick, kX, start));
+      x.push_back(ReachingTile(sum, list, brick, kX, start, planes));
     }
     for (int start = 0; start < brick.count[kZ]; start += ProductTile::kZ) {
-      z.push_back(ReachingTile<ProductTile::kZ>(sum, list, brick, kZ, start));
+      z.push_back(ReachingTile(sum, list, brick, kZ, start, ProductTile::kZ));
     }
   }
 
@@ -219,65 +190,106 @@ struct ReachingTiles {
   std::vector<std::vector<std::uint64_t>> z;
 };
 
-// values = sum over impulses of Re(x y z) at every sample of the brick.
-inline void SumProducts(const ReachingTiles& reaching, const FactorTable* x_factors,
-                        const FactorTable* y_factors, const FactorTable* z_factors, PlaneProducts& products,
-                        float* HWY_RESTRICT values) {
-  constexpr int kSide = SampleBrick::kSide;
-  const hn::CappedTag<float, kSide> row;
-  const hn::CappedTag<float, ProductTile::kMaxLanes> d;
-  using Row = hn::Vec<decltype(row)>;
-  using V = hn::Vec<decltype(d)>;
-  const int lanes = static_cast<int>(hn::Lanes(d));
+// Calls visit(k) for each set bit k, in order.
+template <class Visit>
+HWY_INLINE void ForEachBit(std::uint64_t bits, const Visit& visit) {
+  for (; bits != 0; bits &= bits - 1) visit(static_cast<std::size_t>(std::countr_zero(bits)));
+}
 
+// The products of the x and y factors of 64 impulses, at the (x, y) samples of one tile.
+struct PlaneProducts {
+  static constexpr int kSamples = 2 * ProductTile::kMaxLanes;
+
+  alignas(64) float re[64][kSamples];
+  alignas(64) float im[64][kSamples];
+};
+
+// The three axes' factors of impulses.
+struct Factors {
+  const FactorTable* x;
+  const FactorTable* y;
+  const FactorTable* z;
+};
+
+HWY_INLINE void MultiplyPlanes(const Factors& factors, std::uint64_t impulses, int first_plane, int planes,
+                               PlaneProducts& products) {
+  constexpr int kSide = SampleBrick::kSide;
+  const hn::CappedTag<float, kSide> d;
+  using V = hn::Vec<decltype(d)>;
+  ForEachBit(impulses, [&](std::size_t i) HWY_ATTR {
+    for (int piece = 0; piece < kSide; piece += static_cast<int>(hn::Lanes(d))) {
+      const Complex<V> y{hn::LoadU(d, factors.y[i].re + piece), hn::LoadU(d, factors.y[i].im + piece)};
+      for (int plane = 0; plane < planes; ++plane) {
+        const int x = first_plane + plane;
+        const Complex<V> xy =
+            Multiply(Complex<V>{hn::Set(d, factors.x[i].re[x]), hn::Set(d, factors.x[i].im[x])}, y);
+        hn::StoreU(xy.re, d, products.re[i] + plane * kSide + piece);
+        hn::StoreU(xy.im, d, products.im[i] + plane * kSide + piece);
+      }
+    }
+  });
+}
+
+// Sums of a tile, z by z.
+struct TileSums {
+  alignas(64) float of_z[ProductTile::kZ][PlaneProducts::kSamples] = {};
+};
+
+HWY_INLINE void AddTile(const PlaneProducts& products, const FactorTable* z_factors, std::uint64_t impulses,
+                        int first_z, TileSums& sums) {
+  const hn::CappedTag<float, ProductTile::kMaxLanes> d;
+  using V = hn::Vec<decltype(d)>;
+  const std::size_t lanes = hn::Lanes(d);
+  V low0 = hn::Load(d, sums.of_z[0]), high0 = hn::Load(d, sums.of_z[0] + lanes);
+  V low1 = hn::Load(d, sums.of_z[1]), high1 = hn::Load(d, sums.of_z[1] + lanes);
+  V low2 = hn::Load(d, sums.of_z[2]), high2 = hn::Load(d, sums.of_z[2] + lanes);
+  V low3 = hn::Load(d, sums.of_z[3]), high3 = hn::Load(d, sums.of_z[3] + lanes);
+  ForEachBit(impulses, [&](std::size_t i) HWY_ATTR {
+    const Complex<V> low{hn::Load(d, products.re[i]), hn::Load(d, products.im[i])};
+    const Complex<V> high{hn::Load(d, products.re[i] + lanes), hn::Load(d, products.im[i] + lanes)};
+    const float* const re = z_factors[i].re + first_z;
+    const float* const im = z_factors[i].im + first_z;
+    const auto add = [&](int k, V& low_sum, V& high_sum) HWY_ATTR {
+      const Complex<V> z{hn::Set(d, re[k]), hn::Set(d, im[k])};
+      low_sum = AddRealProduct(low, z, low_sum);
+      high_sum = AddRealProduct(high, z, high_sum);
+    };
+    add(0, low0, high0);
+    add(1, low1, high1);
+    add(2, low2, high2);
+    add(3, low3, high3);
+  });
+  const auto store = [&](int k, V low, V high) HWY_ATTR {
+    hn::Store(low, d, sums.of_z[k]);
+    hn::Store(high, d, sums.of_z[k] + lanes);
+  };
+  store(0, low0, high0);
+  store(1, low1, high1);
+  store(2, low2, high2);
+  store(3, low3, high3);
+}
+
+// values = sum over impulses of Re(x y z) at every sample of the brick; 64 impulses at a time, which fit the
+// nearest cache.
+inline void SumProducts(const ReachingTiles& reaching, const Factors& factors, float* values) {
+  constexpr int kSide = SampleBrick::kSide;
+  PlaneProducts products;
   for (std::size_t x_tile = 0; x_tile < reaching.x.size(); ++x_tile) {
     const int first_plane = static_cast<int>(x_tile) * reaching.planes;
-    ForEachBit(reaching.x[x_tile], reaching.x[x_tile], [&](std::size_t i) HWY_ATTR {
-      for (int piece = 0; piece < kSide; piece += static_cast<int>(hn::Lanes(row))) {
-        const Complex<Row> y{hn::LoadU(row, y_factors[i].re + piece),
-                             hn::LoadU(row, y_factors[i].im + piece)};
-        for (int plane = 0; plane < reaching.planes; ++plane) {
-          const int x = first_plane + plane;
-          const Complex<Row> xy =
-              Multiply(Complex<Row>{hn::Set(row, x_factors[i].re[x]), hn::Set(row, x_factors[i].im[x])}, y);
-          hn::StoreU(xy.re, row, products.of[i].re + plane * kSide + piece);
-          hn::StoreU(xy.im, row, products.of[i].im + plane * kSide + piece);
-        }
+    TileSums sums[kSide / ProductTile::kZ];
+    for (std::size_t word = 0; word < reaching.x[x_tile].size(); ++word) {
+      const Factors some{factors.x + 64 * word, factors.y + 64 * word, factors.z + 64 * word};
+      const std::uint64_t impulses = reaching.x[x_tile][word];
+      MultiplyPlanes(some, impulses, first_plane, reaching.planes, products);
+      for (std::size_t z_tile = 0; z_tile < reaching.z.size(); ++z_tile) {
+        AddTile(products, some.z, impulses & reaching.z[z_tile][word],
+                static_cast<int>(z_tile) * ProductTile::kZ, sums[z_tile]);
       }
-    });
-
-    for (std::size_t z_tile = 0; z_tile < reaching.z.size(); ++z_tile) {
-      const int first_z = static_cast<int>(z_tile) * ProductTile::kZ;
-      V low0 = hn::Zero(d), low1 = hn::Zero(d), low2 = hn::Zero(d), low3 = hn::Zero(d);
-      V high0 = hn::Zero(d), high1 = hn::Zero(d), high2 = hn::Zero(d), high3 = hn::Zero(d);
-      ForEachBit(reaching.x[x_tile], reaching.z[z_tile], [&](std::size_t i) HWY_ATTR {
-        const auto& xy = products.of[i];
-        const Complex<V> low{hn::LoadU(d, xy.re), hn::LoadU(d, xy.im)};
-        const Complex<V> high{hn::LoadU(d, xy.re + lanes), hn::LoadU(d, xy.im + lanes)};
-        const auto add = [&](int k, V& low_sum, V& high_sum) HWY_ATTR {
-          const Complex<V> z{hn::Set(d, z_factors[i].re[first_z + k]),
-                             hn::Set(d, z_factors[i].im[first_z + k])};
-          low_sum = AddRealProduct(low, z, low_sum);
-          high_sum = AddRealProduct(high, z, high_sum);
-        };
-        add(0, low0, high0);
-        add(1, low1, high1);
-        add(2, low2, high2);
-        add(3, low3, high3);
-      });
-
-      alignas(64) float tile[ProductTile::kZ][PlaneProducts::kSamples];
-      const auto store = [&](int k, V low, V high) HWY_ATTR {
-        hn::Store(low, d, tile[k]);
-        hn::Store(high, d, tile[k] + lanes);
-      };
-      store(0, low0, high0);
-      store(1, low1, high1);
-      store(2, low2, high2);
-      store(3, low3, high3);
-      float* const to = values + first_plane * kSide * kSide + first_z;
-      for (int sample = 0; sample < 2 * lanes; ++sample) {
-        for (int k = 0; k < ProductTile::kZ; ++k) to[sample * kSide + k] = tile[k][sample];
+    }
+    float* const to = values + first_plane * kSide * kSide;
+    for (int sample = 0; sample < reaching.planes * kSide; ++sample) {
+      for (int z = 0; z < kSide; ++z) {
+        to[sample * kSide + z] = sums[z / ProductTile::kZ].of_z[z % ProductTile::kZ][sample];
       }
     }
   }
@@ -289,15 +301,14 @@ void SumOrientedBrick(const OrientedSum& sum, const ImpulseList& list, const Sam
   const std::size_t impulses = list.size();
   FactorTables tables(impulses, kDerivatives);
   const ReachingTiles reaching(sum, list, brick);
-  PlaneProducts products(impulses);
   MakeTables<kDerivatives, Polynomial>(sum, list, brick, tables);
   const auto& [x, y, z] = tables.axis;
-  SumProducts(reaching, x, y, z, products, sums.value);
+  SumProducts(reaching, {x, y, z}, sums.value);
   if constexpr (kDerivatives == Derivatives::gradient) {
-    SumProducts(reaching, tables.derivative[kX], y, z, products, sums.gradient[kX]);
-    SumProducts(reaching, x, tables.derivative[kY], z, products, sums.gradient[kY]);
-    SumProducts(reaching, x, y, tables.derivative[kZ], products, sums.gradient[kZ]);
-    SumProducts(reaching, tables.derivative[kT], y, z, products, sums.gradient[kT]);
+    SumProducts(reaching, {tables.derivative[kX], y, z}, sums.gradient[kX]);
+    SumProducts(reaching, {x, tables.derivative[kY], z}, sums.gradient[kY]);
+    SumProducts(reaching, {x, y, tables.derivative[kZ]}, sums.gradient[kZ]);
+    SumProducts(reaching, {tables.derivative[kT], y, z}, sums.gradient[kT]);
   }
 }
 

@@ -129,7 +129,7 @@ class SparseConvolution<Dim>::Block final : public NoiseBlock<Dim> {
     std::vector<LocatedAxis> axes;
     for (int axis = 0; axis < Dim; ++axis) axes.emplace_back(lattice, noise_.process_.axes()[axis], axis);
 
-    ImpulseList list;
+    ImpulseList list(Dim);
     glm::vec<Dim, int> start(0);
     while (true) {
       evaluate_brick(lattice, axes, start, list, samples);
@@ -265,7 +265,7 @@ void SparseConvolution<Dim>::evaluate(const Points<Dim>& points, const Samples<D
   };
 
   const Derivatives derivatives = samples.wants_gradient() ? Derivatives::gradient : Derivatives::none;
-  ImpulseList list;
+  ImpulseList list(Dim);
   ClusterSums sums;
   for (auto group = located.begin(); group != located.end();) {
     auto group_end = group;
