@@ -176,6 +176,9 @@ const Refusal kRefusals[] = {
     {"InfoMissing", 1, {"info", "missing.vdb"}, {"missing.vdb"}},
     {"InfoGarbage", 1, {"info", "garbage.vdb"}, {"garbage.vdb"}},
     {"InfoUnknownFlag", 2, {"info", "garbage.vdb", "--verbose"}, {"--verbose"}},
+    {"AnalyzeWithoutFile", 2, {"analyze"}, {"FILE"}},
+    {"AnalyzeMissing", 1, {"analyze", "missing.vdb"}, {"missing.vdb"}},
+    {"AnalyzeGarbage", 1, {"analyze", "garbage.vdb"}, {"garbage.vdb"}},
 };
 
 INSTANTIATE_TEST_SUITE_P(Vdbnoise, BadInput, testing::ValuesIn(kRefusals),

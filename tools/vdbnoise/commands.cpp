@@ -7,6 +7,7 @@ int run_vdbnoise(const std::vector<std::string>& arguments) {
   const std::vector<std::string> rest(arguments.begin() + 1, arguments.end());
   if (arguments[0] == "make") return run_make(rest);
   if (arguments[0] == "info") return run_info(rest);
+  if (arguments[0] == "analyze") return run_analyze(rest);
   return run_make(arguments);
 }
 

@@ -32,7 +32,8 @@ namespace {
 constexpr char kDescription[] =
     "vdbnoise makes volumes of procedural noise, as OpenVDB files.\n"
     "  vdbnoise --out cloud.vdb     makes a cloud\n"
-    "  vdbnoise info FILE           prints a file's grids and recipe";
+    "  vdbnoise info FILE           prints a file's grids and recipe\n"
+    "  vdbnoise analyze FILE        measures a grid and compares it with the theory";
 
 void list_presets() {
   for (const Preset& preset : presets()) {

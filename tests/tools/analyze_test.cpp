@@ -1,0 +1,77 @@
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "solidnoise/recipe/json.h"
+#include "tools/run_tool.h"
+
+namespace solidnoise {
+namespace {
+
+Json analyze(const std::vector<std::string>& recipe_flags) {
+  const TemporaryFolder folder;
+  std::vector<std::string> arguments{"--quiet", "--out", folder.file("x.vdb")};
+  arguments.insert(arguments.end(), recipe_flags.begin(), recipe_flags.end());
+  const ToolResult made = run_vdbnoise(arguments);
+  EXPECT_EQ(made.status, 0) << made.err;
+  const ToolResult result = run_vdbnoise({"analyze", folder.file("x.vdb")});
+  EXPECT_EQ(result.status, 0) << result.err;
+  return parse_json(result.out);
+}
+
+// The seeds are fixed. The closed form would be refused falsely for one seed in 10000.
+TEST(Analyze, FindsTheClosedFormOfTheStoredRecipeInTheGrid) {
+  const std::vector<std::vector<std::string>> noises{
+      {"--noise", "gabor", "--octaves", "2"},
+      {"--noise", "gabor-oriented", "--anisotropy", "0.8", "--direction", "0", "1", "1"},
+      {"--noise", "kensler"},
+      {"--dims", "4", "--time", "0.4"},
+  };
+  for (std::vector<std::string> flags : noises) {
+    flags.insert(flags.end(), {"--raw", "--frequency", "5", "--dim", "64", "--seed", "11"});
+    const Json json = analyze(flags);
+    ASSERT_TRUE(json["spectrum"].is_object()) << flags[1];
+    EXPECT_EQ(json["moments"]["voxels"], 64 * 64 * 64);
+    EXPECT_NEAR(json["expected"]["variance"].get<double>(), 1.0, 1e-6) << flags[1];
+    EXPECT_GE(json["spectrum"]["degrees_of_freedom"], 2) << flags[1];
+    EXPECT_GT(json["spectrum"]["significance"].get<double>(), 1e-4) << flags[1];
+  }
+}
+
+TEST(Analyze, ExpectsNothingOfShapedValues) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> grid{"--raw", "--dim", "80", "--quiet", "--seed", "11"};
+  std::vector<std::string> arguments = grid;
+  arguments.insert(arguments.end(), {"--frequency", "5", "--range", "unit", "--out", folder.file("a.vdb")});
+  ASSERT_EQ(run_vdbnoise(arguments).status, 0);
+  const ToolResult result = run_vdbnoise({"analyze", folder.file("a.vdb")});
+  ASSERT_EQ(result.status, 0) << result.err;
+  const Json json = parse_json(result.out);
+  EXPECT_TRUE(json["expected"].is_null()) << "values in another range have no closed form";
+  EXPECT_NEAR(json["moments"]["mean"].get<double>(), 0.5, 0.05);
+  EXPECT_FALSE(json["spectrum"].contains("chi_square"));
+}
+
+TEST(Analyze, CountsEveryVoxelInTheHistogram) {
+  const Json json = analyze({"--raw", "--frequency", "5", "--dim", "48"});
+  double counted = 0.0;
+  double gaussian = 0.0;
+  for (const Json& count : json["histogram"]["counts"]) counted += count.get<double>();
+  for (const Json& count : json["histogram"]["gaussian_counts"]) gaussian += count.get<double>();
+  EXPECT_NEAR(counted, 48.0 * 48.0 * 48.0, 48.0);  // values beyond 5 sigmas are in no bin
+  EXPECT_NEAR(gaussian, 48.0 * 48.0 * 48.0, 1.0);  // 6e-7 of a Gaussian lies beyond
+  EXPECT_LT(json["histogram"]["largest_difference_of_distributions"].get<double>(), 0.1);
+}
+
+TEST(Analyze, MeasuresTheMomentsOfACloud) {
+  const Json json = analyze({"--dim", "32", "--octaves", "2"});
+  EXPECT_GT(json["moments"]["voxels"].get<int>(), 1000);
+  EXPECT_GE(json["moments"]["min"].get<double>(), 0.0);
+  EXPECT_TRUE(json["expected"].is_null());
+}
+
+}  // namespace
+}  // namespace solidnoise

@@ -1,0 +1,155 @@
+#include "vdbnoise/analysis_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <variant>
+
+#include <nlohmann/json.hpp>
+
+#include "solidnoise/analysis/expected_spectrum.h"
+#include "solidnoise/analysis/radial_spectrum.h"
+#include "solidnoise/noise/gabor_noise.h"
+#include "solidnoise/noise/impulse_statistics.h"
+#include "solidnoise/noise/oriented_gabor_noise.h"
+#include "solidnoise/volume/statistics.h"
+
+namespace solidnoise {
+namespace {
+
+constexpr int kHistogramBins = 80;
+constexpr double kHistogramReach = 5.0;  // sigmas on each side of the mean
+
+Json describe_moments(const Moments& moments) {
+  Json json = Json::object();
+  json["voxels"] = moments.count();
+  json["min"] = moments.min();
+  json["max"] = moments.max();
+  json["mean"] = moments.mean();
+  json["variance"] = moments.sigma() * moments.sigma();
+  json["skewness"] = moments.skewness();
+  json["excess_kurtosis"] = moments.excess_kurtosis();
+  return json;
+}
+
+double gaussian_probability_below(double sigmas) {
+  return 0.5 * std::erfc(-sigmas / std::numbers::sqrt2);
+}
+
+// Counts of the values beside those of a Gaussian with the given moments.
+Json describe_histogram(const openvdb::FloatGrid& grid, double mean, double sigma) {
+  const Histogram measured =
+      histogram(grid, mean - kHistogramReach * sigma, mean + kHistogramReach * sigma, kHistogramBins);
+  std::uint64_t total = measured.below + measured.above;
+  for (const std::uint64_t count : measured.counts) total += count;
+
+  Json json = Json::object();
+  json["gaussian_mean"] = mean;
+  json["gaussian_sigma"] = sigma;
+  json["lower"] = measured.lower;
+  json["upper"] = measured.upper;
+  json["counts"] = measured.counts;
+  double largest_difference = 0.0;
+  double cumulated = static_cast<double>(measured.below);
+  double lower = gaussian_probability_below(-kHistogramReach);
+  for (int bin = 0; bin < kHistogramBins; ++bin) {
+    const double edge = kHistogramReach * (2.0 * (bin + 1) / kHistogramBins - 1.0);
+    const double upper = gaussian_probability_below(edge);
+    json["gaussian_counts"].push_back((upper - lower) * static_cast<double>(total));
+    cumulated += static_cast<double>(measured.counts[static_cast<std::size_t>(bin)]);
+    largest_difference =
+        std::max(largest_difference, std::abs(cumulated / static_cast<double>(total) - upper));
+    lower = upper;
+  }
+  json["largest_difference_of_distributions"] = largest_difference;
+  return json;
+}
+
+// Impulses per unit of volume, as far as they make the power of the noise scatter; 0 where it is Gaussian
+// enough.
+double effective_impulse_density(const VolumeRecipe& recipe) {
+  if (recipe.dims != 3) return 0.0;
+  if (const auto* gabor = std::get_if<GaborNoiseOptions>(&recipe.noise.noise)) {
+    const WeightMoments weights = weight_moments(gabor->weights);
+    return GaborNoise<3>(*gabor).impulse_density() * weights.second * weights.second / weights.fourth;
+  }
+  if (const auto* oriented = std::get_if<OrientedGaborNoiseOptions>(&recipe.noise.noise)) {
+    return OrientedGaborNoise<3>(*oriented).impulse_density();
+  }
+  return 0.0;
+}
+
+Json describe_measured(const PowerSpectrum<3>& spectrum) {
+  Json bins = Json::array();
+  for (const RadialBin& bin : radial_average(spectrum)) {
+    bins.push_back(
+        {{"frequency", bin.frequency}, {"power", bin.power}, {"standard_error", bin.standard_error}});
+  }
+  return bins;
+}
+
+const OrientedGaborNoiseOptions* oriented_options(const VolumeRecipe& recipe) {
+  return std::get_if<OrientedGaborNoiseOptions>(&recipe.noise.noise);
+}
+
+PowerSpectrum<3> expected_spectrum(const AnalysisSubject& subject, const PowerSpectrum<3>& measured) {
+  const auto* const oriented = oriented_options(*subject.recipe);
+  const std::optional<Vec<3>> axis = oriented ? std::optional(Vec<3>(oriented->direction)) : std::nullopt;
+  return expected_periodogram(*subject.noise, measured.count, measured.step, measured.window, axis);
+}
+
+Json describe_comparison(const AnalysisSubject& subject, const PowerSpectrum<3>& spectrum, Json json) {
+  const PowerSpectrum<3> expected = expected_spectrum(subject, spectrum);
+  ComparisonOptions options;
+  options.impulse_density = effective_impulse_density(*subject.recipe);
+  if (const auto* const oriented = oriented_options(*subject.recipe)) options.kernel_error = oriented->error;
+  const SpectrumComparison comparison = compare_spectra(spectrum, expected, options);
+  json["chi_square"] = comparison.chi_square;
+  json["degrees_of_freedom"] = comparison.degrees_of_freedom;
+  json["significance"] = comparison.significance;
+  json["bins"] = Json::array();
+  for (const ComparedBin& bin : comparison.bins) {
+    json["bins"].push_back({{"frequency", bin.measured.frequency},
+                            {"power", bin.measured.power},
+                            {"expected", bin.expected},
+                            {"standard_error", bin.measured.standard_error}});
+  }
+  return json;
+}
+
+// Frequencies in cycles per world unit; powers are two-sided densities, value^2 per (cycle per unit)^3.
+Json describe_spectrum(const AnalysisSubject& subject, double mean) {
+  PeriodogramOptions options;
+  options.mean = subject.noise ? 0.0 : mean;
+  const PowerSpectrum<3> spectrum = periodogram(*subject.block, options);
+  Json json = Json::object();
+  json["block"] = {spectrum.count.x, spectrum.count.y, spectrum.count.z};
+  // The slice of oriented noise in four dimensions is an integral of integrals: there is no time for it.
+  const bool affordable = subject.noise && (subject.recipe->dims == 3 || !oriented_options(*subject.recipe));
+  if (affordable) return describe_comparison(subject, spectrum, json);
+  json["bins"] = describe_measured(spectrum);
+  return json;
+}
+
+}  // namespace
+
+Json analysis_report(const AnalysisSubject& subject) {
+  const Moments moments = measure(*subject.grid);
+  Json json = Json::object();
+  json["grid"] = subject.grid->getName();
+  json["moments"] = describe_moments(moments);
+  if (subject.noise) {
+    json["expected"] = {{"mean", 0.0},
+                        {"variance", subject.noise->variance()},
+                        {"excess_kurtosis", subject.noise->excess_kurtosis()}};
+  } else {
+    json["expected"] = nullptr;
+  }
+  const double mean = subject.noise ? 0.0 : moments.mean();
+  const double sigma = subject.noise ? std::sqrt(subject.noise->variance()) : moments.sigma();
+  json["histogram"] = sigma > 0.0 ? describe_histogram(*subject.grid, mean, sigma) : Json(nullptr);
+  json["spectrum"] = subject.block ? describe_spectrum(subject, moments.mean()) : Json(nullptr);
+  return json;
+}
+
+}  // namespace solidnoise
