@@ -28,7 +28,7 @@ void RatioReporter::ReportRuns(const std::vector<Run>& runs) {
 void RatioReporter::Finalize() {
   std::ostream& out = GetOutputStream();
   out << "\nns per sample, and how many times faster\n"
-      << std::setw(58) << "slow" << std::setw(10) << "fast" << std::setw(9) << "median" << std::setw(9)
+      << std::setw(64) << "slow" << std::setw(10) << "fast" << std::setw(9) << "median" << std::setw(9)
       << "lowest" << std::setw(10) << "at least" << std::setw(6) << "aim" << '\n';
   for (const Ratio& ratio : ratios_) {
     const auto slow = nanoseconds_.find(ratio.slow), fast = nanoseconds_.find(ratio.fast);
@@ -37,7 +37,7 @@ void RatioReporter::Finalize() {
     for (std::size_t i = 0; i < std::min(slow->second.size(), fast->second.size()); ++i) {
       samples.push_back(slow->second[i] / fast->second[i]);
     }
-    out << std::fixed << std::left << std::setw(48) << ratio.title << std::right << std::setprecision(2)  //
+    out << std::fixed << std::left << std::setw(54) << ratio.title << std::right << std::setprecision(2)  //
         << std::setw(10) << median(slow->second) << std::setw(10) << median(fast->second)                 //
         << std::setw(9) << median(samples) << std::setw(9)
         << *std::min_element(samples.begin(), samples.end()) << std::setprecision(1) << std::setw(7)

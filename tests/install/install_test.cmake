@@ -15,6 +15,18 @@ foreach(program variance write_volume)
   endif()
 endforeach()
 
+# The installed vdbnoise runs, and finds the image module, without the build tree.
+file(GLOB_RECURSE image_module ${prefix}/*/solidnoise_image_io.so)
+if(EXISTS ${prefix}/bin/vdbnoise AND image_module)
+  file(RENAME ${prefix} ${WORK}/moved)
+  execute_process(COMMAND ${WORK}/moved/bin/vdbnoise --out cloud.vdb --preview cloud.png --dim 16 --quiet
+    WORKING_DIRECTORY ${WORK} COMMAND_ERROR_IS_FATAL ANY)
+  file(RENAME ${WORK}/moved ${prefix})
+  if(NOT EXISTS ${WORK}/cloud.vdb OR NOT EXISTS ${WORK}/cloud.png)
+    message(FATAL_ERROR "The installed vdbnoise made no cloud.vdb or no cloud.png")
+  endif()
+endif()
+
 # A component that was not installed is refused by name.
 file(WRITE ${WORK}/refused/CMakeLists.txt
   "cmake_minimum_required(VERSION 3.25)\nproject(refused LANGUAGES CXX)\n"
