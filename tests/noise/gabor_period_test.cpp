@@ -1,0 +1,143 @@
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <stdexcept>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "solidnoise/core/random.h"
+#include "solidnoise/noise/noise_recipe.h"
+#include "solidnoise/noise/slice_noise.h"
+#include "support/each_dimension.h"
+#include "support/evaluated.h"
+#include "support/gabor_noises.h"
+#include "support/message_of.h"
+
+namespace solidnoise {
+namespace {
+
+// Expects the same bits any number of periods away, where a period is so many steps along every axis.
+template <int Dim>
+void expect_period(const Noise<Dim>& noise, const Vec<4>& period, int steps) {
+  Lattice<Dim> lattice;
+  for (int axis = 0; axis < Dim; ++axis) {
+    lattice.step[axis] = period[axis] / steps;
+    lattice.first[axis] = -3;
+    lattice.count[axis] = Dim == 4 ? 4 : 7;
+  }
+  const Evaluated<Dim> expected = evaluate_in_one_block(noise, lattice);
+  for (int axis = 0; axis < Dim; ++axis) {
+    for (const int periods : {-3, 1, 1000}) {
+      Lattice<Dim> shifted = lattice;
+      shifted.first[axis] += steps * periods;
+      EXPECT_EQ(evaluate_in_one_block(noise, shifted), expected) << "axis " << axis << ", " << periods;
+    }
+    Lattice<Dim> elsewhere = lattice;
+    elsewhere.first[axis] += steps / 2;
+    EXPECT_NE(evaluate_in_one_block(noise, elsewhere), expected) << "axis " << axis;
+  }
+}
+
+TEST(GaborPeriod, HoldsExactlyForEveryBandwidthErrorAndAxis) {
+  for_each_dimension([]<int Dim>() {
+    for (const double bandwidth : {0.25, 1.0, 4.0}) {
+      for (const double error : {0.005, 0.1}) {
+        // In radii; none of them a whole number but the least that is allowed.
+        const auto check = [&](const auto& noise) {
+          const double support = support_of(noise);
+          auto options = noise.options();
+          options.period = support * Vec<4>(2.0, 2.71, 3.14, 7.3);
+          expect_period<Dim>(std::decay_t<decltype(noise)>(options), options.period, 24);
+          options.period = support * Vec<4>(11.9, 2.001, 2.999, 4.0);
+          expect_period<Dim>(std::decay_t<decltype(noise)>(options), options.period, 7);
+        };
+        for_each_gabor_noise<Dim>(check, bandwidth, error);
+      }
+    }
+  });
+}
+
+TEST(GaborPeriod, HoldsForOctavesAndFrames) {
+  NoiseRecipe recipe;
+  recipe.fractal.octaves = 3;
+  recipe.fractal.lacunarity = 3.0;
+  const Vec<4> period(4.7, 5.0, 6.1, 10.0);
+  recipe.noise = GaborNoiseOptions{.frequency = 1.0, .impulses = 20.0, .period = period};
+  for_each_dimension([&]<int Dim>() { expect_period<Dim>(*make_noise<Dim>(recipe), period, 24); });
+  const std::shared_ptr<const Noise<4>> noise = make_noise<4>(recipe);
+  expect_period<3>(*slice(noise, 0.3), period, 24);
+}
+
+TEST(GaborPeriod, HoldsAtAnyPosition) {
+  for_each_dimension([]<int Dim>() {
+    const auto check = [](const auto& noise) {
+      // A position and the same one period on are doubles that differ by a rounding of 1e-15. Both fall on
+      // the same 2^-20 of a cell, but with a probability of about 1e-9.
+      RandomStream random(8);
+      for (int i = 0; i < 200; ++i) {
+        Lattice<Dim> here;
+        for (int axis = 0; axis < Dim; ++axis) here.origin[axis] = 20.0 * (random.next_unit() - 0.5);
+        Lattice<Dim> there = here;
+        const int axis = i % Dim;
+        there.origin[axis] += noise.options().period[axis];
+        EXPECT_EQ(evaluate_in_one_block<Dim>(noise, here), evaluate_in_one_block<Dim>(noise, there));
+      }
+    };
+    for_each_gabor_noise<Dim>(check, 1.0, 0.02, Vec<4>(5.3, 4.9, 7.7, 6.1));
+  });
+}
+
+TEST(GaborPeriod, AxesWithoutAPeriodDoNotRepeat) {
+  const auto check = [](const auto& noise) {
+    Lattice<2> lattice = some_lattice<2>(1.0);
+    const Evaluated<2> expected = evaluate_in_one_block<2>(noise, lattice);
+    lattice.origin[1] += 6.0;
+    EXPECT_EQ(evaluate_in_one_block<2>(noise, lattice), expected);
+    lattice.origin[0] += 6.0;
+    EXPECT_NE(evaluate_in_one_block<2>(noise, lattice), expected);
+  };
+  for_each_gabor_noise<2>(check, 1.0, 0.02, Vec<4>(0.0, 6.0, 0.0, 0.0));
+}
+
+TEST(GaborPeriod, ALoopEndsAsItStarted) {
+  // 100 frames of a loop of 4 seconds at 25 frames per second, of which the first would come again.
+  constexpr double kFrame = 1.0 / 25.0;
+  constexpr int kFrames = 100;
+  const auto check = [&](const auto& noise) {
+    const auto frame = [&](int i) {
+      const std::shared_ptr<const Noise<4>> shared = std::make_shared<std::decay_t<decltype(noise)>>(noise);
+      return evaluate_in_one_block<3>(*slice(shared, i * kFrame), some_lattice<3>(1.0));
+    };
+    const Evaluated<3> start = frame(0);
+    EXPECT_EQ(frame(kFrames), start);
+    EXPECT_EQ(frame(kFrames + 17), frame(17));
+    EXPECT_NE(frame(1), start);
+    EXPECT_NE(frame(kFrames / 2), start);
+  };
+  for_each_gabor_noise<4>(check, 1.0, 0.02, Vec<4>(0.0, 0.0, 0.0, kFrames * kFrame));
+}
+
+TEST(GaborPeriod, BelowTwoRadiiIsRefused) {
+  GaborNoiseOptions options;
+  options.frequency = 1.0;
+  const double radius = GaborNoise<3>(options).radius();
+  options.period = Vec<4>(0.0, 0.0, 2.0 * radius, 0.0);
+  EXPECT_NO_THROW(GaborNoise<3>{options});
+  options.period = Vec<4>(0.0, 2.5, 0.0, 0.0);
+  EXPECT_EQ(message_of<std::invalid_argument>([&] { GaborNoise<3>{options}; }),
+            "period is 2.5 along y; it must be at least 2.76526 (twice the kernel's radius), or 0 for none");
+  options.period = Vec<4>(0.0, 0.0, 0.0, 1.0);
+  EXPECT_NO_THROW(GaborNoise<3>{options});  // has no time
+  EXPECT_EQ(message_of<std::invalid_argument>([&] { GaborNoise<4>{options}; }),
+            "period is 1 along t; it must be at least 2.88978 (twice the kernel's radius), or 0 for none");
+  OrientedGaborNoiseOptions oriented;
+  oriented.frequency = 1.0;
+  oriented.period = Vec<4>(3.2, 0.0, 0.0, 0.0);
+  EXPECT_EQ(message_of<std::invalid_argument>([&] { OrientedGaborNoise<3>{oriented}; }),
+            "period is 3.2 along x; it must be at least 3.23215 (twice the kernel's radius), or 0 for none");
+}
+
+}  // namespace
+}  // namespace solidnoise
