@@ -29,8 +29,9 @@ struct ComparisonOptions {
   // number of impulses in the data scatters, and with it the power of all frequencies together.
   double impulse_density = 0.0;
 
-  // Relative RMS error e of the noise's kernel against the one whose spectrum is expected. Spectra S of kernels
-  // that differ by e differ by some e sqrt(S S_max) + e^2 S_max, which is added to the standard errors.
+  // Relative RMS error e of the noise's kernel against the one whose spectrum is expected. Spectra S of
+  // kernels that differ by e differ by some e sqrt(S S_max) + e^2 S_max, which is added to the standard
+  // errors.
   double kernel_error = 0.0;
 
   double floor = 1e-4;          // bins below this fraction of the highest expected power do not count
