@@ -72,6 +72,8 @@ TEST(ReadObj, GivesAnEmptyMeshForAFileWithoutFaces) {
 TEST(ReadObj, NamesAPathThatCannotBeRead) {
   const auto missing = message_of<std::runtime_error>([] { read_obj(std::filesystem::path("no/such.obj")); });
   EXPECT_NE(missing.find("no/such.obj: cannot be read: No such file"), std::string::npos) << missing;
+  const auto other = message_of<std::runtime_error>([] { read_obj(std::filesystem::path("mesh.ply")); });
+  EXPECT_EQ(other, "mesh.ply: only Wavefront meshes (.obj) can be read");
   const auto folder = message_of<std::runtime_error>([] { read_obj(std::filesystem::path("/")); });
   EXPECT_NE(folder.find("folder"), std::string::npos) << folder;
 }

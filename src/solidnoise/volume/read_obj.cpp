@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <fstream>
@@ -125,6 +128,12 @@ TriangleMesh read_obj(const std::filesystem::path& path) {
   std::error_code error;
   if (std::filesystem::is_directory(path, error)) {
     throw std::runtime_error(fmt::format("{}: is a folder, not a mesh", path.string()));
+  }
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (extension != ".obj") {
+    throw std::runtime_error(fmt::format("{}: only Wavefront meshes (.obj) can be read", path.string()));
   }
   std::ifstream stream(path, std::ios::binary);
   if (!stream) {

@@ -23,7 +23,8 @@ struct TriangleMesh {
 
 // Reads the positions and faces of a Wavefront OBJ file; everything else in it is skipped. Polygons are cut
 // into fans of triangles. Throws std::runtime_error naming the path, and the line where there is one: cannot
-// be read, a malformed or non-finite number, an index out of range, a face of less than three vertices.
+// be read, a malformed or non-finite number, an index out of range, a face of less than three vertices, a
+// path that does not end in .obj.
 TriangleMesh read_obj(const std::filesystem::path& path);
 
 // The same from a stream; `name` stands for the path in messages.

@@ -1,6 +1,9 @@
 #include "solidnoise/volume/vdb_reader.h"
 
 #include <stdexcept>
+#include <utility>
+
+#include "solidnoise/volume/vdb_structure.h"
 
 namespace solidnoise {
 
@@ -20,6 +23,9 @@ VdbReader::VdbReader(const std::filesystem::path& path) : stream_(path, std::ios
   setLibraryVersion(stream_);
   setDataCompression(stream_);
 
+  if (fileVersion() < openvdb::OPENVDB_FILE_VERSION_NODE_MASK_COMPRESSION) {
+    throw std::runtime_error("it was written by an OpenVDB too old for this reader");
+  }
   check_metadata();
   metadata_.readMeta(stream_);
   const std::int32_t count = readGridCount(stream_);
@@ -38,7 +44,7 @@ void VdbReader::read_entry() {
     if (entry.descriptor.getEndPos() < stream_.tellg()) throw std::runtime_error("offsets out of order");
     entry.descriptor.seekToEnd(stream_);
   } else {
-    check_grid();
+    check_grid(entry.descriptor);
     readGrid(grid, entry.descriptor, stream_);
     entry.grid = grid;
   }
@@ -53,9 +59,13 @@ openvdb::GridBase::Ptr VdbReader::read_header(std::size_t index) {
   const Entry& entry = entries_[index];
   if (entry.grid != nullptr) return entry.grid;
   entry.descriptor.seekToGrid(stream_);
-  openvdb::GridBase::Ptr grid = openvdb::GridBase::createGrid(entry.descriptor.gridType());
-  grid->setSaveFloatAsHalf(entry.descriptor.saveFloatAsHalf());
-  check_grid();
+  check_grid_header();
+  return read_grid_header(entry.descriptor);
+}
+
+openvdb::GridBase::Ptr VdbReader::read_grid_header(const openvdb::io::GridDescriptor& descriptor) {
+  openvdb::GridBase::Ptr grid = openvdb::GridBase::createGrid(descriptor.gridType());
+  grid->setSaveFloatAsHalf(descriptor.saveFloatAsHalf());
   readGridCompression(stream_);
   grid->readMeta(stream_);
   grid->readTransform(stream_);
@@ -67,7 +77,7 @@ openvdb::GridBase::Ptr VdbReader::read_grid(std::size_t index) {
   openvdb::GridBase::Ptr grid = entry.grid;
   if (grid == nullptr) {
     entry.descriptor.seekToGrid(stream_);
-    check_grid();
+    check_grid(entry.descriptor);
     grid = openvdb::GridBase::createGrid(entry.descriptor.gridType());
     grid->setSaveFloatAsHalf(entry.descriptor.saveFloatAsHalf());
     readGrid(grid, entry.descriptor, stream_);
@@ -97,12 +107,29 @@ void VdbReader::check_descriptor() {
   stream_.seekg(start);
 }
 
-void VdbReader::check_grid() {
+void VdbReader::check_grid_header() {
   const auto start = stream_.tellg();
-  if (fileVersion() >= openvdb::OPENVDB_FILE_VERSION_NODE_MASK_COMPRESSION) skim_size();  // the codec's flags
+  skim_grid_header();
+  stream_.seekg(start);
+}
+
+void VdbReader::check_grid(const openvdb::io::GridDescriptor& descriptor) {
+  const auto start = stream_.tellg();
+  const std::uint32_t compression = skim_grid_header();
+  if (!descriptor.isInstance()) {
+    // The transform has no size of its own: OpenVDB must read it to come to the tree.
+    stream_.seekg(start);
+    read_grid_header(descriptor);
+    check_vdb_tree(stream_, size_, {descriptor.gridType(), descriptor.saveFloatAsHalf(), compression});
+  }
+  stream_.seekg(start);
+}
+
+std::uint32_t VdbReader::skim_grid_header() {
+  const std::uint32_t compression = skim_size();
   skim_metadata();
   skim_string();  // the transform's type
-  stream_.seekg(start);
+  return compression;
 }
 
 void VdbReader::skim_metadata() {

@@ -40,12 +40,16 @@ class VdbReader final : public openvdb::io::Archive {
   };
 
   void read_entry();
-  // Each checks that what comes next has only sizes that fit in the file, and goes back to where it was.
+  openvdb::GridBase::Ptr read_grid_header(const openvdb::io::GridDescriptor& descriptor);
+  // Each checks that what comes next has only sizes that fit in the file and its own structure, and goes back
+  // to where it was.
   void check_metadata();
   void check_descriptor();
-  void check_grid();
+  void check_grid_header();
+  void check_grid(const openvdb::io::GridDescriptor& descriptor);
 
   // Each goes past what it checks.
+  std::uint32_t skim_grid_header();  // gives the grid's compression flags
   void skim_metadata();
   void skim_string();
   std::uint32_t skim_size();
