@@ -1,5 +1,7 @@
 #include "solidnoise/volume/vdb_read.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <fstream>
 #include <ios>
@@ -27,6 +29,13 @@ void require_readable(const std::filesystem::path& path) {
   }
 }
 
+// Text of a damaged file, fit for a message of one line.
+std::string printable(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, '?');
+  return text;
+}
+
 // Runs `read`; what it throws becomes an error that names the path.
 template <typename Read>
 auto guarded(const std::filesystem::path& path, const Read& read) {
@@ -37,7 +46,8 @@ auto guarded(const std::filesystem::path& path, const Read& read) {
   } catch (const std::ios_base::failure&) {
     throw std::runtime_error(fmt::format("{}: is not a .vdb, or damaged: it ends too early", path.string()));
   } catch (const std::exception& error) {
-    throw std::runtime_error(fmt::format("{}: is not a .vdb, or damaged: {}", path.string(), error.what()));
+    throw std::runtime_error(
+        fmt::format("{}: is not a .vdb, or damaged: {}", path.string(), printable(error.what())));
   }
 }
 
@@ -100,7 +110,8 @@ openvdb::GridBase::Ptr read_matching(const std::filesystem::path& path, const st
     const openvdb::GridBase::Ptr header = guarded(path, [&] { return reader->read_header(i); });
     const bool named = name.empty() || reader->grid_name(i) == name;
     if (named && suits(*header)) return guarded(path, [&] { return reader->read_grid(i); });
-    names += fmt::format("{}'{}' ({})", i == 0 ? "" : ", ", reader->grid_name(i), header->valueType());
+    names +=
+        fmt::format("{}'{}' ({})", i == 0 ? "" : ", ", printable(reader->grid_name(i)), header->valueType());
   }
   const std::string wanted = name.empty() ? std::string() : fmt::format(" '{}'", name);
   throw std::runtime_error(fmt::format("{}: has no {}{}; it has {}", path.string(), kind, wanted, names));

@@ -14,6 +14,7 @@ VdbReader::VdbReader(const std::filesystem::path& path) : stream_(path, std::ios
   size_ = stream_.tellg();
   stream_.seekg(0);
 
+  require_known_version();
   readHeader(stream_);
   // OpenVDB's functions look up version, compression and the like in the stream.
   stream_metadata_ = std::make_shared<openvdb::io::StreamMetadata>();
@@ -23,13 +24,25 @@ VdbReader::VdbReader(const std::filesystem::path& path) : stream_(path, std::ios
   setLibraryVersion(stream_);
   setDataCompression(stream_);
 
-  if (fileVersion() < openvdb::OPENVDB_FILE_VERSION_NODE_MASK_COMPRESSION) {
-    throw std::runtime_error("it was written by an OpenVDB too old for this reader");
-  }
   check_metadata();
   metadata_.readMeta(stream_);
   const std::int32_t count = readGridCount(stream_);
   for (std::int32_t i = 0; i < count; ++i) read_entry();
+}
+
+void VdbReader::require_known_version() {
+  const auto start = stream_.tellg();
+  std::int64_t magic = 0;
+  stream_.read(reinterpret_cast<char*>(&magic), sizeof(magic));
+  if (magic != openvdb::OPENVDB_MAGIC) throw std::runtime_error("it does not begin like one");
+  const std::uint32_t version = skim_size();
+  if (version < openvdb::OPENVDB_FILE_VERSION_NODE_MASK_COMPRESSION) {
+    throw std::runtime_error("it was written by an OpenVDB too old for this reader");
+  }
+  if (version > openvdb::OPENVDB_FILE_VERSION) {  // OpenVDB itself would print a warning and go on
+    throw std::runtime_error("it was written by an OpenVDB newer than this reader");
+  }
+  stream_.seekg(start);
 }
 
 void VdbReader::read_entry() {

@@ -39,6 +39,7 @@ class VdbReader final : public openvdb::io::Archive {
     openvdb::GridBase::Ptr grid;  // where the file has no offsets, so that all had to be read
   };
 
+  void require_known_version();
   void read_entry();
   openvdb::GridBase::Ptr read_grid_header(const openvdb::io::GridDescriptor& descriptor);
   // Each checks that what comes next has only sizes that fit in the file and its own structure, and goes back
