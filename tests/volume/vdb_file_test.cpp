@@ -288,12 +288,13 @@ TEST(ReadVdb, RefusesAChunkOfValuesThatIsLargerThanItsMemory) {
   grid->tree().setValueOn(openvdb::Coord(1), 2.0f);
   write_vdb(folder / "whole.vdb", {grid}, {.codec = Codec::blosc});
   std::string bytes = read_bytes(folder / "whole.vdb");
-  // The file ends with the leaf's only value, and before it its size: negative, for it is not compressed.
-  const std::size_t at = bytes.size() - sizeof(float) - sizeof(std::int64_t);
+  // The file ends with the leaf's chunk: its size, then Blosc's header of 16 bytes and the only value.
+  const std::size_t chunk = 16 + sizeof(float);
+  const std::size_t at = bytes.size() - chunk - sizeof(std::int64_t);
   std::int64_t size = 0;
   std::memcpy(&size, bytes.data() + at, sizeof(size));
-  ASSERT_EQ(size, -static_cast<std::int64_t>(sizeof(float)));
-  size = -1000000;
+  ASSERT_EQ(size, static_cast<std::int64_t>(chunk));
+  size = -1000000;  // negative: so many bytes that are not compressed
   std::memcpy(bytes.data() + at, &size, sizeof(size));
   write_bytes(folder / "damaged.vdb", bytes + std::string(1000000, 'x'));
   const auto refusal = message_of<std::runtime_error>([&] { read_grid(folder / "damaged.vdb"); });
