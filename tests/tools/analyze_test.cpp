@@ -66,6 +66,24 @@ TEST(Analyze, CountsEveryVoxelInTheHistogram) {
   EXPECT_LT(json["histogram"]["largest_difference_of_distributions"].get<double>(), 0.1);
 }
 
+TEST(Analyze, PlotsNoiseAndKernel) {
+  const TemporaryFolder folder;
+  for (const std::string noise : {"gabor", "gabor-oriented", "kensler"}) {
+    ASSERT_EQ(run_vdbnoise({"--raw", "--noise", noise, "--frequency", "4", "--dim", "32", "--quiet",
+                            "--force", "--out", folder.file("x.vdb")})
+                  .status,
+              0);
+    const ToolResult result =
+        run_vdbnoise({"analyze", folder.file("x.vdb"), "--plot", folder.file(noise + ".png")});
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(folder.read(noise + ".png").substr(1, 3), "PNG");
+  }
+  const std::string before = folder.read("kensler.png");
+  EXPECT_EQ(run_vdbnoise({"analyze", folder.file("x.vdb"), "--plot", folder.file("kensler.png")}).status, 1);
+  EXPECT_EQ(folder.read("kensler.png"), before) << "replaced without --force";
+  EXPECT_EQ(run_vdbnoise({"analyze", folder.file("x.vdb"), "--plot", folder.file("x.gif")}).status, 2);
+}
+
 TEST(Analyze, MeasuresTheMomentsOfACloud) {
   const Json json = analyze({"--dim", "32", "--octaves", "2"});
   EXPECT_GT(json["moments"]["voxels"].get<int>(), 1000);

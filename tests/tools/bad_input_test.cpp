@@ -169,7 +169,7 @@ const Refusal kRefusals[] = {
      {"--max-memory", "100.0 KiB"}},
     {"AvailableMemory",
      1,
-     {"--out", "x.vdb", "--dim", "100000"},
+     {"--raw", "--out", "x.vdb", "--dim", "100000"},
      {"100000 x 100000 x 100000", "--max-memory"}},
     // The other commands
     {"InfoWithoutFile", 2, {"info"}, {"FILE"}},

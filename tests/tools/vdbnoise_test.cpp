@@ -166,6 +166,19 @@ TEST(Vdbnoise, DescribesInJsonAndWritesNothing) {
   EXPECT_TRUE(folder.names().empty());
 }
 
+TEST(Vdbnoise, ShapesStandOnTheUpAxis) {
+  const auto box_of = [](const std::vector<std::string>& flags) {
+    std::vector<std::string> arguments{"--describe", "--dim", "16"};
+    arguments.insert(arguments.end(), flags.begin(), flags.end());
+    return parse_json(run_vdbnoise(arguments).out)["recipe"]["box"].get<std::vector<double>>();
+  };
+  const std::vector<double> y_up = box_of({});
+  const std::vector<double> z_up = box_of({"--up", "z"});
+  EXPECT_EQ(z_up, (std::vector<double>{y_up[0], -y_up[5], y_up[1], y_up[3], -y_up[2], y_up[4]}));
+  EXPECT_EQ(box_of({"--up", "z", "--box", "0", "0", "0", "1", "2", "3"}),
+            (std::vector<double>{0, 0, 0, 1, 2, 3}));
+}
+
 TEST(Vdbnoise, StandardOutputCarriesTheVolumeAndNothingElse) {
   const TemporaryFolder folder;
   const std::vector<std::string> common{"--raw", "--dim", "24"};

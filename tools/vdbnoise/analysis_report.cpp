@@ -79,15 +79,6 @@ double effective_impulse_density(const VolumeRecipe& recipe) {
   return 0.0;
 }
 
-Json describe_measured(const PowerSpectrum<3>& spectrum) {
-  Json bins = Json::array();
-  for (const RadialBin& bin : radial_average(spectrum)) {
-    bins.push_back(
-        {{"frequency", bin.frequency}, {"power", bin.power}, {"standard_error", bin.standard_error}});
-  }
-  return bins;
-}
-
 const OrientedGaborNoiseOptions* oriented_options(const VolumeRecipe& recipe) {
   return std::get_if<OrientedGaborNoiseOptions>(&recipe.noise.noise);
 }
@@ -98,58 +89,73 @@ PowerSpectrum<3> expected_spectrum(const AnalysisSubject& subject, const PowerSp
   return expected_periodogram(*subject.noise, measured.count, measured.step, measured.window, axis);
 }
 
-Json describe_comparison(const AnalysisSubject& subject, const PowerSpectrum<3>& spectrum, Json json) {
-  const PowerSpectrum<3> expected = expected_spectrum(subject, spectrum);
+SpectrumComparison compare(const AnalysisSubject& subject, const PowerSpectrum<3>& measured) {
   ComparisonOptions options;
   options.impulse_density = effective_impulse_density(*subject.recipe);
   if (const auto* const oriented = oriented_options(*subject.recipe)) options.kernel_error = oriented->error;
-  const SpectrumComparison comparison = compare_spectra(spectrum, expected, options);
-  json["chi_square"] = comparison.chi_square;
-  json["degrees_of_freedom"] = comparison.degrees_of_freedom;
-  json["significance"] = comparison.significance;
-  json["bins"] = Json::array();
-  for (const ComparedBin& bin : comparison.bins) {
-    json["bins"].push_back({{"frequency", bin.measured.frequency},
-                            {"power", bin.measured.power},
-                            {"expected", bin.expected},
-                            {"standard_error", bin.measured.standard_error}});
-  }
+  return compare_spectra(measured, expected_spectrum(subject, measured), options);
+}
+
+Json describe_bin(const RadialBin& bin) {
+  Json json = Json::object();
+  json["frequency"] = bin.frequency;
+  json["power"] = bin.power;
+  json["standard_error"] = bin.standard_error;
   return json;
 }
 
 // Frequencies in cycles per world unit; powers are two-sided densities, value^2 per (cycle per unit)^3.
-Json describe_spectrum(const AnalysisSubject& subject, double mean) {
-  PeriodogramOptions options;
-  options.mean = subject.noise ? 0.0 : mean;
-  const PowerSpectrum<3> spectrum = periodogram(*subject.block, options);
+Json describe_spectrum(const AnalysisReport& report, const DenseField<3>& block) {
   Json json = Json::object();
-  json["block"] = {spectrum.count.x, spectrum.count.y, spectrum.count.z};
-  // The slice of oriented noise in four dimensions is an integral of integrals: there is no time for it.
-  const bool affordable = subject.noise && (subject.recipe->dims == 3 || !oriented_options(*subject.recipe));
-  if (affordable) return describe_comparison(subject, spectrum, json);
-  json["bins"] = describe_measured(spectrum);
+  json["block"] = {block.count.x, block.count.y, block.count.z};
+  json["bins"] = Json::array();
+  if (!report.comparison) {
+    for (const RadialBin& bin : report.spectrum) json["bins"].push_back(describe_bin(bin));
+    return json;
+  }
+  json["chi_square"] = report.comparison->chi_square;
+  json["degrees_of_freedom"] = report.comparison->degrees_of_freedom;
+  json["significance"] = report.comparison->significance;
+  for (const ComparedBin& bin : report.comparison->bins) {
+    json["bins"].push_back(describe_bin(bin.measured));
+    json["bins"].back()["expected"] = bin.expected;
+  }
+  return json;
+}
+
+Json describe_expected(const Noise<3>* noise) {
+  if (!noise) return nullptr;
+  Json json = Json::object();
+  json["mean"] = 0.0;
+  json["variance"] = noise->variance();
+  json["excess_kurtosis"] = noise->excess_kurtosis();
   return json;
 }
 
 }  // namespace
 
-Json analysis_report(const AnalysisSubject& subject) {
+AnalysisReport analyze(const AnalysisSubject& subject) {
   const Moments moments = measure(*subject.grid);
-  Json json = Json::object();
-  json["grid"] = subject.grid->getName();
-  json["moments"] = describe_moments(moments);
-  if (subject.noise) {
-    json["expected"] = {{"mean", 0.0},
-                        {"variance", subject.noise->variance()},
-                        {"excess_kurtosis", subject.noise->excess_kurtosis()}};
-  } else {
-    json["expected"] = nullptr;
-  }
   const double mean = subject.noise ? 0.0 : moments.mean();
   const double sigma = subject.noise ? std::sqrt(subject.noise->variance()) : moments.sigma();
-  json["histogram"] = sigma > 0.0 ? describe_histogram(*subject.grid, mean, sigma) : Json(nullptr);
-  json["spectrum"] = subject.block ? describe_spectrum(subject, moments.mean()) : Json(nullptr);
-  return json;
+  AnalysisReport report;
+  report.json["grid"] = subject.grid->getName();
+  report.json["moments"] = describe_moments(moments);
+  report.json["expected"] = describe_expected(subject.noise.get());
+  report.json["histogram"] = sigma > 0.0 ? describe_histogram(*subject.grid, mean, sigma) : Json(nullptr);
+  report.json["spectrum"] = nullptr;
+  if (!subject.block) return report;
+
+  PeriodogramOptions options;
+  options.mean = mean;
+  const PowerSpectrum<3> spectrum = periodogram(*subject.block, options);
+  report.spectrum = radial_average(spectrum);
+  // The slice of oriented noise in four dimensions is an integral of integrals: there is no time for it.
+  if (subject.noise && (subject.recipe->dims == 3 || !oriented_options(*subject.recipe))) {
+    report.comparison = compare(subject, spectrum);
+  }
+  report.json["spectrum"] = describe_spectrum(report, *subject.block);
+  return report;
 }
 
 }  // namespace solidnoise

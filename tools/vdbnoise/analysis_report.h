@@ -2,9 +2,12 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
+
+#include <nlohmann/json.hpp>
 
 #include "solidnoise/analysis/dense_field.h"
-#include "solidnoise/analysis/periodogram.h"
+#include "solidnoise/analysis/radial_spectrum.h"
 #include "solidnoise/noise/noise.h"
 #include "solidnoise/recipe/json.h"
 #include "solidnoise/volume/openvdb.h"
@@ -20,8 +23,14 @@ struct AnalysisSubject {
   std::optional<DenseField<3>> block;     // null: no part of it is dense
 };
 
+struct AnalysisReport {
+  Json json;
+  std::vector<RadialBin> spectrum;               // of the block; empty if there is none
+  std::optional<SpectrumComparison> comparison;  // with the closed form, where there is a noise
+};
+
 // Moments of the active voxels, their histogram beside the Gaussian's, and the radial power spectrum of the
 // block, each beside its closed form where there is a noise.
-Json analysis_report(const AnalysisSubject& subject);
+AnalysisReport analyze(const AnalysisSubject& subject);
 
 }  // namespace solidnoise

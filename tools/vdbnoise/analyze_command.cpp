@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <iostream>
 #include <stdexcept>
 #include <string>
@@ -7,12 +8,18 @@
 
 #include "common/exit_status.h"
 #include "common/flag_set.h"
+#include "common/usage_error.h"
+#include "solidnoise/analysis/four_panel.h"
+#include "solidnoise/image/image_file.h"
+#include "solidnoise/recipe/noise_recipe_json.h"
 #include "solidnoise/volume/make_volume.h"
 #include "solidnoise/volume/vdb_read.h"
 #include "solidnoise/volume/volume_recipe_json.h"
 #include "vdbnoise/analysis_report.h"
 #include "vdbnoise/commands.h"
 #include "vdbnoise/dense_block.h"
+#include "vdbnoise/kernel_slice.h"
+#include "vdbnoise/outputs.h"
 
 namespace solidnoise {
 namespace {
@@ -40,18 +47,57 @@ bool holds_noise_itself(const VolumeRecipe& recipe) {
   return raw && raw->range == RawShaping::Range::raw;
 }
 
+// The slice through the middle of a block, across z.
+DenseField<2> middle_slice(const DenseField<3>& block) {
+  DenseField<2> slice({block.count.x, block.count.y}, {block.step.x, block.step.y});
+  const auto depth = static_cast<std::size_t>(block.count.z);
+  for (std::size_t i = 0; i < slice.values.size(); ++i) slice.values[i] = block.values[i * depth + depth / 2];
+  return slice;
+}
+
+std::string title_of(const AnalysisSubject& subject, const std::string& file) {
+  const std::string name = std::filesystem::path(file).filename().string();
+  if (!subject.recipe) return name;
+  const NoiseRecipe& recipe = subject.recipe->noise;
+  const double frequency = std::visit([](const auto& options) { return options.frequency; }, recipe.noise);
+  return fmt::format("{}: {} noise, {}D, frequency {}", name, noise_type(recipe), subject.recipe->dims,
+                     frequency);
+}
+
+Image draw(const AnalysisSubject& subject, const AnalysisReport& report, const std::string& file) {
+  FourPanelOptions options;
+  options.title = title_of(subject, file);
+  const DenseField<2> kernel =
+      subject.recipe ? kernel_slice(subject.recipe->noise, subject.recipe->dims) : DenseField<2>();
+  return draw_four_panels(
+      middle_slice(*subject.block), kernel, options,
+      report.comparison ? SpectrumPlot(*report.comparison) : SpectrumPlot(report.spectrum));
+}
+
+void check_plot(const std::string& plot, const FlagSet& flags) {
+  if (plot.empty()) return;
+  if (!plot.ends_with(".png")) throw UsageError(fmt::format("--plot is {}; it must end in .png", plot));
+  require_output(plot, flags.given("--force") ? Existing::replace : Existing::refuse);
+}
+
 }  // namespace
 
 int run_analyze(const std::vector<std::string>& arguments) {
   std::string file;
   std::string grid_name;
+  std::string plot;
   FlagSet flags("vdbnoise analyze", kDescription);
   flags.argument("FILE", "The .vdb", file);
   flags.group("Flags");
   flags.text("--grid", "NAME", "The grid to measure (default: the first one of floats)",
              [&](const std::string& name) { grid_name = name; });
+  flags.text("--plot", "FILE.png",
+             "A picture: noise, kernel, the Fourier transform of each, and the spectrum",
+             [&](const std::string& name) { plot = name; });
+  flags.toggle("--force", "Replace the picture if it exists", [] {});
   flags.parse(arguments);
   flags.apply();
+  check_plot(plot, flags);
 
   AnalysisSubject subject;
   subject.grid = read_float_grid(file, grid_name);
@@ -59,7 +105,12 @@ int run_analyze(const std::vector<std::string>& arguments) {
   if (subject.recipe && holds_noise_itself(*subject.recipe))
     subject.noise = make_volume_noise(*subject.recipe);
   subject.block = dense_block(*subject.grid, kLongestSide);
-  std::cout << format_json(analysis_report(subject));
+  if (!plot.empty() && !subject.block) {
+    throw std::runtime_error(file + ": no block of its voxels is dense enough for --plot");
+  }
+  const AnalysisReport report = analyze(subject);
+  if (!plot.empty()) write_image(plot, draw(subject, report, file));
+  std::cout << format_json(report.json);
   return kDone;
 }
 

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -23,6 +22,7 @@
 #include "vdbnoise/commands.h"
 #include "vdbnoise/describe.h"
 #include "vdbnoise/make_options.h"
+#include "vdbnoise/outputs.h"
 #include "vdbnoise/presets.h"
 #include "vdbnoise/recipe_source.h"
 
@@ -83,11 +83,7 @@ void check_outputs(const MakeOptions& options) {
     throw UsageError("--out is -, and the standard output is a terminal; send it to a file or a program");
   }
   for (const std::string* path : {&options.out, &options.preview, &options.write_recipe}) {
-    if (path->empty()) continue;
-    if (*path != "-" && options.existing == Existing::refuse && std::filesystem::exists(*path)) {
-      throw std::runtime_error(*path + " exists; --force replaces it");
-    }
-    require_writable(*path, options.existing);
+    if (!path->empty()) require_output(*path, options.existing);
   }
 }
 

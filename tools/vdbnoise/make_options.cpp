@@ -47,6 +47,19 @@ Shape parse_shape(const std::string& text) {
       "--shape is {}; it must be box, sphere, ellipsoid, FILE.obj, FILE.vdb or FILE.vdb:GRID", text));
 }
 
+// Another up axis turns the box about x, so that what stood upright still does.
+void turn_up(VolumeRecipe& recipe, UpAxis up) {
+  if (recipe.up == up) return;
+  const Vec<3> lower = recipe.box.lower;
+  const Vec<3> upper = recipe.box.upper;
+  if (up == UpAxis::z) {
+    recipe.box = {{lower.x, -upper.z, lower.y}, {upper.x, -lower.z, upper.y}};
+  } else {
+    recipe.box = {{lower.x, lower.z, -upper.y}, {upper.x, upper.z, -lower.y}};
+  }
+  recipe.up = up;
+}
+
 void declare_output(FlagSet& flags, MakeOptions& options) {
   flags.group("Output");
   keep(flags, "--out", "FILE.vdb", "Where the grid goes; - for the standard output", options.out);
@@ -105,6 +118,9 @@ void declare_shape(FlagSet& flags, VolumeRecipe& recipe) {
       "box, sphere or ellipsoid: in the box; FILE.obj: inside of a closed mesh; FILE.vdb[:GRID]: active "
       "voxels of a grid",
       [&](const std::string& text) { recipe.shape = parse_shape(text); });
+  flags.choice("--up", names_of(kUpAxisChoices),
+               "The up axis, kept in the file; shapes stand on it (default y)",
+               [&](std::size_t index) { turn_up(recipe, kUpAxisChoices[index].value); });
   flags.numbers("--box", "X0 Y0 Z0 X1 Y1 Z1", 6, "Two corners, world units",
                 [&](const std::vector<double>& v) {
                   recipe.box = {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
@@ -116,7 +132,6 @@ void declare_shape(FlagSet& flags, VolumeRecipe& recipe) {
     recipe.voxel.reset();
   });
   flags.exclude({"--voxel", "--dim"});
-  declare_choice(flags, "--up", kUpAxisChoices, "The up axis, kept in the file (default y)", recipe.up);
 }
 
 void declare_run(FlagSet& flags, MakeOptions& options) {

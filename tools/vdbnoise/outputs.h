@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "solidnoise/volume/vdb_write.h"
+
+namespace solidnoise {
+
+// Refuses a file that could not be written in the end, before any work. "-" always passes. Throws
+// std::runtime_error naming the path, and --force where that would help.
+void require_output(const std::string& path, Existing existing);
+
+}  // namespace solidnoise
