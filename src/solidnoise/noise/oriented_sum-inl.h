@@ -151,7 +151,7 @@ void MakeTables(const OrientedSum& sum, const ImpulseList& list, const SampleBri
 }
 
 // A brick is summed in tiles, a product of matrices each: two vectors of (x, y) samples, all y of a few x, by
-// four z.
+// four z. Where two vectors are less than all y of one x, a tile is several times two vectors.
 struct ProductTile {
   static constexpr int kZ = 4;
   static constexpr int kMaxLanes = 16;
@@ -176,7 +176,7 @@ inline std::vector<std::uint64_t> ReachingTile(const OrientedSum& sum, const Imp
 struct ReachingTiles {
   ReachingTiles(const OrientedSum& sum, const ImpulseList& list, const SampleBrick& brick) {
     const hn::CappedTag<float, ProductTile::kMaxLanes> d;
-    planes = 2 * static_cast<int>(hn::Lanes(d)) / SampleBrick::kSide;
+    planes = std::max(1, 2 * static_cast<int>(hn::Lanes(d)) / SampleBrick::kSide);
     for (int start = 0; start < brick.count[kX]; start += planes) {
       x.push_back(ReachingTile(sum, list, brick, kX, start, planes));
     }
@@ -235,18 +235,20 @@ struct TileSums {
   alignas(64) float of_z[ProductTile::kZ][PlaneProducts::kSamples] = {};
 };
 
-HWY_INLINE void AddTile(const PlaneProducts& products, const FactorTable* z_factors, std::uint64_t impulses,
-                        int first_z, TileSums& sums) {
+// Adds to two vectors of a tile's samples, from `first` on.
+HWY_INLINE void AddVectors(const PlaneProducts& products, std::size_t first, const FactorTable* z_factors,
+                           std::uint64_t impulses, int first_z, TileSums& sums) {
   const hn::CappedTag<float, ProductTile::kMaxLanes> d;
   using V = hn::Vec<decltype(d)>;
   const std::size_t lanes = hn::Lanes(d);
-  V low0 = hn::Load(d, sums.of_z[0]), high0 = hn::Load(d, sums.of_z[0] + lanes);
-  V low1 = hn::Load(d, sums.of_z[1]), high1 = hn::Load(d, sums.of_z[1] + lanes);
-  V low2 = hn::Load(d, sums.of_z[2]), high2 = hn::Load(d, sums.of_z[2] + lanes);
-  V low3 = hn::Load(d, sums.of_z[3]), high3 = hn::Load(d, sums.of_z[3] + lanes);
+  const std::size_t second = first + lanes;
+  V low0 = hn::Load(d, sums.of_z[0] + first), high0 = hn::Load(d, sums.of_z[0] + second);
+  V low1 = hn::Load(d, sums.of_z[1] + first), high1 = hn::Load(d, sums.of_z[1] + second);
+  V low2 = hn::Load(d, sums.of_z[2] + first), high2 = hn::Load(d, sums.of_z[2] + second);
+  V low3 = hn::Load(d, sums.of_z[3] + first), high3 = hn::Load(d, sums.of_z[3] + second);
   ForEachBit(impulses, [&](std::size_t i) HWY_ATTR {
-    const Complex<V> low{hn::Load(d, products.re[i]), hn::Load(d, products.im[i])};
-    const Complex<V> high{hn::Load(d, products.re[i] + lanes), hn::Load(d, products.im[i] + lanes)};
+    const Complex<V> low{hn::Load(d, products.re[i] + first), hn::Load(d, products.im[i] + first)};
+    const Complex<V> high{hn::Load(d, products.re[i] + second), hn::Load(d, products.im[i] + second)};
     const float* const re = z_factors[i].re + first_z;
     const float* const im = z_factors[i].im + first_z;
     const auto add = [&](int k, V& low_sum, V& high_sum) HWY_ATTR {
@@ -260,13 +262,22 @@ HWY_INLINE void AddTile(const PlaneProducts& products, const FactorTable* z_fact
     add(3, low3, high3);
   });
   const auto store = [&](int k, V low, V high) HWY_ATTR {
-    hn::Store(low, d, sums.of_z[k]);
-    hn::Store(high, d, sums.of_z[k] + lanes);
+    hn::Store(low, d, sums.of_z[k] + first);
+    hn::Store(high, d, sums.of_z[k] + second);
   };
   store(0, low0, high0);
   store(1, low1, high1);
   store(2, low2, high2);
   store(3, low3, high3);
+}
+
+HWY_INLINE void AddTile(const PlaneProducts& products, const FactorTable* z_factors, std::uint64_t impulses,
+                        int first_z, TileSums& sums) {
+  const std::size_t two_vectors = 2 * hn::Lanes(hn::CappedTag<float, ProductTile::kMaxLanes>());
+  constexpr std::size_t kSide = SampleBrick::kSide;
+  for (std::size_t first = 0; first < std::max(two_vectors, kSide); first += two_vectors) {
+    AddVectors(products, first, z_factors, impulses, first_z, sums);
+  }
 }
 
 // values = sum over impulses of Re(x y z) at every sample of the brick; 64 impulses at a time, which fit the
