@@ -48,19 +48,19 @@ class PileMaker {
   void raise_towers() {
     const double turn = between(0.0, kTau);
     const double off_centre = between(0.0, 0.25);
-    towers_[0] = {off_centre * std::cos(turn), off_centre * std::sin(turn), 1.0, 0.6};
+    towers_[0] = {off_centre * std::cos(turn), off_centre * std::sin(turn), 1.0, 0.5};
     for (std::size_t i = 1; i < towers_.size(); ++i) {
       const double angle = turn + kTau * (static_cast<double>(i) + between(-0.25, 0.25)) / 4.0;
-      const double distance = between(0.3, 0.55);
-      const double height = between(0.4, 0.85);
-      const double radius = between(0.35, 0.5);
+      const double distance = between(0.4, 0.7);
+      const double height = between(0.3, 0.75);
+      const double radius = between(0.3, 0.45);
       towers_[i] = {distance * std::cos(angle), distance * std::sin(angle), height, radius};
     }
   }
 
   // The outline's height above a place of the unit disc, 0 to 1.
   double height(double x, double z) const {
-    double height = 0.42 * (1.0 - x * x - z * z);
+    double height = 0.34 * (1.0 - x * x - z * z);
     for (const Tower& tower : towers_) {
       const double from_tower = std::hypot(x - tower.x, z - tower.z) / tower.radius;
       height = std::max(height, tower.height * (1.0 - from_tower * from_tower));
@@ -72,16 +72,16 @@ class PileMaker {
   void add_puff() {
     const double angle = between(0.0, kTau);
     const double distance = std::sqrt(between(0.0, 1.0));
-    const double level = between(0.0, 1.0);
+    const double level = std::max(0.0, between(-0.5, 1.0));
     const double growth = between(0.7, 1.25);
     const double x = puffs_.empty() ? towers_[0].x : distance * std::cos(angle);
     const double z = puffs_.empty() ? towers_[0].z : distance * std::sin(angle);
     const double top = height(x, z) * pile_.size.y;
     const double flank = std::hypot(x, z);
     const double widest = 0.27 * std::min({pile_.size.x, pile_.size.y * 1.6, pile_.size.z});
-    const double radius = std::min(growth * widest * (1.0 - 0.45 * flank * flank), 0.75 * top);
+    const double radius = std::min(growth * widest * (1.0 - 0.5 * flank), 0.9 * top);
     if (radius < 0.3 * widest) return;
-    const double low = 0.35 * radius;
+    const double low = 0.05 * radius;
     const Puff puff{{x * radii_[0], low + level * std::max(0.0, top - radius - low), z * radii_[1]}, radius};
     if (fits(puff)) puffs_.push_back(puff);
   }
