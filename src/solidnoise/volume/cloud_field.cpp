@@ -14,11 +14,11 @@ namespace {
 // Gaussian n is close to kMeanLobe, and it stays below kHighestLobe.
 constexpr float kMostSigmas = 4.0f;
 constexpr float kMeanLobe = 0.75f;
-constexpr float kHighestLobe = 1.6f * kMostSigmas / (1.0f + 0.6f * kMostSigmas);
+constexpr float kHighestLobe = 2.0f * kMostSigmas / (1.0f + kMostSigmas);
 
 float lobe(float n) {
   const float height = std::min(std::abs(n), kMostSigmas);
-  return 1.6f * height / (1.0f + 0.6f * height);
+  return 2.0f * height / (1.0f + height);
 }
 
 float smoothstep(float t) {

@@ -71,6 +71,7 @@ std::unique_ptr<Field> make_volume_field(const VolumeRecipe& recipe, const Volum
   const Overloaded by_shaping{
       [&](const RawShaping& raw) { return make_field(make_volume_noise(recipe), raw); },
       [&](const RemapShaping& remap) { return make_field(make_volume_noise(recipe), remap, plan.box); },
+      [&](const VeinShaping& veins) { return make_field(make_volume_noise(recipe), veins); },
       [&](const CloudShaping& cloud) { return make_cloud(recipe, plan, cloud); },
   };
   return std::visit(by_shaping, recipe.shaping);

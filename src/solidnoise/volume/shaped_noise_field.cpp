@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 #include <vector>
+
+#include <glm/geometric.hpp>
 
 namespace solidnoise {
 namespace {
@@ -118,6 +121,36 @@ struct RemapMap {
   }
 };
 
+struct VeinMap {
+  VeinShaping shaping;
+  Vec<3> wave;  // spacings per world unit
+
+  void operator()(const Lattice<3>& lattice, std::span<float> values) const {
+    float* value = values.data();
+    for (int i = 0; i < lattice.count.x; ++i) {
+      const double x = wave.x * lattice.coordinate(0, i);
+      for (int j = 0; j < lattice.count.y; ++j) {
+        const double y = wave.y * lattice.coordinate(1, j);
+        for (int k = 0; k < lattice.count.z; ++k) {
+          *value = density(x + y + wave.z * lattice.coordinate(2, k), *value);
+          ++value;
+        }
+      }
+    }
+  }
+
+  float density(double layer, float n) const {
+    constexpr double kTau = 2.0 * std::numbers::pi;
+    const double phase = layer + shaping.turbulence * n;
+    // Whole turns are taken off in double precision, so that veins far from the origin are as smooth as here.
+    const float level = 0.5f + 0.5f * std::cos(static_cast<float>(kTau * (phase - std::floor(phase))));
+    const float floor = static_cast<float>(shaping.floor);
+    return floor + (1.0f - floor) * std::pow(level, static_cast<float>(shaping.sharpness));
+  }
+
+  bool empty(const Box<3>&) const { return false; }
+};
+
 }  // namespace
 
 std::unique_ptr<Field> make_field(std::shared_ptr<const Noise<3>> noise, const RawShaping& shaping) {
@@ -137,6 +170,11 @@ std::unique_ptr<Field> make_field(std::shared_ptr<const Noise<3>> noise, const R
   const Vec<3> centre = (box.lower + box.upper) * 0.5;
   const Vec<3> radii = (box.upper - box.lower) * 0.5;
   return std::make_unique<MappedField<RemapMap>>(std::move(noise), RemapMap{shaping, centre, radii});
+}
+
+std::unique_ptr<Field> make_field(std::shared_ptr<const Noise<3>> noise, const VeinShaping& shaping) {
+  const Vec<3> wave = glm::normalize(shaping.direction) / shaping.spacing;
+  return std::make_unique<MappedField<VeinMap>>(std::move(noise), VeinMap{shaping, wave});
 }
 
 }  // namespace solidnoise

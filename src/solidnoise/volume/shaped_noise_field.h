@@ -17,4 +17,7 @@ std::unique_ptr<Field> make_field(std::shared_ptr<const Noise<3>> noise, const R
 std::unique_ptr<Field> make_field(std::shared_ptr<const Noise<3>> noise, const RemapShaping& shaping,
                                   const Box<3>& box);
 
+// A density from a noise of unit variance, see VeinShaping.
+std::unique_ptr<Field> make_field(std::shared_ptr<const Noise<3>> noise, const VeinShaping& shaping);
+
 }  // namespace solidnoise

@@ -2,6 +2,7 @@
 
 #include <variant>
 
+#include "solidnoise/core/vec.h"
 #include "solidnoise/volume/cloud_shaping.h"
 
 namespace solidnoise {
@@ -45,7 +46,23 @@ struct RemapShaping {
   friend bool operator==(const RemapShaping&, const RemapShaping&) = default;
 };
 
+// Layers that a noise n of unit variance bends, Perlin's marble:
+//   density = floor + (1 - floor) (1/2 + 1/2 cos(2 pi (p . direction / spacing + turbulence n)))^sharpness,
+// p in world units.
+struct VeinShaping {
+  Vec<3> direction{1.0, 0.0, 0.0};  // across the veins; any length but 0
+  double spacing = 0.5;             // from vein to vein, world units; > 0
+  double turbulence = 0.5;          // shift by one sigma of the noise, in spacings; at least 0
+  double sharpness = 4.0;           // the higher, the thinner the veins; > 0
+  double floor = 0.0;               // density between veins; 0 to 1
+
+  // Throws std::invalid_argument naming the field, its value and what is allowed.
+  void validate() const;
+
+  friend bool operator==(const VeinShaping&, const VeinShaping&) = default;
+};
+
 // What becomes of the noise. One more look is one more alternative here.
-using Shaping = std::variant<RawShaping, RemapShaping, CloudShaping>;
+using Shaping = std::variant<RawShaping, RemapShaping, VeinShaping, CloudShaping>;
 
 }  // namespace solidnoise

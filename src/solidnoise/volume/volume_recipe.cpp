@@ -18,6 +18,17 @@ void RemapShaping::validate() const {
   require_in_range("floor", floor, 0.0, 1.0);
 }
 
+void VeinShaping::validate() const {
+  for (int axis = 0; axis < 3; ++axis) require_finite("direction", direction[axis]);
+  if (direction == Vec<3>(0.0)) {
+    throw std::invalid_argument("direction is 0 0 0; it must have a length");
+  }
+  require_positive("spacing", spacing, "world units");
+  require_at_least("turbulence", turbulence, 0.0, "spacings");
+  require_positive("sharpness", sharpness);
+  require_in_range("floor", floor, 0.0, 1.0);
+}
+
 void CloudShaping::validate() const {
   require_in_range("puffs", puffs, 1, 1000);
   require_in_range("lobes", lobes, 0.0, 2.0, "wavelengths");

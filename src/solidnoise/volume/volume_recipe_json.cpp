@@ -16,8 +16,8 @@ namespace {
 
 // In the order of the alternatives of Shape and Shaping.
 const std::vector<std::string_view> kShapeTypes{"box", "sphere", "ellipsoid", "mesh", "grid"};
-const std::vector<std::string_view> kShapingTypes{"raw", "remap", "cloud"};
-static_assert(std::variant_size_v<Shape> == 5 && std::variant_size_v<Shaping> == 3, "name each alternative");
+const std::vector<std::string_view> kShapingTypes{"raw", "remap", "veins", "cloud"};
+static_assert(std::variant_size_v<Shape> == 5 && std::variant_size_v<Shaping> == 4, "name each alternative");
 
 template <typename Variant, std::size_t... Is>
 Variant default_alternative(std::size_t index, std::index_sequence<Is...>) {
@@ -65,6 +65,13 @@ Json shaping_to_json(const Shaping& shaping) {
     json["edge"] = remap->edge;
     json["floor"] = remap->floor;
   }
+  if (const auto* veins = std::get_if<VeinShaping>(&shaping)) {
+    json["direction"] = {veins->direction.x, veins->direction.y, veins->direction.z};
+    json["spacing"] = veins->spacing;
+    json["turbulence"] = veins->turbulence;
+    json["sharpness"] = veins->sharpness;
+    json["floor"] = veins->floor;
+  }
   if (const auto* cloud = std::get_if<CloudShaping>(&shaping)) {
     json["puffs"] = cloud->puffs;
     json["lobes"] = cloud->lobes;
@@ -87,6 +94,13 @@ Shaping shaping_from_json(JsonReader& reader) {
     reader.read("power", remap->power);
     reader.read("edge", remap->edge);
     reader.read("floor", remap->floor);
+  }
+  if (auto* veins = std::get_if<VeinShaping>(&shaping)) {
+    reader.read("direction", veins->direction);
+    reader.read("spacing", veins->spacing);
+    reader.read("turbulence", veins->turbulence);
+    reader.read("sharpness", veins->sharpness);
+    reader.read("floor", veins->floor);
   }
   if (auto* cloud = std::get_if<CloudShaping>(&shaping)) {
     reader.read("puffs", cloud->puffs);
