@@ -10,15 +10,27 @@
 namespace solidnoise {
 namespace {
 
-// The lobes: |n| with its peaks pressed down, so that none comes loose from the cloud. Its mean over a
-// Gaussian n is close to kMeanLobe, and it stays below kHighestLobe.
-constexpr float kMostSigmas = 4.0f;
+// The lobes: |n| with its peaks pressed down; below 2. Its mean over a Gaussian n is about kMeanLobe.
 constexpr float kMeanLobe = 0.75f;
-constexpr float kHighestLobe = 2.0f * kMostSigmas / (1.0f + kMostSigmas);
+constexpr float kHighestLobe = 2.0f;
 
 float lobe(float n) {
-  const float height = std::min(std::abs(n), kMostSigmas);
+  const float height = std::abs(n);
   return 2.0f * height / (1.0f + height);
+}
+
+// Beyond this many depths outside of a surface no lobes grow on it. Peaks of the noise far out would come
+// loose, and float beside the cloud.
+constexpr float kGrowth = 1.5f;
+// The farthest that a surface can move outward, in depths: there displaced() is 0 for the highest lobe.
+constexpr float kFarthest = (kHighestLobe - kMeanLobe) / (1.0f + (kHighestLobe - kMeanLobe) / kGrowth);
+
+// The distance after lobes of a depth: lowered by depth (lobe - kMeanLobe), outside of the surface by less
+// and less with the distance, and not at all from kGrowth depths on.
+float displaced(float distance, float depth, float lobe) {
+  const float change = depth * (lobe - kMeanLobe);
+  if (change <= 0.0f || distance <= 0.0f) return distance - change;
+  return distance - change * std::max(0.0f, 1.0f - distance / (kGrowth * depth));
 }
 
 float smoothstep(float t) {
@@ -59,6 +71,9 @@ struct CloudModel {
 };
 
 constexpr float kSoftest = 3.0f;  // greatest width of the edge over its least
+
+// Densities below this are taken for nothing: what cannot be seen needs no voxels.
+constexpr float kLeastDensity = 1e-3f;
 
 class CloudBlock final : public FieldBlock {
  public:
@@ -139,7 +154,7 @@ class CloudBlock final : public FieldBlock {
     for (std::size_t i = 0; i < n.size(); ++i) {
       const float l = lobe(n[i]);
       const float grown = base + (1.0f - base) * smoothstep(height[i] / model_.foot);
-      s.distance[i] -= model_.depths[k] * grown * s.weight[i] * (l - kMeanLobe);
+      s.distance[i] = displaced(s.distance[i], model_.depths[k] * grown * s.weight[i], l);
       s.weight[i] = std::min(1.0f, s.weight[i] * (0.25f + 1.1f * l));
       if (k == 0) s.softness[i] = smoothstep(0.5f - 0.6f * n[i]);
       s.fine[i] = n[i];
@@ -153,7 +168,8 @@ class CloudBlock final : public FieldBlock {
     float t = -s.distance[i] / width;
     if (t < 1.0f) t -= static_cast<float>(model_.shaping.wisps) * (1.0f - t) * 0.5f * std::abs(s.fine[i]);
     const float core = static_cast<float>(model_.shaping.core);
-    return smoothstep(t) * (1.0f - core + core * smoothstep(-depth / model_.core_depth));
+    const float result = smoothstep(t) * (1.0f - core + core * smoothstep(-depth / model_.core_depth));
+    return result < kLeastDensity ? 0.0f : result;
   }
 
   const CloudModel& model_;  // the field's, which outlives its blocks
@@ -187,7 +203,7 @@ void set_lobes(const CloudParts& parts, CloudModel& model) {
     model.depths.push_back(static_cast<float>(parts.shaping.lobes * parts.wavelength * octave.amplitude));
   }
   for (std::size_t k = count; k-- > 0;) {
-    model.outward[k] = model.outward[k + 1] + model.depths[k] * (kHighestLobe - kMeanLobe);
+    model.outward[k] = model.outward[k + 1] + model.depths[k] * kFarthest;
     model.inward[k] = model.inward[k + 1] + model.depths[k] * kMeanLobe;
   }
 }
@@ -205,7 +221,7 @@ std::unique_ptr<Field> make_cloud_field(const CloudParts& parts) {
   // Place the pile so that few lobes can reach the sides of the box.
   const int vertical = parts.up == UpAxis::y ? 1 : 2;
   const Vec<3> size = parts.box.upper - parts.box.lower;
-  const double margin = std::min(0.45 * model.outward.front(), 0.2 * std::min({size.x, size.y, size.z}));
+  const double margin = std::min(0.6 * model.outward.front(), 0.2 * std::min({size.x, size.y, size.z}));
   model.ground = (parts.box.lower + parts.box.upper) * 0.5;
   model.ground[vertical] = parts.box.lower[vertical] + margin;
   PuffPile pile;
