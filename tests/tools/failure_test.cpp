@@ -19,7 +19,8 @@ TEST(Interrupt, WhileMakingLeavesNothing) {
   for (const int signal : {SIGINT, SIGTERM}) {
     const TemporaryFolder folder;
     RunningTool tool(kLongRun, {.folder = folder.path()});
-    std::this_thread::sleep_for(200ms);  // the start takes a tenth of that
+    tool.wait_until_it_catches(signal);
+    std::this_thread::sleep_for(100ms);  // into the making of the volume
     tool.send(signal);
     const ToolResult result = tool.wait();
     EXPECT_EQ(result.status, 128 + signal) << result.err;

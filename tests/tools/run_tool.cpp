@@ -1,6 +1,7 @@
 #include "tools/run_tool.h"
 
 #include <array>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <fcntl.h>
@@ -9,6 +10,7 @@
 #include <stdexcept>
 #include <sys/resource.h>
 #include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
 
 namespace solidnoise {
@@ -79,6 +81,19 @@ RunningTool::RunningTool(const std::vector<std::string>& arguments, const RunOpt
   }
   execv(argv[0], argv.data());
   _exit(125);
+}
+
+void RunningTool::wait_until_it_catches(int signal) const {
+  const std::string label = "SigCgt:";
+  const auto give_up = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  while (std::chrono::steady_clock::now() < give_up) {
+    const std::string status = read_file("/proc/" + std::to_string(pid_) + "/status");
+    const std::size_t line = status.find(label);
+    if (line == std::string::npos) return;  // it has ended
+    const unsigned long long caught = std::stoull(status.substr(line + label.size()), nullptr, 16);
+    if (caught >> (signal - 1) & 1) return;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
 }
 
 void RunningTool::send(int signal) const {

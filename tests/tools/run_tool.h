@@ -29,6 +29,8 @@ class RunningTool {
  public:
   RunningTool(const std::vector<std::string>& arguments, const RunOptions& options);
 
+  // Waits until the program has set itself up to catch the signal, or has ended; at most a minute.
+  void wait_until_it_catches(int signal) const;
   void send(int signal) const;
   ToolResult wait();
 
