@@ -111,5 +111,21 @@ TEST(ShapedNoiseField, WhatIsCalledEmptyIsZero) {
   EXPECT_GT(empty_blocks, 0);
 }
 
+TEST(ShapedNoiseField, VeinsAreLayersThatTheNoiseBends) {
+  const auto noise = std::make_shared<Ramp>();
+  constexpr double kFloatError = 1e-5;  // of a cosine in floats, to the fourth power
+  const VeinShaping straight{.direction = {0.0, 2.0, 0.0}, .spacing = 0.5, .turbulence = 0.0, .floor = 0.2};
+  const auto layers = make_field(noise, straight);
+  EXPECT_NEAR(value_at(*layers, 3.0, 1.0), 1.0, kFloatError);
+  EXPECT_NEAR(value_at(*layers, 3.0, 1.25), 0.2, kFloatError);
+  EXPECT_NEAR(value_at(*layers, 3.0, 1.125), 0.2 + 0.8 * 0.0625, kFloatError);  // (1/2)^4
+  // The noise is x here: with a turbulence of 1/4 spacing, one unit of x shifts the layers by a quarter.
+  VeinShaping bent = straight;
+  bent.turbulence = 0.25;
+  const auto shifted = make_field(noise, bent);
+  EXPECT_NEAR(value_at(*shifted, 1.0, 0.375), 1.0, kFloatError);
+  EXPECT_FALSE(shifted->empty(kWorld));
+}
+
 }  // namespace
 }  // namespace solidnoise

@@ -34,9 +34,10 @@ TEST(VolumeRecipeJson, RoundTripsEveryShapeAndShaping) {
     expect_round_trip(recipe);
     EXPECT_EQ(volume_recipe_from_json(to_json(recipe)).shape, shape);
   }
-  for (const Shaping& shaping :
-       {Shaping(RawShaping{RawShaping::Range::unit}),
-        Shaping(RemapShaping{RemapShaping::Fold::ridged, -0.3, 0.7, 2.5, 1.0, 0.1})}) {
+  for (const Shaping& shaping : {Shaping(RawShaping{RawShaping::Range::unit}),
+                                 Shaping(RemapShaping{RemapShaping::Fold::ridged, -0.3, 0.7, 2.5, 1.0, 0.1}),
+                                 Shaping(VeinShaping{{0.1, -2.0, 3.0}, 0.7, 1.5, 2.5, 0.1}),
+                                 Shaping(CloudShaping{5, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6})}) {
     VolumeRecipe recipe;
     recipe.shaping = shaping;
     recipe.density.peak = 2.5;
