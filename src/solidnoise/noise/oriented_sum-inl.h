@@ -66,8 +66,7 @@ HWY_INLINE AxisFactor<V> FactorAlongAxis(D d, const Kernel& envelope, V offset, 
   V cosine, sine;
   CosineSine(d, hn::MulAdd(offset, wave, phase), cosine, sine);
 
-  AxisFactor<V> factor;
-  factor.value = {hn::Mul(amplitude, cosine), hn::Mul(amplitude, sine)};
+  AxisFactor<V> factor{{hn::Mul(amplitude, cosine), hn::Mul(amplitude, sine)}, {hn::Zero(d), hn::Zero(d)}};
   if constexpr (kDerivatives == Derivatives::gradient) {
     // d amplitude / d scaled = -2 scaled (2 t P + t^2 P'); d wave / d scaled = i 2 pi wave / scale.
     const V slope = envelope.derivative(d, v);
