@@ -20,6 +20,13 @@ if(SOLIDNOISE_BUILD_VOLUME)
   set(BUILD_SHARED_LIBS ${_shared})
 endif()
 
+if(SOLIDNOISE_BUILD_MESH)
+  # Debian's package has no version file: asking for a version would always fail. Its targets have no namespace.
+  find_package(OpenMesh CONFIG REQUIRED)
+  add_library(OpenMesh::OpenMesh INTERFACE IMPORTED)
+  target_link_libraries(OpenMesh::OpenMesh INTERFACE OpenMeshCore OpenMeshTools)
+endif()
+
 if(SOLIDNOISE_BUILD_IMAGE)
   # Not by its config file: Debian's refuses to load unless OpenImageIO's own tools, and Qt with them, are installed,
   # and names an include folder that does not exist.

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "solidnoise/core/vec.h"
+
+namespace solidnoise {
+
+// The number types that mesh files know.
+enum class ScalarType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+
+// A number that each vertex has, as a file names it: nx, red, quality, ...
+struct VertexProperty {
+  std::string name;
+  ScalarType type = ScalarType::float32;  // how a file stores it
+  std::vector<double> values;             // one per vertex
+};
+
+// A mesh as a file has it: indexed vertices and polygons, in the file's order, whether or not they make a
+// surface. Nothing is renumbered or repaired.
+struct PolygonMesh {
+  std::vector<Vec<3>> positions;              // world units
+  std::vector<std::uint32_t> face_starts{0};  // where each face begins in `corners`, and the end of the last
+  std::vector<std::uint32_t> corners;         // vertex indices, face after face
+  std::vector<VertexProperty> properties;     // in the file's order
+
+  std::size_t face_count() const { return face_starts.size() - 1; }
+  std::span<const std::uint32_t> face(std::size_t index) const {
+    return std::span(corners).subspan(face_starts[index], face_starts[index + 1] - face_starts[index]);
+  }
+
+  void add_face(std::span<const std::uint32_t> vertices);
+
+  // The property of this name, or null.
+  const VertexProperty* property(std::string_view name) const;
+};
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+// The mesh's faces cut into triangles, in order, each polygon as a fan around its first corner. Faces of less
+// than three corners give none.
+std::vector<Triangle> triangulate(const PolygonMesh& mesh);
+
+}  // namespace solidnoise
