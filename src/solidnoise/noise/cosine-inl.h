@@ -18,7 +18,10 @@ namespace hn = hwy::HWY_NAMESPACE;
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE void CosineSine(D d, V r, V& cosine, V& sine) {
   const hn::RebindToSigned<D> di;
-  const V half_cycles = hn::Round(hn::Add(r, r));
+  // Adding 3 * 2^22 rounds to a whole number, whose parity is then the lowest bit.
+  const V shift = hn::Set(d, 12582912.0f);
+  const V shifted = hn::MulAdd(r, hn::Set(d, 2.0f), shift);
+  const V half_cycles = hn::Sub(shifted, shift);
   const V reduced = hn::NegMulAdd(half_cycles, hn::Set(d, 0.5f), r);
   const V square = hn::Mul(reduced, reduced);
 
@@ -36,7 +39,7 @@ HWY_INLINE void CosineSine(D d, V r, V& cosine, V& sine) {
   s = hn::Mul(s, reduced);
 
   // An odd number of half cycles turns both signs.
-  const V sign = hn::BitCast(d, hn::ShiftLeft<31>(hn::ConvertTo(di, half_cycles)));
+  const V sign = hn::BitCast(d, hn::ShiftLeft<31>(hn::BitCast(di, shifted)));
   cosine = hn::Xor(c, sign);
   sine = hn::Xor(s, sign);
 }
