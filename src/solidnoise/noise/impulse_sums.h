@@ -38,9 +38,11 @@ void sum_radial(const RadialSum& sum, const ImpulseList& list, const SampleClust
                 Derivatives derivatives, ClusterSums& sums);
 
 // Sums of oriented kernels: cos(2 pi (w . d + phase)) times one envelope t^2 P(v) per axis, v = 1/2 - (d /
-// H)^2. Attributes 0 to 3 of the list are w per role, in cycles per cell; attribute 4 is the phase, in
-// cycles.
+// H)^2. Attributes of the list: w along x, y and z in cycles per cell, the phase in cycles, w along t.
 struct OrientedSum {
+  static constexpr int kPhase = 3;  // attributes
+  static constexpr int wave(Role role) { return role == kT ? kPhase + 1 : role; }
+
   std::array<float, kRoles> scale{};  // cells to half-widths H; 0 for roles that the noise does not have
   RadialPolynomial envelope;
 };

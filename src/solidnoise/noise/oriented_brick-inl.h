@@ -79,7 +79,7 @@ HWY_INLINE void ForEachRow(const OrientedSum& sum, const ImpulseList& list, std:
   const std::size_t count = std::min(kChunk, list.size() - from);
   for (std::size_t k = 0; k < count; k += hn::Lanes(d)) {
     const V position = hn::LoadU(d, list.position(role) + from + k);
-    const V wave = hn::LoadU(d, list.attribute(role) + from + k);
+    const V wave = hn::LoadU(d, list.attribute(OrientedSum::wave(role)) + from + k);
     for (int sample = 0; sample < samples; ++sample) {
       AxisFactor<V> along{{hn::Set(d, 1.0f), zero}, {zero, zero}};
       if (sum.scale[role] != 0.0f) {
@@ -108,8 +108,9 @@ HWY_INLINE void MakeLines(const OrientedSum& sum, const ImpulseList& list, std::
     const std::size_t i = from + k;
     for (int piece = 0; piece < SampleBrick::kSide; piece += static_cast<int>(hn::Lanes(d))) {
       const auto offset = hn::Sub(hn::Load(d, coordinates + piece), hn::Set(d, list.position(kZ)[i]));
-      const auto along = FactorAlongAxis<kDerivatives>(d, envelope, offset, hn::Set(d, list.attribute(kZ)[i]),
-                                                       hn::Set(d, list.attribute(kRoles)[i]), sum.scale[kZ]);
+      const auto along = FactorAlongAxis<kDerivatives>(
+          d, envelope, offset, hn::Set(d, list.attribute(OrientedSum::wave(kZ))[i]),
+          hn::Set(d, list.attribute(OrientedSum::kPhase)[i]), sum.scale[kZ]);
       hn::Store(along.value.re, d, factors.z.re[k] + piece);
       hn::Store(along.value.im, d, factors.z.im[k] + piece);
       if constexpr (kDerivatives == Derivatives::gradient) {

@@ -44,16 +44,18 @@ class WaveKernel final : public ImpulseKernel {
       : sum_(std::move(sum)), directions_(directions), frequency_(frequency), axes_(axes) {}
 
   CullBox::Support support() const override { return CullBox::Support::box; }
-  int attribute_count() const override { return kRoles + 1; }
+  int attribute_count() const override {
+    return 1 + (Dim == 4 ? OrientedSum::wave(kT) : OrientedSum::kPhase);
+  }
 
   void draw(std::span<const std::uint64_t> marks, ImpulseAttributes& attributes) const override {
     for (std::size_t i = 0; i < marks.size(); ++i) {
       const auto wave = draw_wave<Dim>(marks[i], directions_, frequency_);
       for (int axis = 0; axis < Dim; ++axis) {
-        attributes[role_of_axis<Dim>(axis)][i] =
+        attributes[OrientedSum::wave(role_of_axis<Dim>(axis))][i] =
             static_cast<float>(wave.frequency[axis] * axes_[axis].size());
       }
-      attributes[kRoles][i] = static_cast<float>(wave.phase);
+      attributes[OrientedSum::kPhase][i] = static_cast<float>(wave.phase);
     }
   }
 

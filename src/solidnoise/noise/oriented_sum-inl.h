@@ -37,8 +37,9 @@ void SumOrientedCluster(const OrientedSum& sum, const ImpulseList& list, const S
         if (sum.scale[role] == 0.0f) return AxisFactor<V>{{hn::Set(d, 1.0f), zero}, {zero, zero}};
         const V offset =
             hn::Sub(hn::Load(d, cluster.coordinate[role] + piece), hn::Set(d, list.position(role)[i]));
-        const V phase = role == kZ ? hn::Set(d, list.attribute(kRoles)[i]) : zero;
-        return FactorAlongAxis<kDerivatives>(d, envelope, offset, hn::Set(d, list.attribute(role)[i]), phase,
+        const V phase = role == kZ ? hn::Set(d, list.attribute(OrientedSum::kPhase)[i]) : zero;
+        return FactorAlongAxis<kDerivatives>(d, envelope, offset,
+                                             hn::Set(d, list.attribute(OrientedSum::wave(role))[i]), phase,
                                              sum.scale[role]);
       };
       AxisFactor<V> x = factor(kX);
