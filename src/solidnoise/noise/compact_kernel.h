@@ -83,6 +83,16 @@ CompactKernel compact_kernel(const IsotropicGaborKernel<Dim>& kernel, double err
 // sqrt(1 - (1 - e^2)^dimensions).
 CompactKernel compact_envelope(double a, int dimensions, double error);
 
+// The same for the radial Gaussian exp(-pi a^2 r^2) in `dimensions` dimensions; the cheapest by
+// (d + 16) R^dimensions, for it is multiplied by a wave.
+CompactKernel compact_gaussian(double a, int dimensions, double error);
+
+// The compact kernel of a given radius, of the lowest degree >= 1 within the error. Kernels of similar
+// parameters, compact on similar radii, are then alike, which the cheapest ones above need not be. Throws
+// std::invalid_argument if the kernel has too much of its energy outside of the radius.
+template <int Dim>
+CompactKernel compact_kernel(const IsotropicGaborKernel<Dim>& kernel, double radius, double error);
+
 extern template CompactKernel compact_kernel(const IsotropicGaborKernel<1>&, double);
 extern template CompactKernel compact_kernel(const IsotropicGaborKernel<2>&, double);
 extern template CompactKernel compact_kernel(const IsotropicGaborKernel<3>&, double);

@@ -4,9 +4,11 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <stdexcept>
 #include <vector>
 
 #include <Eigen/Core>
+#include <fmt/format.h>
 
 #include "solidnoise/core/bisection.h"
 #include "solidnoise/core/check.h"
@@ -18,6 +20,7 @@ namespace solidnoise {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
+constexpr int kMostDegree = 2000;  // of a fit at a given radius: what needs more cannot be fitted there
 
 // What is to be approximated: a radial function in n dimensions.
 struct RadialFunction {
@@ -213,6 +216,24 @@ CompactKernel best_compact(const RadialFunction& function, const Cost& cost, dou
   }
 }
 
+// The lowest degree within the error, at a radius that is given.
+CompactKernel compact_at(const RadialFunction& function, double radius, double error) {
+  for (int degree = 16 + static_cast<int>(2.0 * kPi * function.frequency * radius);; degree *= 2) {
+    const TaperedBasis basis(function.dimensions, degree);
+    const Eigen::VectorXd coefficients = basis.project(function, radius);
+    double left = function.energy / std::pow(radius, function.dimensions);
+    const double allowed = error * error * left;
+    for (int k = 0; k <= degree; ++k) {
+      left -= coefficients[k] * coefficients[k];
+      if (k >= 1 && left <= allowed) return assemble(function, basis, {k, radius});
+    }
+    if (degree > kMostDegree) {
+      throw std::invalid_argument(fmt::format(
+          "radius is {}; at that radius the kernel's relative RMS error cannot be {}", radius, error));
+    }
+  }
+}
+
 }  // namespace
 
 template <int Dim>
@@ -237,9 +258,33 @@ CompactKernel compact_envelope(double a, int dimensions, double error) {
                       own_error);
 }
 
+template <int Dim>
+CompactKernel compact_kernel(const IsotropicGaborKernel<Dim>& kernel, double radius, double error) {
+  require_in_range("error", error, 1e-5, 0.9, "relative RMS error");
+  return compact_at(
+      {Dim, [&](double r) { return kernel.value(r); }, kernel.energy(), radius, kernel.frequency()}, radius,
+      error);
+}
+
+CompactKernel compact_gaussian(double a, int dimensions, double error) {
+  require_positive("a", a, "cycles per world unit");
+  require_in_range("error", error, 1e-5, 0.9, "relative RMS error");
+  const auto gaussian = [a](double r) { return std::exp(-kPi * a * a * r * r); };
+  const auto excess = [&](double r) {
+    return regularized_gamma_q(0.5 * dimensions, 2.0 * kPi * a * a * r * r) - error * error;
+  };
+  const double energy = std::pow(std::numbers::sqrt2 * a, -dimensions);
+  const double tail_radius = bisect(excess, 0.0, 4.0 / a);
+  return best_compact({dimensions, gaussian, energy, tail_radius, 0.0}, Cost{16, dimensions}, error);
+}
+
 template CompactKernel compact_kernel(const IsotropicGaborKernel<1>&, double);
 template CompactKernel compact_kernel(const IsotropicGaborKernel<2>&, double);
 template CompactKernel compact_kernel(const IsotropicGaborKernel<3>&, double);
 template CompactKernel compact_kernel(const IsotropicGaborKernel<4>&, double);
+template CompactKernel compact_kernel(const IsotropicGaborKernel<1>&, double, double);
+template CompactKernel compact_kernel(const IsotropicGaborKernel<2>&, double, double);
+template CompactKernel compact_kernel(const IsotropicGaborKernel<3>&, double, double);
+template CompactKernel compact_kernel(const IsotropicGaborKernel<4>&, double, double);
 
 }  // namespace solidnoise

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace solidnoise {
+
+// The vectorised loops of noises whose parameters belong to the evaluation points: lanes are points. Each sum
+// is taken impulse by impulse in the list's order, elementwise per point, and impulses out of a point's reach
+// add exactly 0, so that a point's value depends neither on the vector width nor on the other points. Lengths
+// are in cells.
+
+// Impulses near some points, as arrays. Positions are relative to the points' anchor, exact.
+class PointImpulses {
+ public:
+  static constexpr int kMaxAxes = 4;
+  static constexpr std::size_t kPadding = 16;  // SIMD loads and stores may go this far past the end
+
+  void clear() { size_ = 0; }
+  std::size_t size() const { return size_; }
+  void set_size(std::size_t size) { size_ = size; }
+  // Makes room for `capacity` impulses, keeping those that are there.
+  void reserve(std::size_t capacity) {
+    if (capacity + kPadding <= channels_[0].size()) return;
+    for (auto& channel : channels_) channel.resize(2 * capacity + kPadding);
+  }
+
+  float* position(int axis) { return channels_[static_cast<std::size_t>(axis)].data(); }
+  const float* position(int axis) const { return channels_[static_cast<std::size_t>(axis)].data(); }
+  // 1 or -1.
+  float* weight() { return channels_[kMaxAxes].data(); }
+  const float* weight() const { return channels_[kMaxAxes].data(); }
+  // 2^-n + (1 - 2^-n) u of ScaleTransition::fade; its y divided by (r / 2^l)^n.
+  float* turn() { return channels_[kMaxAxes + 1].data(); }
+  const float* turn() const { return channels_[kMaxAxes + 1].data(); }
+
+ private:
+  std::array<std::vector<float>, kMaxAxes + 2> channels_;
+  std::size_t size_ = 0;
+};
+
+// What may be of interest to some points.
+struct PointCull {
+  int dimensions = 3;
+  std::array<float, PointImpulses::kMaxAxes> lower{};  // of the points' box
+  std::array<float, PointImpulses::kMaxAxes> upper{};
+  float reach = 1.0f;  // the largest distance of an impulse from a point
+  // The layer around a surface: normal . position from `below` to `above`. Normal 0: no layer.
+  std::array<float, 3> normal{};
+  float below = 0.0f;
+  float above = 0.0f;
+  float least_turn = 0.0f;
+  float most_turn = 1.0f;
+};
+// Appends to `kept` the impulses that are not out of reach of all points.
+void cull_impulses(const PointImpulses& impulses, const PointCull& cull, PointImpulses& kept);
+
+// Up to 16 points and their kernels; unused lanes repeat a used one.
+struct PointCluster {
+  static constexpr int kSamples = 16;
+  static constexpr int kMaxHornerDegree = 12;
+
+  alignas(64) float coordinate[PointImpulses::kMaxAxes][kSamples];
+  alignas(64) float inverse_square_radius[kSamples];
+  alignas(64) float density[kSamples];                        // (r / 2^l)^n
+  alignas(64) float wave[PointImpulses::kMaxAxes][kSamples];  // cycles per cell
+  alignas(64) float normal[3][kSamples];                      // of unit length
+  alignas(64) float inverse_square_height[kSamples];
+  int count = 0;
+};
+
+// Coefficients of each point's polynomial, from degree 0, `kSamples` to a degree.
+struct PointPolynomials {
+  bool power = true;                    // or Chebyshev polynomials
+  int degree = 0;                       // of the highest; even and at least 4 for powers
+  const float* coefficients = nullptr;  // aligned to 64 bytes
+};
+
+// Which kernel is summed: w fade(y) t^2 P(t - 1/2) with t = 1 - |d|^2 / r^2, 0 where negative; d is the
+// offset from the impulse;
+//   oriented: times cos(2 pi wave . d);
+//   layer:    |d| is the distance along the surface, d - (d . normal) normal, and there is another factor
+//             h = (1 - (d . normal)^2 / H^2)^2, 0 for |d . normal| > H.
+struct PointKernel {
+  int dimensions = 3;  // 2 to 4
+  bool layer = false;  // in 3 dimensions only
+  bool oriented = false;
+  bool fade = false;  // fade(y) of ScaleFade; 1 otherwise
+};
+// `impulses` is padded by one if their number is odd, with one of weight 0.
+void sum_impulses(const PointKernel& kernel, const PointCluster& cluster, const PointPolynomials& polynomials,
+                  PointImpulses& impulses, float* values);
+
+}  // namespace solidnoise

@@ -1,0 +1,140 @@
+#include "solidnoise/noise/surface_gabor_noise.h"
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include "solidnoise/noise/bandwidth.h"
+#include "solidnoise/noise/impulse_statistics.h"
+#include "solidnoise/noise/radial_band.h"
+
+namespace solidnoise {
+namespace {
+
+SurfaceGaborOptions validated(const SurfaceGaborOptions& options) {
+  options.validate();
+  return options;
+}
+
+// Some unit vector at a right angle to a unit vector.
+Vec<3> any_tangent(const Vec<3>& normal) {
+  int least = 0;
+  for (int axis = 1; axis < 3; ++axis) {
+    if (std::abs(normal[axis]) < std::abs(normal[least])) least = axis;
+  }
+  Vec<3> axis(0.0);
+  axis[least] = 1.0;
+  return glm::normalize(glm::cross(normal, axis));
+}
+
+Vec<3> unit_tangent(const Vec<3>& direction, const Vec<3>& normal) {
+  const Vec<3> tangent = direction - glm::dot(direction, normal) * normal;
+  const double length = glm::length(tangent);
+  // Single-precision input leaves nothing but rounding below this.
+  if (length <= 1e-6 * glm::length(direction)) return any_tangent(normal);
+  return tangent / length;
+}
+
+void require_normals(const SurfacePoints& points) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (points.normal[axis].size() != points.positions.count) {
+      throw std::invalid_argument(fmt::format("there are {} normals for {} points",
+                                              points.normal[axis].size(), points.positions.count));
+    }
+  }
+  for (std::size_t i = 0; i < points.positions.count; ++i) {
+    const double length = std::hypot(points.normal[0][i], points.normal[1][i], points.normal[2][i]);
+    if (!(length > 0.0 && std::isfinite(length))) {
+      throw std::invalid_argument(fmt::format("normal of point {} is ({}, {}, {}); it must have a length", i,
+                                              points.normal[0][i], points.normal[1][i], points.normal[2][i]));
+    }
+  }
+}
+
+}  // namespace
+
+SurfaceGaborNoise::SurfaceGaborNoise(const SurfaceGaborOptions& options)
+    : options_(validated(options)),
+      family_(std::make_shared<KernelFamily>(2, options.waves, options.bandwidth, options.error)),
+      kernel_(family_->at(options.bandwidth)) {
+  // Moments of kernel and window, in units of the kernel's radius.
+  const KernelMoments plane = family_->moments(kernel_);
+  const KernelMoments moments{plane.second * layer_window_moment(2) * options.layer,
+                              plane.fourth * layer_window_moment(4) * options.layer};
+  const double support = 2.0 * std::numbers::pi * options.layer;
+  impulses_ = options.impulses > 0.0
+                  ? options.impulses
+                  : std::ceil(support * density_for_excess_kurtosis(kDefaultKurtosis, moments));
+  excess_kurtosis_ = noise_excess_kurtosis(impulses_ / support, moments);
+
+  PointConvolution<3>::Settings settings{.waves = options.waves,
+                                         .layer = options.layer,
+                                         .transition = options.transition,
+                                         .impulses = impulses_,
+                                         .seed = options.seed};
+  varying_ = std::make_shared<PointConvolution<3>>(settings);
+  settings.radius = radius();
+  stationary_ = std::make_shared<PointConvolution<3>>(settings);
+}
+
+double SurfaceGaborNoise::radius() const {
+  return kernel_.cycles / options_.frequency;
+}
+
+void SurfaceGaborNoise::evaluate(const SurfacePoints& points, std::span<float> values) const {
+  evaluate(points, {}, values);
+}
+
+void SurfaceGaborNoise::evaluate(const SurfacePoints& points, const VaryingParameters<3>& parameters,
+                                 std::span<float> values) const {
+  require_finite_positions(points.positions);
+  require_normals(points);
+  parameters.validate(points.positions.count);
+
+  const PointConvolution<3>& convolution = parameters.radius_varies() ? *varying_ : *stationary_;
+  const double window = layer_window_moment(2) * options_.layer;
+  const auto prepare = [&](std::size_t i, KernelPoint<3>& point) {
+    const double frequency = parameters.frequency.empty() ? options_.frequency : parameters.frequency[i];
+    const double magnitude = parameters.magnitude.empty() ? 1.0 : parameters.magnitude[i];
+    point.kernel = parameters.bandwidth.empty() ? kernel_ : family_->at(parameters.bandwidth[i]);
+    point.radius = point.kernel.cycles / frequency;
+    point.amplitude = magnitude / std::sqrt(convolution.power() * window * point.kernel.energy);
+    const Vec<3> normal =
+        glm::normalize(Vec<3>(points.normal[0][i], points.normal[1][i], points.normal[2][i]));
+    for (int axis = 0; axis < 3; ++axis) point.normal[static_cast<std::size_t>(axis)] = normal[axis];
+    if (options_.waves == GaborWaves::isotropic) return;
+    const auto& given = parameters.direction;
+    const Vec<3> direction =
+        given[0].empty() ? options_.direction : Vec<3>(given[0][i], given[1][i], given[2][i]);
+    const Vec<3> tangent = unit_tangent(direction, normal);
+    for (int axis = 0; axis < 3; ++axis) {
+      point.wave[static_cast<std::size_t>(axis)] = frequency * tangent[axis];
+    }
+  };
+  convolution.evaluate(points.positions, prepare, values);
+}
+
+double SurfaceGaborNoise::power_spectrum(const Vec<2>& f) const {
+  const CompactKernel unit = family_->compact(kernel_);
+  const double r = radius();
+  const auto transform = [&](const Vec<2>& at) { return unit.spectrum(r * glm::length(at)); };
+  double spectrum = 0.0;
+  if (options_.waves == GaborWaves::isotropic) {
+    spectrum = transform(f);
+  } else {
+    const Vec<2> wave(options_.frequency, 0.0);
+    spectrum = 0.5 * (transform(f - wave) + transform(f + wave));
+  }
+  return r * r * spectrum * spectrum / kernel_.energy;
+}
+
+Noise<2>::Band SurfaceGaborNoise::band() const {
+  const double a = gaussian_parameter(options_.frequency, options_.bandwidth);
+  const auto kernel = IsotropicGaborKernel<2>::with_unit_peak(options_.frequency, a);
+  return radial_band<2>([&](double f) { return f * std::pow(kernel.spectrum(f), 2); }, options_.frequency, a);
+}
+
+}  // namespace solidnoise
