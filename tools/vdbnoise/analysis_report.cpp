@@ -150,10 +150,7 @@ AnalysisReport analyze(const AnalysisSubject& subject) {
   options.mean = mean;
   const PowerSpectrum<3> spectrum = periodogram(*subject.block, options);
   report.spectrum = radial_average(spectrum);
-  // The slice of oriented noise in four dimensions is an integral of integrals: there is no time for it.
-  if (subject.noise && (subject.recipe->dims == 3 || !oriented_options(*subject.recipe))) {
-    report.comparison = compare(subject, spectrum);
-  }
+  if (subject.noise) report.comparison = compare(subject, spectrum);
   report.json["spectrum"] = describe_spectrum(report, *subject.block);
   return report;
 }

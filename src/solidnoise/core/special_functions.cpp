@@ -112,6 +112,8 @@ double mean_cosine(int n, double z) {
 }
 
 double mean_exponential_scaled(int n, double z) {
+  if (n == 1) return 0.5 * (1.0 + std::exp(-2.0 * z));
+  if (n == 3) return z == 0.0 ? 1.0 : -0.5 * std::expm1(-2.0 * z) / z;
   const double order = 0.5 * n - 1.0;
   if (z < kAsymptoticFrom) return std::exp(-z) * direction_mean_series(0.5 * n, 0.25 * z * z);
   return std::tgamma(0.5 * n) * std::pow(2.0 / z, order) * bessel_i_scaled(order, z);

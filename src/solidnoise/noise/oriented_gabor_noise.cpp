@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "solidnoise/core/quadrature.h"
+#include "solidnoise/core/special_functions.h"
 #include "solidnoise/noise/bandwidth.h"
 #include "solidnoise/noise/impulse_statistics.h"
 #include "solidnoise/noise/impulse_sums.h"
@@ -75,49 +76,37 @@ class WaveKernel final : public ImpulseKernel {
   std::array<CellAxis, Dim> axes_;
 };
 
-// Mean of the kernel's power spectrum over the cone of directions, by quadrature over the polar angle and the
-// directions around the axis.
+// Mean of the kernel's power spectrum over the cone of directions d: in closed form over the turns around the
+// cone's axis, by quadrature over the polar angle p. With f split into f_1 along the axis and f_2 across,
+//   |f - F d|^2 = (f_1 - F cos p)^2 + (f_2 - F sin p)^2 + 2 f_2 F sin p (1 - u),
+// where u is a coordinate of a uniform direction in Dim - 1 dimensions.
 template <int Dim>
 double mean_over_cone(const RandomPhaseGaborKernel<Dim>& kernel, const DirectionCone<Dim>& directions,
                       const Vec<Dim>& f) {
   const double frequency = glm::length(kernel.frequency());
-  using Polar = typename DirectionCone<Dim>::Polar;
-  const auto at = [&](const Polar& polar, const std::array<double, 3>& around) {
-    return RandomPhaseGaborKernel<Dim>(kernel.amplitude(), kernel.a(),
-                                       frequency * directions.at(polar, around))
-        .power_spectrum(f);
-  };
-  const double panels = std::max(2.0, std::ceil(0.5 * frequency / kernel.a()));
-  const int count = static_cast<int>(panels);
-  constexpr double kTurn = 2.0 * std::numbers::pi;
-  return integrate(
-      [&](double share) {
-        const Polar polar = directions.polar_angle(share);
-        if constexpr (Dim == 2) return 0.5 * (at(polar, {1.0, 0.0, 0.0}) + at(polar, {-1.0, 0.0, 0.0}));
-        if constexpr (Dim == 3) {
-          return integrate(
-              [&](double turn) {
-                return at(polar, {std::cos(kTurn * turn), std::sin(kTurn * turn), 0.0});
-              },
-              0.0, 1.0, count);
+  const double sharpness = 2.0 * std::numbers::pi / (kernel.a() * kernel.a());
+  const double along = glm::dot(f, directions.axis());
+  const double across = glm::length(f - along * directions.axis());
+  const auto edge = directions.polar_angle(1.0);
+  const double widest = std::atan2(edge.sine, edge.cosine);
+  const int panels = static_cast<int>(std::ceil(0.5 * frequency / kernel.a()));
+  const double area =
+      integrate([](double angle) { return std::pow(std::sin(angle), Dim - 2); }, 0.0, widest, panels);
+  const double total = integrate(
+      [&](double angle) {
+        const double sine = std::sin(angle);
+        const double cosine = std::cos(angle);
+        const double width = across - frequency * sine;
+        const double around = mean_exponential_scaled(Dim - 1, 2.0 * sharpness * across * frequency * sine);
+        double sum = 0.0;
+        for (const double side : {along, -along}) {
+          const double height = side - frequency * cosine;
+          sum += std::exp(-sharpness * (height * height + width * width)) * around;
         }
-        if constexpr (Dim == 4) {
-          return integrate(
-              [&](double half) {
-                const double height = 2.0 * half - 1.0;
-                const double width = std::sqrt(1.0 - height * height);
-                return integrate(
-                    [&](double turn) {
-                      return at(polar,
-                                {height, width * std::cos(kTurn * turn), width * std::sin(kTurn * turn)});
-                    },
-                    0.0, 1.0, count);
-              },
-              0.0, 1.0, count);
-        }
-        return at({}, {});
+        return sum * std::pow(sine, Dim - 2);
       },
-      0.0, 1.0, count);
+      0.0, widest, panels);
+  return 0.25 * kernel.amplitude() * kernel.amplitude() * std::pow(kernel.a(), -2 * Dim) * total / area;
 }
 
 }  // namespace
@@ -153,24 +142,26 @@ typename OrientedGaborNoise<Dim>::Wave OrientedGaborNoise<Dim>::wave(std::uint64
 
 template <int Dim>
 double OrientedGaborNoise<Dim>::power_spectrum(const Vec<Dim>& frequency) const {
-  if (options_.anisotropy == 0.0 && Dim > 1) {
-    return kernel_.isotropic_power_spectrum(glm::length(frequency)) / kernel_.energy();
-  }
-  if (options_.anisotropy == 1.0 || Dim == 1) {
-    // A pair of products of the envelope's transforms; per axis the envelope is exact.
-    double sum = 0.0;
-    for (const double sign : {1.0, -1.0}) {
-      double product = 1.0;
-      for (int axis = 0; axis < Dim; ++axis) {
-        const double spectrum =
-            envelope_.spectrum(std::abs(frequency[axis] - sign * kernel_.frequency()[axis]));
-        product *= spectrum * spectrum / envelope_.energy();
-      }
-      sum += 0.5 * product;
+  if constexpr (Dim > 1) {
+    if (options_.anisotropy == 0.0) {
+      return kernel_.isotropic_power_spectrum(glm::length(frequency)) / kernel_.energy();
     }
-    return sum;
+    if (options_.anisotropy < 1.0) {
+      return mean_over_cone<Dim>(kernel_, directions_, frequency) / kernel_.energy();
+    }
   }
-  return mean_over_cone<Dim>(kernel_, directions_, frequency) / kernel_.energy();
+  // A pair of products of the envelope's transforms; per axis the envelope is exact.
+  double sum = 0.0;
+  for (const double sign : {1.0, -1.0}) {
+    double product = 1.0;
+    for (int axis = 0; axis < Dim; ++axis) {
+      const double spectrum =
+          envelope_.spectrum(std::abs(frequency[axis] - sign * kernel_.frequency()[axis]));
+      product *= spectrum * spectrum / envelope_.energy();
+    }
+    sum += 0.5 * product;
+  }
+  return sum;
 }
 
 template <int Dim>
