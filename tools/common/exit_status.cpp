@@ -8,7 +8,7 @@
 #include "common/flag_set.h"
 #include "common/interrupt.h"
 #include "common/usage_error.h"
-#include "solidnoise/volume/progress.h"
+#include "solidnoise/core/progress.h"
 
 namespace solidnoise {
 namespace {

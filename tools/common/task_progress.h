@@ -5,7 +5,7 @@
 #include <string>
 
 #include "common/progress_bar.h"
-#include "solidnoise/volume/progress.h"
+#include "solidnoise/core/progress.h"
 
 namespace solidnoise {
 

@@ -2,9 +2,9 @@
 
 #include <string>
 
+#include "solidnoise/core/progress.h"
 #include "solidnoise/volume/field.h"
 #include "solidnoise/volume/openvdb.h"
-#include "solidnoise/volume/progress.h"
 #include "solidnoise/volume/statistics.h"
 #include "solidnoise/volume/topology.h"
 

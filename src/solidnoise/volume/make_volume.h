@@ -5,9 +5,9 @@
 #include <string>
 
 #include "solidnoise/core/box.h"
+#include "solidnoise/core/progress.h"
 #include "solidnoise/volume/grid_frame.h"
 #include "solidnoise/volume/openvdb.h"
-#include "solidnoise/volume/progress.h"
 #include "solidnoise/volume/statistics.h"
 #include "solidnoise/volume/triangle_mesh.h"
 #include "solidnoise/volume/vdb_write.h"

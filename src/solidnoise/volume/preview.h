@@ -1,8 +1,8 @@
 #pragma once
 
 #include "solidnoise/core/image.h"
+#include "solidnoise/core/progress.h"
 #include "solidnoise/volume/openvdb.h"
-#include "solidnoise/volume/progress.h"
 
 namespace solidnoise {
 

@@ -3,10 +3,10 @@
 #include <cstdint>
 
 #include "solidnoise/core/box.h"
+#include "solidnoise/core/progress.h"
 #include "solidnoise/core/vec.h"
 #include "solidnoise/volume/grid_frame.h"
 #include "solidnoise/volume/openvdb.h"
-#include "solidnoise/volume/progress.h"
 #include "solidnoise/volume/triangle_mesh.h"
 
 namespace solidnoise {

@@ -1,15 +1,11 @@
 #include "solidnoise/volume/vdb_write.h"
 
-#include <cerrno>
 #include <ostream>
-#include <system_error>
-#include <unistd.h>
-#include <utility>
+#include <stdexcept>
 
 #include <fmt/format.h>
 #include <openvdb/io/Compression.h>
 
-#include "solidnoise/volume/checked_file.h"
 #include "solidnoise/volume/vdb_reader.h"
 
 namespace solidnoise {
@@ -57,22 +53,6 @@ void write_archive(std::ostream& stream, CheckedArchive::Offsets offsets, const 
   stream.flush();
 }
 
-void write_to_descriptor(int descriptor, const std::string& name, CheckedArchive::Offsets offsets,
-                         const openvdb::GridCPtrVec& grids, const VdbWriteOptions& options) {
-  CheckedFileBuffer buffer(descriptor, name, options.progress);
-  std::ostream stream(&buffer);
-  stream.exceptions(std::ios::badbit | std::ios::failbit);
-  write_archive(stream, offsets, grids, options);
-}
-
-// The file that a path names, through links.
-std::filesystem::path resolve(const std::filesystem::path& path) {
-  std::error_code error;
-  if (!std::filesystem::is_symlink(path, error)) return path;
-  std::filesystem::path target = std::filesystem::weakly_canonical(path, error);
-  return error ? path : target;
-}
-
 // Opens what was written, and reads all but the values: those went through checked writes.
 void verify(const std::filesystem::path& written, const std::string& name, std::size_t grids) {
   std::size_t found = 0;
@@ -109,47 +89,14 @@ void set_fog_volume(openvdb::FloatGrid& grid, const std::string& name, const std
   grid.setCreator(creator);
 }
 
-void require_writable(const std::filesystem::path& path, Existing existing) {
-  if (path == "-") return;
-  const std::filesystem::path target = resolve(path);
-  std::error_code error;
-  const std::filesystem::file_status status = std::filesystem::status(target, error);
-  if (!target.has_filename() || std::filesystem::is_directory(status)) {
-    throw std::runtime_error(fmt::format("{}: is a folder; a file name is needed", path.string()));
-  }
-  if (std::filesystem::exists(status)) {
-    if (!std::filesystem::is_regular_file(status)) {
-      throw std::runtime_error(fmt::format("{}: is not a regular file", path.string()));
-    }
-    if (existing == Existing::refuse) throw OutputExists(path);
-  }
-  const std::filesystem::path folder = target.has_parent_path() ? target.parent_path() : ".";
-  if (!std::filesystem::is_directory(folder, error)) {
-    throw std::runtime_error(fmt::format("{}: there is no folder {}", path.string(), folder.string()));
-  }
-  if (::access(folder.c_str(), W_OK | X_OK) != 0) {
-    throw std::runtime_error(fmt::format("{}: cannot write in {}: {}", path.string(), folder.string(),
-                                         std::generic_category().message(errno)));
-  }
-}
-
 void write_vdb(const std::filesystem::path& path, const openvdb::GridCPtrVec& grids,
                const VdbWriteOptions& options) {
-  if (path == "-") {
-    write_to_descriptor(STDOUT_FILENO, "standard output", CheckedArchive::Offsets::none, grids, options);
-    return;
-  }
-  require_writable(path, options.existing);
-  TemporaryFile file(resolve(path));
-  write_to_descriptor(file.descriptor(), path.string(), CheckedArchive::Offsets::write, grids, options);
-  file.close();
-  verify(file.path(), path.string(), grids.size());
-  throw_if_cancelled(options.progress);
-  if (options.existing == Existing::replace) {
-    file.replace_target();
-  } else if (!file.become_target()) {
-    throw OutputExists(path);
-  }
+  const auto offsets = path == "-" ? CheckedArchive::Offsets::none : CheckedArchive::Offsets::write;
+  const auto verify_written = [&](const std::filesystem::path& written) {
+    verify(written, path.string(), grids.size());
+  };
+  write_output(path, {options.existing, options.progress, verify_written},
+               [&](std::ostream& stream) { write_archive(stream, offsets, grids, options); });
 }
 
 void write_vdb(std::ostream& stream, const openvdb::GridCPtrVec& grids, const VdbWriteOptions& options) {

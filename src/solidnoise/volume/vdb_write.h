@@ -5,12 +5,11 @@
 #include <iosfwd>
 #include <map>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <variant>
 
+#include "solidnoise/core/output_file.h"
 #include "solidnoise/volume/openvdb.h"
-#include "solidnoise/volume/progress.h"
 
 namespace solidnoise {
 
@@ -18,8 +17,6 @@ namespace solidnoise {
 // classes than fog volume and level set only, and on noise it gains nothing. With each, inactive voxels take
 // no room.
 enum class Codec { none, zip, blosc };
-
-enum class Existing { refuse, replace };
 
 using MetadataValue = std::variant<std::string, std::int64_t, double, bool>;
 using Metadata = std::map<std::string, MetadataValue>;
@@ -40,25 +37,9 @@ struct VdbWriteOptions {
   Progress* progress = nullptr;    // asked for cancellation while writing
 };
 
-// The output exists and was not to be replaced. The message names the path.
-class OutputExists : public std::runtime_error {
- public:
-  explicit OutputExists(const std::filesystem::path& path)
-      : std::runtime_error(path.string() + ": exists already") {}
-};
-
-// Throws std::runtime_error naming the path if write_vdb could not begin: a folder that is not there or not
-// writable, a path that is a folder or device; OutputExists if there is a file that is not to be replaced.
-// "-" always passes. For a tool to call before hours of work.
-void require_writable(const std::filesystem::path& path, Existing existing);
-
-// Writes grids to a .vdb, all or nothing: into a file `.NAME.tmp-PID-RANDOM` beside the target, synchronised
-// with the disk, opened again as a check, then renamed. Every write is checked, so that a full disk is
-// reported. On any failure the temporary file is removed. "-" writes to the standard output.
-// Throws std::runtime_error naming the path, OutputExists, Cancelled.
-//
-// A program that is interrupted should set the flag behind Progress::cancelled() in its signal handler: it is
-// looked at for every megabyte written, and the exception removes the temporary file.
+// Writes grids to a .vdb, all or nothing, as write_output does; what was written is opened again as a check.
+// "-" writes to the standard output, without the grids' offsets. Throws std::runtime_error naming the path,
+// OutputExists, Cancelled.
 void write_vdb(const std::filesystem::path& path, const openvdb::GridCPtrVec& grids,
                const VdbWriteOptions& options);
 

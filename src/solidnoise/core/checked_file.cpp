@@ -1,4 +1,4 @@
-#include "solidnoise/volume/checked_file.h"
+#include "solidnoise/core/checked_file.h"
 
 #include <cerrno>
 #include <cstdint>

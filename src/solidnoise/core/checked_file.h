@@ -7,7 +7,7 @@
 #include <streambuf>
 #include <string>
 
-#include "solidnoise/volume/progress.h"
+#include "solidnoise/core/progress.h"
 
 namespace solidnoise {
 
