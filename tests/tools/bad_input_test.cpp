@@ -109,7 +109,7 @@ const Refusal kRefusals[] = {
      {"--out", "x.vdb", "--noise", "perlin"},
      {"--noise is perlin", "gabor, gabor-oriented, kensler"}},
     {"Codec", 2, {"--out", "x.vdb", "--codec", "rar"}, {"--codec is rar", "blosc, zip, none"}},
-    {"Shape", 2, {"--out", "x.vdb", "--shape", "teapot"}, {"--shape is teapot", "FILE.obj"}},
+    {"Shape", 2, {"--out", "x.vdb", "--shape", "teapot"}, {"--shape is teapot", "FILE.obj (or .ply"}},
     {"Preset", 2, {"--out", "x.vdb", "--preset", "fog"}, {"--preset is fog", "cumulus"}},
     {"Preview", 2, {"--preview", "x.gif"}, {"--preview is x.gif", ".png"}},
     // Contradictions

@@ -10,6 +10,7 @@
 #include "common/parse_value.h"
 #include "common/usage_error.h"
 #include "solidnoise/core/check.h"
+#include "solidnoise/geometry/mesh_format.h"
 #include "solidnoise/volume/volume_recipe_json.h"
 
 namespace solidnoise {
@@ -37,14 +38,16 @@ Shape parse_shape(const std::string& text) {
   if (text == "sphere") return SphereShape{};
   if (text == "ellipsoid") return EllipsoidShape{};
   const auto whole = [](const std::string& file) { return std::filesystem::absolute(file).string(); };
-  if (text.ends_with(".obj")) return MeshShape{whole(text)};
+  if (is_mesh_path(text)) return MeshShape{whole(text)};
   if (text.ends_with(".vdb")) return GridShape{whole(text), {}};
   const std::size_t end_of_file = text.rfind(".vdb:");
   if (end_of_file != std::string::npos && end_of_file + 5 < text.size()) {
     return GridShape{whole(text.substr(0, end_of_file + 4)), text.substr(end_of_file + 5)};
   }
-  throw UsageError(fmt::format(
-      "--shape is {}; it must be box, sphere, ellipsoid, FILE.obj, FILE.vdb or FILE.vdb:GRID", text));
+  throw UsageError(
+      fmt::format("--shape is {}; it must be box, sphere, ellipsoid, FILE.obj (or .ply, .off, .stl, .om), "
+                  "FILE.vdb or FILE.vdb:GRID",
+                  text));
 }
 
 // Another up axis turns the box about x, so that what stood upright still does.
@@ -115,8 +118,8 @@ void declare_shape(FlagSet& flags, VolumeRecipe& recipe) {
   flags.group("Shape and resolution (1 world unit is 1 m)");
   flags.text(
       "--shape", "SHAPE",
-      "box, sphere or ellipsoid: in the box; FILE.obj: inside of a closed mesh; FILE.vdb[:GRID]: active "
-      "voxels of a grid",
+      "box, sphere or ellipsoid: in the box; FILE.obj (or .ply, .off, .stl, .om): inside of a closed mesh; "
+      "FILE.vdb[:GRID]: active voxels of a grid",
       [&](const std::string& text) { recipe.shape = parse_shape(text); });
   flags.choice("--up", names_of(kUpAxisChoices),
                "The up axis, kept in the file; shapes stand on it (default y)",

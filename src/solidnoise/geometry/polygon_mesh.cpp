@@ -1,6 +1,7 @@
 #include "solidnoise/geometry/polygon_mesh.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace solidnoise {
 
@@ -13,6 +14,16 @@ const VertexProperty* PolygonMesh::property(std::string_view name) const {
   const auto found = std::find_if(properties.begin(), properties.end(),
                                   [&](const VertexProperty& property) { return property.name == name; });
   return found == properties.end() ? nullptr : &*found;
+}
+
+void PolygonMesh::set_property(VertexProperty property) {
+  const auto found = std::find_if(properties.begin(), properties.end(),
+                                  [&](const VertexProperty& other) { return other.name == property.name; });
+  if (found == properties.end()) {
+    properties.push_back(std::move(property));
+  } else {
+    *found = std::move(property);
+  }
 }
 
 std::vector<Triangle> triangulate(const PolygonMesh& mesh) {

@@ -22,6 +22,10 @@ struct VertexProperty {
   std::vector<double> values;             // one per vertex
 };
 
+// What files call the parts of a normal and of a colour.
+inline constexpr std::array<std::string_view, 3> kNormalNames{"nx", "ny", "nz"};
+inline constexpr std::array<std::string_view, 4> kColorNames{"red", "green", "blue", "alpha"};
+
 // A mesh as a file has it: indexed vertices and polygons, in the file's order, whether or not they make a
 // surface. Nothing is renumbered or repaired.
 struct PolygonMesh {
@@ -29,6 +33,7 @@ struct PolygonMesh {
   std::vector<std::uint32_t> face_starts{0};  // where each face begins in `corners`, and the end of the last
   std::vector<std::uint32_t> corners;         // vertex indices, face after face
   std::vector<VertexProperty> properties;     // in the file's order
+  ScalarType position_type = ScalarType::float32;  // or float64: as exactly as a file is to store them
 
   std::size_t face_count() const { return face_starts.size() - 1; }
   std::span<const std::uint32_t> face(std::size_t index) const {
@@ -39,6 +44,8 @@ struct PolygonMesh {
 
   // The property of this name, or null.
   const VertexProperty* property(std::string_view name) const;
+  // Puts a property in the place of the one of its name, or after all others.
+  void set_property(VertexProperty property);
 };
 
 using Triangle = std::array<std::uint32_t, 3>;

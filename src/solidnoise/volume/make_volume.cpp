@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "solidnoise/geometry/read_mesh.h"
 #include "solidnoise/noise/slice_noise.h"
 #include "solidnoise/recipe/json.h"
 #include "solidnoise/volume/cloud_field.h"
@@ -115,7 +116,8 @@ VolumePlan plan_volume(const VolumeRecipe& recipe) {
     return plan;
   }
   if (const auto* shape = std::get_if<MeshShape>(&recipe.shape)) {
-    plan.mesh = read_obj(shape->file);
+    PolygonMesh mesh = read_mesh(shape->file).mesh;
+    plan.mesh = TriangleMesh{std::move(mesh.positions), triangulate(mesh)};
     try {
       require_closed(*plan.mesh);
     } catch (const std::invalid_argument& error) {

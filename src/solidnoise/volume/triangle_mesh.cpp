@@ -1,7 +1,9 @@
 #include "solidnoise/volume/triangle_mesh.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 #include <stdexcept>
 #include <tuple>
@@ -11,7 +13,6 @@
 namespace solidnoise {
 namespace {
 
-using Triangle = std::array<std::uint32_t, 3>;
 using Edge = std::array<std::uint32_t, 2>;
 
 void require_usable_arrays(const TriangleMesh& mesh) {

@@ -24,7 +24,7 @@ struct EllipsoidShape {
   friend bool operator==(const EllipsoidShape&, const EllipsoidShape&) = default;
 };
 struct MeshShape {
-  std::string file;  // Wavefront OBJ, a closed mesh; its own bounds take the place of the box
+  std::string file;  // .ply .obj .off .stl .om, a closed mesh; its own bounds take the place of the box
   friend bool operator==(const MeshShape&, const MeshShape&) = default;
 };
 struct GridShape {

@@ -1,0 +1,167 @@
+#include "solidnoise/geometry/inspect_mesh.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <span>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+namespace solidnoise {
+namespace {
+
+// An edge of a face: the smaller vertex in the upper half, the larger in the lower, and which way it is gone.
+struct FaceEdge {
+  std::uint64_t vertices;
+  bool upward;  // from the smaller to the larger
+};
+
+std::vector<FaceEdge> sorted_edges(const PolygonMesh& mesh) {
+  std::vector<FaceEdge> edges;
+  edges.reserve(mesh.corners.size());
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const auto face = mesh.face(f);
+    for (std::size_t k = 0; k < face.size() && face.size() > 1; ++k) {
+      const std::uint64_t a = face[k];
+      const std::uint64_t b = face[k + 1 < face.size() ? k + 1 : 0];
+      if (a != b) edges.push_back({std::min(a, b) << 32 | std::max(a, b), a < b});
+    }
+  }
+  std::sort(edges.begin(), edges.end(),
+            [](const FaceEdge& a, const FaceEdge& b) { return a.vertices < b.vertices; });
+  return edges;
+}
+
+void count_edges(const PolygonMesh& mesh, MeshReport& report) {
+  const std::vector<FaceEdge> edges = sorted_edges(mesh);
+  double total_length = 0.0;
+  for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
+    while (end < edges.size() && edges[end].vertices == edges[begin].vertices) ++end;
+    const Vec<3>& a = mesh.positions[edges[begin].vertices >> 32];
+    const Vec<3>& b = mesh.positions[edges[begin].vertices & 0xffffffffu];
+    const std::size_t faces = end - begin;
+    ++report.edges;
+    total_length += glm::length(b - a);
+    if (a == b) ++report.zero_length_edges;
+    if (faces == 1) ++report.boundary_edges;
+    if (faces > 2) ++report.non_manifold_edges;
+    if (faces == 2 && edges[begin].upward == edges[begin + 1].upward) ++report.flipped_edges;
+  }
+  if (report.edges > 0) report.mean_edge_length = total_length / static_cast<double>(report.edges);
+}
+
+bool is_degenerate(const PolygonMesh& mesh, std::span<const std::uint32_t> face,
+                   std::span<const std::uint32_t> sorted) {
+  if (face.size() < 3 || std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) return true;
+  Vec<3> twice_area(0.0);
+  double longest = 0.0;
+  for (std::size_t k = 0; k < face.size(); ++k) {
+    const Vec<3> a = mesh.positions[face[k]] - mesh.positions[face[0]];
+    const Vec<3> b = mesh.positions[face[k + 1 < face.size() ? k + 1 : 0]] - mesh.positions[face[0]];
+    twice_area += glm::cross(a, b);
+    longest = std::max(longest, glm::dot(b - a, b - a));
+  }
+  constexpr double kNoArea = 1e-14;
+  return !(glm::length(twice_area) > kNoArea * longest);
+}
+
+void count_faces(const PolygonMesh& mesh, MeshReport& report) {
+  // The corners of each face in ascending order, and a hash of them that brings equal ones together.
+  std::vector<std::uint32_t> sorted = mesh.corners;
+  const auto corners = [&](std::size_t f) {
+    return std::span(sorted).subspan(mesh.face_starts[f], mesh.face_starts[f + 1] - mesh.face_starts[f]);
+  };
+  std::vector<std::uint64_t> hashes(mesh.face_count());
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    std::sort(corners(f).begin(), corners(f).end());
+    if (is_degenerate(mesh, mesh.face(f), corners(f))) ++report.degenerate_faces;
+    std::uint64_t hash = 0xcbf29ce484222325u;  // FNV-1a, by vertices in place of bytes
+    for (const std::uint32_t corner : corners(f)) hash = (hash ^ corner) * 0x100000001b3u;
+    hashes[f] = hash;
+  }
+  std::vector<std::size_t> order(mesh.face_count());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto compare = [&](std::size_t a, std::size_t b) {
+    if (hashes[a] != hashes[b]) return hashes[a] < hashes[b];
+    return std::lexicographical_compare(corners(a).begin(), corners(a).end(), corners(b).begin(),
+                                        corners(b).end());
+  };
+  std::sort(order.begin(), order.end(), compare);
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    if (!compare(order[i - 1], order[i])) ++report.duplicate_faces;
+  }
+}
+
+// Counts the sets of vertices that faces connect, by merging them: each vertex points towards the smallest
+// vertex of its set.
+void count_components(const PolygonMesh& mesh, MeshReport& report) {
+  std::vector<std::uint32_t> parent(mesh.positions.size());
+  std::iota(parent.begin(), parent.end(), 0u);
+  const auto find_root = [&](std::uint32_t v) {
+    while (parent[v] != v) v = parent[v] = parent[parent[v]];
+    return v;
+  };
+  std::vector<bool> used(mesh.positions.size());
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    for (const std::uint32_t corner : mesh.face(f)) {
+      used[corner] = true;
+      const std::uint32_t a = find_root(mesh.face(f)[0]);
+      const std::uint32_t b = find_root(corner);
+      parent[std::max(a, b)] = std::min(a, b);
+    }
+  }
+  for (std::uint32_t v = 0; v < parent.size(); ++v) {
+    if (!used[v]) {
+      ++report.isolated_vertices;
+    } else if (parent[v] == v) {
+      ++report.components;
+    }
+  }
+}
+
+Box<3> bounds_of(const std::vector<Vec<3>>& positions) {
+  if (positions.empty()) return {};
+  Box<3> box{positions[0], positions[0]};
+  for (const Vec<3>& position : positions) {
+    for (int axis = 0; axis < 3; ++axis) {
+      box.lower[axis] = std::min(box.lower[axis], position[axis]);
+      box.upper[axis] = std::max(box.upper[axis], position[axis]);
+    }
+  }
+  return box;
+}
+
+}  // namespace
+
+bool MeshReport::is_closed() const {
+  return faces > 0 && boundary_edges == 0 && non_manifold_edges == 0 && flipped_edges == 0;
+}
+
+MeshReport inspect_mesh(const PolygonMesh& mesh) {
+  MeshReport report;
+  report.vertices = mesh.positions.size();
+  report.faces = mesh.face_count();
+  report.bounds = bounds_of(mesh.positions);
+  count_edges(mesh, report);
+  count_faces(mesh, report);
+  count_components(mesh, report);
+  return report;
+}
+
+std::vector<std::string> mesh_warnings(const MeshReport& report) {
+  std::vector<std::string> warnings;
+  const auto warn = [&](std::size_t count, std::string_view one, std::string_view many,
+                        std::string_view what) {
+    if (count > 0) warnings.push_back(fmt::format("{} {} {}", count, count == 1 ? one : many, what));
+  };
+  warn(report.non_manifold_edges, "edge is", "edges are", "between more than two faces");
+  warn(report.flipped_edges, "edge is", "edges are", "between faces that disagree on the outside");
+  warn(report.zero_length_edges, "edge has", "edges have", "no length");
+  warn(report.degenerate_faces, "face is", "faces are", "degenerate");
+  warn(report.duplicate_faces, "face repeats", "faces repeat", "an earlier one");
+  return warnings;
+}
+
+}  // namespace solidnoise

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+
+#include "solidnoise/geometry/polygon_mesh.h"
+
+namespace solidnoise {
+
+// Calls `function` with a value of the C++ type that `type` stands for.
+template <typename Function>
+auto visit_scalar_type(ScalarType type, const Function& function) {
+  switch (type) {
+    case ScalarType::int8:
+      return function(std::int8_t{});
+    case ScalarType::uint8:
+      return function(std::uint8_t{});
+    case ScalarType::int16:
+      return function(std::int16_t{});
+    case ScalarType::uint16:
+      return function(std::uint16_t{});
+    case ScalarType::int32:
+      return function(std::int32_t{});
+    case ScalarType::uint32:
+      return function(std::uint32_t{});
+    case ScalarType::float32:
+      return function(float{});
+    case ScalarType::float64:
+      return function(double{});
+  }
+  throw std::invalid_argument("unknown scalar type");
+}
+
+constexpr bool is_float(ScalarType type) {
+  return type == ScalarType::float32 || type == ScalarType::float64;
+}
+
+// Bytes of a number.
+inline std::size_t size_of(ScalarType type) {
+  return visit_scalar_type(type, [](auto value) { return sizeof(value); });
+}
+
+}  // namespace solidnoise
