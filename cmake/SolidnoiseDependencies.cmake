@@ -27,6 +27,13 @@ if(SOLIDNOISE_BUILD_MESH)
   target_link_libraries(OpenMesh::OpenMesh INTERFACE OpenMeshCore OpenMeshTools)
 endif()
 
+# Casts the rays of meshes' previews; without it there are none.
+find_package(embree 3 CONFIG QUIET)
+if(embree_FOUND)
+  add_library(embree::embree INTERFACE IMPORTED)
+  target_link_libraries(embree::embree INTERFACE embree)
+endif()
+
 if(SOLIDNOISE_BUILD_IMAGE)
   # Not by its config file: Debian's refuses to load unless OpenImageIO's own tools, and Qt with them, are installed,
   # and names an include folder that does not exist.

@@ -2,11 +2,10 @@
 
 #include "solidnoise/core/image.h"
 #include "solidnoise/core/progress.h"
+#include "solidnoise/core/up_axis.h"
 #include "solidnoise/volume/openvdb.h"
 
 namespace solidnoise {
-
-enum class UpAxis { y, z };
 
 struct PreviewOptions {
   int width = 480;   // pixels; 16 to 8192

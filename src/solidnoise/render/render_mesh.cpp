@@ -1,0 +1,219 @@
+#include "solidnoise/render/render_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+#include <tbb/parallel_for.h>
+
+#include "solidnoise/core/check.h"
+#include "solidnoise/render/mesh_scene.h"
+
+namespace solidnoise {
+namespace {
+
+constexpr float kTangent = 0.3f;       // of half the field of view, along the picture's shorter side
+constexpr float kMargin = 1.08f;       // of the picture over what must be in it
+constexpr int kSubpixels = 3;          // along each side of a pixel
+constexpr int kSkyRays = 6;            // per subpixel
+constexpr float kLeastShadow = 2e-4f;  // of the mesh's radius: nearer than this nothing casts a shadow
+
+const Color kSun(1.9f, 1.8f, 1.65f);
+const Color kSky(0.62f, 0.66f, 0.72f);
+const Color kGround(0.22f, 0.2f, 0.18f);
+const Color kBackgroundLow(0.62f, 0.62f, 0.62f);
+const Color kBackgroundHigh(0.34f, 0.36f, 0.39f);
+
+// A frame of reference for looking: x to the right, y up, z towards the camera.
+struct View {
+  glm::vec3 vertical;
+  glm::vec3 right;
+  glm::vec3 up;
+  glm::vec3 back;
+};
+
+View three_quarter_view(UpAxis axis) {
+  View view;
+  view.vertical = axis == UpAxis::y ? glm::vec3(0, 1, 0) : glm::vec3(0, 0, 1);
+  const glm::vec3 front = axis == UpAxis::y ? glm::vec3(0, 0, 1) : glm::vec3(0, -1, 0);
+  view.back = glm::normalize(0.55f * glm::cross(view.vertical, front) + 0.32f * view.vertical + front);
+  view.right = glm::normalize(glm::cross(view.vertical, view.back));
+  view.up = glm::cross(view.back, view.right);
+  return view;
+}
+
+// Where the camera stands, and how far it sees to each side at distance 1.
+struct Camera {
+  View view;
+  glm::vec3 position{0.0f};
+  glm::vec2 tangent{1.0f};
+
+  Camera(const MeshScene& scene, const MeshPictureOptions& options) : view(three_quarter_view(options.up)) {
+    const auto shorter = static_cast<float>(std::min(options.width, options.height));
+    tangent = kTangent / shorter * glm::vec2(options.width, options.height);
+    glm::vec3 low(1e9f);
+    glm::vec3 high(-1e9f);
+    const auto for_each_corner = [&](const auto& visit) {
+      for (const Triangle& triangle : scene.triangles()) {
+        for (const std::uint32_t vertex : triangle) {
+          const glm::vec3& p = scene.positions()[vertex];
+          visit(glm::vec3(glm::dot(p, view.right), glm::dot(p, view.up), glm::dot(p, view.back)));
+        }
+      }
+    };
+    for_each_corner([&](const glm::vec3& p) {
+      low = glm::min(low, p);
+      high = glm::max(high, p);
+    });
+    const glm::vec3 middle = 0.5f * (low + high);
+    float distance = high.z + 0.1f;
+    for_each_corner([&](const glm::vec3& p) {
+      distance = std::max({distance, p.z + std::abs(p.x - middle.x) * kMargin / tangent.x,
+                           p.z + std::abs(p.y - middle.y) * kMargin / tangent.y});
+    });
+    position = middle.x * view.right + middle.y * view.up + distance * view.back;
+  }
+
+  // Through a point of the picture, from -1 to 1 to the right and up.
+  MeshScene::Ray ray(const glm::vec2& at) const {
+    return {position, glm::normalize(at.x * tangent.x * view.right + at.y * tangent.y * view.up - view.back)};
+  }
+};
+
+// Fraction of n / base^k's digits mirrored: evenly spread numbers in [0, 1).
+float radical_inverse(unsigned n, unsigned base) {
+  float result = 0.0f;
+  float digit = 1.0f / static_cast<float>(base);
+  for (; n > 0; n /= base, digit /= static_cast<float>(base)) result += digit * static_cast<float>(n % base);
+  return result;
+}
+
+// Of unit length, at right angles to `normal` and to each other.
+std::array<glm::vec3, 2> tangents_of(const glm::vec3& normal) {
+  const glm::vec3 other = std::abs(normal.x) < 0.6f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
+  const glm::vec3 first = glm::normalize(glm::cross(normal, other));
+  return {first, glm::cross(normal, first)};
+}
+
+// The mesh, its normals and colours under sun and sky.
+class Shader {
+ public:
+  Shader(const MeshScene& scene, const View& view, std::span<const Vec<3>> normals,
+         std::span<const Color> colors)
+      : scene_(scene),
+        normals_(normals),
+        colors_(colors),
+        vertical_(view.vertical),
+        sun_(glm::normalize(-0.75f * view.right + 0.75f * view.vertical + 0.55f * view.back)) {}
+
+  // Linear light that comes back along the ray. `sample` is the number of the picture's subpixel.
+  Color shade(const MeshScene::Ray& ray, const MeshScene::Hit& hit, unsigned sample) const {
+    const Triangle& triangle = scene_.triangles()[hit.triangle];
+    const std::array<float, 3> weights{1.0f - hit.u - hit.v, hit.u, hit.v};
+    Color color(0.0f);
+    glm::vec3 normal(0.0f);
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      color += weights[corner] * colors_[triangle[corner]];
+      normal += weights[corner] * glm::vec3(normals_[triangle[corner]]);
+    }
+    glm::vec3 facet = facet_normal(triangle);
+    if (glm::dot(facet, ray.direction) > 0.0f) facet = -facet;
+    normal = glm::dot(normal, normal) > 1e-12f ? glm::normalize(normal) : facet;
+    if (glm::dot(normal, facet) < 0.0f) normal = -normal;
+
+    const glm::vec3 at = ray.origin + hit.distance * ray.direction + kLeastShadow * facet;
+    Color light = sky_light(at, normal, sample);
+    const float toward_sun = glm::dot(normal, sun_);
+    if (toward_sun > 0.0f && !scene_.blocked({at, sun_}, kLeastShadow)) light += toward_sun * kSun;
+    return color * light;
+  }
+
+ private:
+  glm::vec3 facet_normal(const Triangle& triangle) const {
+    const auto positions = scene_.positions();
+    const glm::vec3 cross = glm::cross(positions[triangle[1]] - positions[triangle[0]],
+                                       positions[triangle[2]] - positions[triangle[0]]);
+    const float length = glm::length(cross);
+    return length > 0.0f ? cross / length : vertical_;
+  }
+
+  // From directions that are spread as the cosine to the normal.
+  Color sky_light(const glm::vec3& at, const glm::vec3& normal, unsigned sample) const {
+    const auto [first, second] = tangents_of(normal);
+    Color sum(0.0f);
+    for (unsigned k = 0; k < kSkyRays; ++k) {
+      const unsigned n = sample * kSkyRays + k + 1;
+      const float turn = 2.0f * std::numbers::pi_v<float> * radical_inverse(n, 2);
+      const float height = radical_inverse(n, 3);
+      const float width = std::sqrt(1.0f - height);
+      const glm::vec3 direction =
+          width * (std::cos(turn) * first + std::sin(turn) * second) + std::sqrt(height) * normal;
+      if (scene_.blocked({at, direction}, kLeastShadow)) continue;
+      sum += glm::mix(kGround, kSky, 0.5f + 0.5f * glm::dot(direction, vertical_));
+    }
+    return sum / static_cast<float>(kSkyRays);
+  }
+
+  const MeshScene& scene_;
+  std::span<const Vec<3>> normals_;
+  std::span<const Color> colors_;
+  glm::vec3 vertical_;
+  glm::vec3 sun_;
+};
+
+// Highlights are rolled off above 0.7, then encoded.
+float develop(float linear) {
+  constexpr float kShoulder = 0.7f;
+  if (linear > kShoulder) {
+    linear = 1.0f - (1.0f - kShoulder) * std::exp(-(linear - kShoulder) / (1.0f - kShoulder));
+  }
+  return std::clamp(srgb_from_linear(linear), 0.0f, 1.0f);
+}
+
+void require_size(const char* name, std::size_t size, std::size_t vertices) {
+  if (size == vertices) return;
+  throw std::invalid_argument(
+      fmt::format("{} are {}; there must be one for each of the {} vertices", name, size, vertices));
+}
+
+}  // namespace
+
+Image render_mesh(const PolygonMesh& mesh, std::span<const Vec<3>> normals, std::span<const Color> colors,
+                  const MeshPictureOptions& options) {
+  require_in_range("the picture's width", options.width, 16, 8192, "pixels");
+  require_in_range("the picture's height", options.height, 16, 8192, "pixels");
+  require_size("normals", normals.size(), mesh.positions.size());
+  require_size("colors", colors.size(), mesh.positions.size());
+
+  const MeshScene scene(mesh);
+  const Camera camera(scene, options);
+  const Shader shader(scene, camera.view, normals, colors);
+  Image image(options.width, options.height, 3);
+  tbb::parallel_for(0, options.height, [&](int y) {
+    for (int x = 0; x < options.width; ++x) {
+      Color sum(0.0f);
+      for (int sub = 0; sub < kSubpixels * kSubpixels; ++sub) {
+        const float right =
+            static_cast<float>(x) + (static_cast<float>(sub % kSubpixels) + 0.5f) / kSubpixels;
+        const float down = static_cast<float>(y) + (static_cast<float>(sub / kSubpixels) + 0.5f) / kSubpixels;
+        const glm::vec2 at(2.0f * right / static_cast<float>(options.width) - 1.0f,
+                           1.0f - 2.0f * down / static_cast<float>(options.height));
+        const MeshScene::Ray ray = camera.ray(at);
+        const auto hit = scene.nearest(ray);
+        const auto sample = static_cast<unsigned>((y * options.width + x) * kSubpixels * kSubpixels + sub);
+        sum += hit ? shader.shade(ray, *hit, sample)
+                   : glm::mix(kBackgroundLow, kBackgroundHigh, 0.5f + 0.5f * at.y);
+      }
+      for (int channel = 0; channel < 3; ++channel) {
+        image.at(x, y, channel) = develop(sum[channel] / static_cast<float>(kSubpixels * kSubpixels));
+      }
+    }
+  });
+  return image;
+}
+
+}  // namespace solidnoise
