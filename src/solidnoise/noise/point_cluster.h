@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -28,21 +29,27 @@ class PointImpulses {
 
   float* position(int axis) { return channels_[static_cast<std::size_t>(axis)].data(); }
   const float* position(int axis) const { return channels_[static_cast<std::size_t>(axis)].data(); }
-  // 1 or -1.
-  float* weight() { return channels_[kMaxAxes].data(); }
-  const float* weight() const { return channels_[kMaxAxes].data(); }
-  // 2^-n + (1 - 2^-n) u of ScaleTransition::fade; its y divided by (r / 2^l)^n.
-  float* turn() { return channels_[kMaxAxes + 1].data(); }
-  const float* turn() const { return channels_[kMaxAxes + 1].data(); }
+  // What an impulse carries: weight and turn, or the components of a gradient.
+  enum Attribute {
+    kWeight,  // 1 or -1
+    kTurn,    // 2^-n + (1 - 2^-n) u of ScaleTransition::fade: its y divided by (r / 2^l)^n
+    kGradientX = 0,
+    kGradientY,
+    kGradientZ,
+    kMaxAttributes,
+  };
+  float* attribute(int channel) { return position(kMaxAxes + channel); }
+  const float* attribute(int channel) const { return position(kMaxAxes + channel); }
 
  private:
-  std::array<std::vector<float>, kMaxAxes + 2> channels_;
+  std::array<std::vector<float>, kMaxAxes + kMaxAttributes> channels_;
   std::size_t size_ = 0;
 };
 
 // What may be of interest to some points.
 struct PointCull {
   int dimensions = 3;
+  int attributes = 2;                                  // of the impulses, that are kept with them
   std::array<float, PointImpulses::kMaxAxes> lower{};  // of the points' box
   std::array<float, PointImpulses::kMaxAxes> upper{};
   float reach = 1.0f;  // the largest distance of an impulse from a point
@@ -50,8 +57,8 @@ struct PointCull {
   std::array<float, 3> normal{};
   float below = 0.0f;
   float above = 0.0f;
-  float least_turn = 0.0f;
-  float most_turn = 1.0f;
+  float least_turn = -HUGE_VALF;
+  float most_turn = HUGE_VALF;
 };
 // Appends to `kept` the impulses that are not out of reach of all points.
 void cull_impulses(const PointImpulses& impulses, const PointCull& cull, PointImpulses& kept);
@@ -91,5 +98,20 @@ struct PointKernel {
 // `impulses` is padded by one if their number is odd, with one of weight 0.
 void sum_impulses(const PointKernel& kernel, const PointCluster& cluster, const PointPolynomials& polynomials,
                   PointImpulses& impulses, float* values);
+
+// Gradient noise projected on surfaces: impulses are lattice points with gradients G, and with d = o n + A
+// the offset split along the normal and along the surface, the kernel is
+//   (A . G) t^4 (t - root) window(|o| / height),  t = 1 - |A|^2 / r^2, 0 where negative.
+struct ProjectedKernel {
+  enum class Window {
+    hermite,  // 3 x^2 - 2 x^3, x = 1 - u
+    cosine,   // cos(pi/2 (3 u^2 - 2 u^3)): the squares of two of them, 1 apart, add up to 1
+  };
+  Window window = Window::hermite;
+  float root = 0.75f;
+};
+// Of the cluster it takes coordinates, normals and inverse squares; the same for all lanes.
+void sum_projected(const ProjectedKernel& kernel, const PointCluster& cluster, const PointImpulses& impulses,
+                   float* values);
 
 }  // namespace solidnoise

@@ -45,14 +45,14 @@ class PointConvolution {
   // unit support (the integral over the layer's window included).
   double power() const { return power_; }
 
-  using Prepare = std::function<void(std::size_t point, KernelPoint<Dim>& kernel)>;
-  // `prepare` says what the kernel at a point is; called once for each. Serial.
+  // Says what the kernels at some points are: those with the numbers `points`, one kernel for each.
+  using Prepare =
+      std::function<void(std::span<const std::size_t> points, std::span<KernelPoint<Dim>> kernels)>;
+  // Calls `prepare` once for each point. Serial.
   void evaluate(const Points<Dim>& points, const Prepare& prepare, std::span<float> values) const;
 
  private:
   class Evaluation;
-
-  double reach() const;  // farthest impulse, in kernel radii
 
   Settings settings_;
   double density_ = 0.0;  // mean impulses in a cube whose side is a kernel radius

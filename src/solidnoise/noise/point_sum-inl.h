@@ -100,7 +100,7 @@ class PointTerms {
       offset[axis] = hn::Sub(at_[axis], hn::Set(d, impulses_.position(axis)[i]));
     }
     V square = dot<kDim>(offset, offset);
-    factor = hn::Set(d, impulses_.weight()[i]);
+    factor = hn::Set(d, impulses_.attribute(PointImpulses::kWeight)[i]);
     if constexpr (kLayer) {
       const V height = dot<3>(offset, normal_);
       const V height_square = hn::Mul(height, height);
@@ -133,7 +133,7 @@ class PointTerms {
     constexpr float kLowest = 1.0f / static_cast<float>(1 << kDim);
     constexpr float kPerRise = 2.0f / kLowest;
     constexpr float kPerFall = 4.0f;
-    const V y = hn::Mul(density_, hn::Set(d, impulses_.turn()[i]));
+    const V y = hn::Mul(density_, hn::Set(d, impulses_.attribute(PointImpulses::kTurn)[i]));
     const V in = hn::MulAdd(y, hn::Set(d, kPerRise), hn::Set(d, -kLowest * kPerRise));
     const V out = hn::NegMulAdd(y, hn::Set(d, kPerFall), hn::Set(d, kPerFall));
     const V x = hn::Max(hn::Min(hn::Min(in, out), hn::Set(d, 1.0f)), hn::Zero(d));
@@ -230,7 +230,7 @@ inline void CullPointImpulses(const PointImpulses& impulses, const PointCull& cu
     V along = hn::Mul(hn::LoadU(d, impulses.position(0) + i), hn::Set(d, cull.normal[0]));
     along = hn::MulAdd(hn::LoadU(d, impulses.position(1) + i), hn::Set(d, cull.normal[1]), along);
     along = hn::MulAdd(hn::LoadU(d, impulses.position(2) + i), hn::Set(d, cull.normal[2]), along);
-    const V turn = hn::LoadU(d, impulses.turn() + i);
+    const V turn = hn::LoadU(d, impulses.attribute(PointImpulses::kTurn) + i);
     auto keep =
         hn::And(hn::Lt(square, reach_square), hn::FirstN(d, std::min(hn::Lanes(d), impulses.size() - i)));
     keep =
@@ -240,8 +240,9 @@ inline void CullPointImpulses(const PointImpulses& impulses, const PointCull& cu
     for (int axis = 0; axis < cull.dimensions; ++axis) {
       StoreKept(d, hn::LoadU(d, impulses.position(axis) + i), keep, kept.position(axis) + end);
     }
-    StoreKept(d, hn::LoadU(d, impulses.weight() + i), keep, kept.weight() + end);
-    StoreKept(d, turn, keep, kept.turn() + end);
+    for (int channel = 0; channel < cull.attributes; ++channel) {
+      StoreKept(d, hn::LoadU(d, impulses.attribute(channel) + i), keep, kept.attribute(channel) + end);
+    }
     end += hn::CountTrue(d, keep);
   }
   kept.set_size(end);

@@ -6,12 +6,14 @@
 #include <hwy/foreach_target.h>
 // After foreach_target.
 #include "solidnoise/noise/point_sum-inl.h"
+#include "solidnoise/noise/projected_sum-inl.h"
 
 #if HWY_ONCE
 namespace solidnoise {
 
 HWY_EXPORT(CullPointImpulses);
 HWY_EXPORT(SumPointImpulses);
+HWY_EXPORT(SumProjected);
 
 void cull_impulses(const PointImpulses& impulses, const PointCull& cull, PointImpulses& kept) {
   HWY_DYNAMIC_DISPATCH(CullPointImpulses)(impulses, cull, kept);
@@ -22,11 +24,16 @@ void sum_impulses(const PointKernel& kernel, const PointCluster& cluster, const 
   if (impulses.size() % 2 == 1) {
     impulses.reserve(impulses.size() + 1);
     for (int axis = 0; axis < kernel.dimensions; ++axis) impulses.position(axis)[impulses.size()] = 0.0f;
-    impulses.weight()[impulses.size()] = 0.0f;
-    impulses.turn()[impulses.size()] = 0.0f;
+    impulses.attribute(PointImpulses::kWeight)[impulses.size()] = 0.0f;
+    impulses.attribute(PointImpulses::kTurn)[impulses.size()] = 0.0f;
     impulses.set_size(impulses.size() + 1);
   }
   HWY_DYNAMIC_DISPATCH(SumPointImpulses)(kernel, cluster, polynomials, impulses, values);
+}
+
+void sum_projected(const ProjectedKernel& kernel, const PointCluster& cluster, const PointImpulses& impulses,
+                   float* values) {
+  HWY_DYNAMIC_DISPATCH(SumProjected)(kernel, cluster, impulses, values);
 }
 
 }  // namespace solidnoise

@@ -18,17 +18,11 @@ constexpr double kStepFourth = 81.0 / 9.0 - 216.0 / 10.0 + 216.0 / 11.0 - 96.0 /
 }  // namespace
 
 ScaleWeights scale_weights(ScaleTransition transition, int n, double alpha) {
+  if (transition == ScaleTransition::fade) return {1.0, 1.0};
   const double growth = std::pow(1.0 + alpha, n);
-  switch (transition) {
-    case ScaleTransition::power: {
-      const double angle = 0.5 * std::numbers::pi * smooth_step(alpha);
-      return {std::cos(angle) / std::sqrt(growth), std::sin(angle) * std::sqrt(std::exp2(n) / growth)};
-    }
-    case ScaleTransition::paper:
-      return {(1.0 - alpha) / growth, std::exp2(n) * alpha / growth};
-    default:
-      return {1.0, 1.0};
-  }
+  if (transition == ScaleTransition::paper) return {(1.0 - alpha) / growth, std::exp2(n) * alpha / growth};
+  const double angle = 0.5 * std::numbers::pi * smooth_step(alpha);
+  return {std::cos(angle) / std::sqrt(growth), std::sin(angle) * std::sqrt(std::exp2(n) / growth)};
 }
 
 double scale_variance(const ScaleWeights& weights, int n, double alpha) {

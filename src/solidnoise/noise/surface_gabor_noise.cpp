@@ -2,9 +2,7 @@
 
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
-#include <fmt/format.h>
 #include <glm/geometric.hpp>
 
 #include "solidnoise/noise/bandwidth.h"
@@ -36,22 +34,6 @@ Vec<3> unit_tangent(const Vec<3>& direction, const Vec<3>& normal) {
   // Single-precision input leaves nothing but rounding below this.
   if (length <= 1e-6 * glm::length(direction)) return any_tangent(normal);
   return tangent / length;
-}
-
-void require_normals(const SurfacePoints& points) {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (points.normal[axis].size() != points.positions.count) {
-      throw std::invalid_argument(fmt::format("there are {} normals for {} points",
-                                              points.normal[axis].size(), points.positions.count));
-    }
-  }
-  for (std::size_t i = 0; i < points.positions.count; ++i) {
-    const double length = std::hypot(points.normal[0][i], points.normal[1][i], points.normal[2][i]);
-    if (!(length > 0.0 && std::isfinite(length))) {
-      throw std::invalid_argument(fmt::format("normal of point {} is ({}, {}, {}); it must have a length", i,
-                                              points.normal[0][i], points.normal[1][i], points.normal[2][i]));
-    }
-  }
 }
 
 }  // namespace
@@ -90,28 +72,27 @@ void SurfaceGaborNoise::evaluate(const SurfacePoints& points, std::span<float> v
 
 void SurfaceGaborNoise::evaluate(const SurfacePoints& points, const VaryingParameters<3>& parameters,
                                  std::span<float> values) const {
-  require_finite_positions(points.positions);
-  require_normals(points);
+  points.validate();
   parameters.validate(points.positions.count);
 
   const PointConvolution<3>& convolution = parameters.radius_varies() ? *varying_ : *stationary_;
-  const double window = layer_window_moment(2) * options_.layer;
-  const auto prepare = [&](std::size_t i, KernelPoint<3>& point) {
-    const double frequency = parameters.frequency.empty() ? options_.frequency : parameters.frequency[i];
-    const double magnitude = parameters.magnitude.empty() ? 1.0 : parameters.magnitude[i];
-    point.kernel = parameters.bandwidth.empty() ? kernel_ : family_->at(parameters.bandwidth[i]);
-    point.radius = point.kernel.cycles / frequency;
-    point.amplitude = magnitude / std::sqrt(convolution.power() * window * point.kernel.energy);
-    const Vec<3> normal =
-        glm::normalize(Vec<3>(points.normal[0][i], points.normal[1][i], points.normal[2][i]));
-    for (int axis = 0; axis < 3; ++axis) point.normal[static_cast<std::size_t>(axis)] = normal[axis];
-    if (options_.waves == GaborWaves::isotropic) return;
-    const auto& given = parameters.direction;
-    const Vec<3> direction =
-        given[0].empty() ? options_.direction : Vec<3>(given[0][i], given[1][i], given[2][i]);
-    const Vec<3> tangent = unit_tangent(direction, normal);
-    for (int axis = 0; axis < 3; ++axis) {
-      point.wave[static_cast<std::size_t>(axis)] = frequency * tangent[axis];
+  const double unit_power = convolution.power() * layer_window_moment(2) * options_.layer;
+  const auto prepare = [&](std::span<const std::size_t> batch, std::span<KernelPoint<3>> kernels) {
+    PickedParameters<3> picked(parameters, batch);
+    const auto normals = pick(points.normal, batch);
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+      KernelPoint<3>& point = kernels[i];
+      const double frequency = picked.frequency(i, options_.frequency);
+      point.kernel = picked.varies_bandwidth() ? family_->at(picked.bandwidth(i, 0.0)) : kernel_;
+      point.radius = point.kernel.cycles / frequency;
+      point.amplitude = picked.magnitude(i, 1.0) / std::sqrt(unit_power * point.kernel.energy);
+      const Vec<3> normal = glm::normalize(Vec<3>(normals[0][i], normals[1][i], normals[2][i]));
+      for (int axis = 0; axis < 3; ++axis) point.normal[static_cast<std::size_t>(axis)] = normal[axis];
+      if (options_.waves == GaborWaves::isotropic) continue;
+      const Vec<3> tangent = unit_tangent(picked.direction(i, options_.direction), normal);
+      for (int axis = 0; axis < 3; ++axis) {
+        point.wave[static_cast<std::size_t>(axis)] = frequency * tangent[axis];
+      }
     }
   };
   convolution.evaluate(points.positions, prepare, values);

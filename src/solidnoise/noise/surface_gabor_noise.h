@@ -1,24 +1,15 @@
 #pragma once
 
-#include <array>
 #include <memory>
 #include <span>
 
-#include "solidnoise/core/points.h"
 #include "solidnoise/noise/noise.h"
 #include "solidnoise/noise/point_convolution.h"
 #include "solidnoise/noise/surface_gabor_options.h"
+#include "solidnoise/noise/surface_points.h"
 #include "solidnoise/noise/varying_parameters.h"
 
 namespace solidnoise {
-
-// Points on surfaces, with the surface's normals: any length but 0, either sign, one float per point and
-// axis. They should be smooth (interpolated) normals: the noise is continuous in the normal, and has seams
-// where that has.
-struct SurfacePoints {
-  Points<3> positions;
-  std::array<std::span<const float>, 3> normal;
-};
 
 // Gabor noise on surfaces, without a parametrisation. With X_i the points of a Poisson process in space and
 // W_i weights of 1 or -1, at a point x with unit normal n,
@@ -55,8 +46,8 @@ class SurfaceGaborNoise {
   // position is not finite or whose normal has no direction.
   void evaluate(const SurfacePoints& points, std::span<float> values) const;
 
-  // The noise whose parameters vary from point to point; also throws VaryingParameters::validate(). If
-  // neither frequency nor bandwidth vary it is the stationary noise above, times magnitude and with the
+  // The noise whose parameters vary from point to point; also throws what VaryingParameters::validate() does.
+  // If neither frequency nor bandwidth vary it is the stationary noise above, times magnitude and with the
   // directions given; if they do, it has other impulses, in a hierarchy of grids, and differs from the
   // stationary noise even where the parameters agree.
   void evaluate(const SurfacePoints& points, const VaryingParameters<3>& parameters,

@@ -51,6 +51,13 @@ void VaryingParameters<Dim>::validate(std::size_t count) const {
   }
 }
 
+std::vector<float> pick(std::span<const float> from, std::span<const std::size_t> points) {
+  if (from.empty()) return {};
+  std::vector<float> picked(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) picked[i] = from[points[i]];
+  return picked;
+}
+
 template <int Dim>
 void require_finite_positions(const Points<Dim>& points) {
   for (std::size_t i = 0; i < points.count; ++i) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include "solidnoise/core/points.h"
 #include "solidnoise/core/vec.h"
@@ -26,6 +27,50 @@ struct VaryingParameters {
   void validate(std::size_t count) const;
 
   bool radius_varies() const { return !frequency.empty() || !bandwidth.empty(); }
+};
+
+// Numbers of some of the points, side by side. Far-apart memory is read here, array by array: the processor
+// then waits for many places at once.
+std::vector<float> pick(std::span<const float> from, std::span<const std::size_t> points);
+template <std::size_t kCount>
+std::array<std::vector<float>, kCount> pick(const std::array<std::span<const float>, kCount>& from,
+                                            std::span<const std::size_t> points) {
+  std::array<std::vector<float>, kCount> picked;
+  for (std::size_t i = 0; i < kCount; ++i) picked[i] = pick(from[i], points);
+  return picked;
+}
+
+// The parameters of some of the points; the accessors take the options' value in case that there are none.
+template <int Dim>
+class PickedParameters {
+ public:
+  PickedParameters(const VaryingParameters<Dim>& parameters, std::span<const std::size_t> points)
+      : frequency_(pick(parameters.frequency, points)),
+        bandwidth_(pick(parameters.bandwidth, points)),
+        magnitude_(pick(parameters.magnitude, points)),
+        direction_(pick(parameters.direction, points)) {}
+
+  bool varies_bandwidth() const { return !bandwidth_.empty(); }
+  double frequency(std::size_t i, double constant) const { return at(frequency_, i, constant); }
+  double bandwidth(std::size_t i, double constant) const { return at(bandwidth_, i, constant); }
+  double magnitude(std::size_t i, double constant) const { return at(magnitude_, i, constant); }
+  Vec<Dim> direction(std::size_t i, const Vec<Dim>& constant) const {
+    Vec<Dim> result;
+    for (int axis = 0; axis < Dim; ++axis) {
+      result[axis] = at(direction_[static_cast<std::size_t>(axis)], i, constant[axis]);
+    }
+    return result;
+  }
+
+ private:
+  static double at(const std::vector<float>& values, std::size_t i, double constant) {
+    return values.empty() ? constant : static_cast<double>(values[i]);
+  }
+
+  std::vector<float> frequency_;
+  std::vector<float> bandwidth_;
+  std::vector<float> magnitude_;
+  std::array<std::vector<float>, Dim> direction_;
 };
 
 // Throws std::invalid_argument naming the first point whose position is not finite.
