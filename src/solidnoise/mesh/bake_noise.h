@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "solidnoise/core/progress.h"
+#include "solidnoise/core/vec.h"
+#include "solidnoise/mesh/surface_recipe.h"
+#include "solidnoise/noise/noise.h"
+
+namespace solidnoise {
+
+// A number that every vertex has: one for all, or one each.
+struct VertexNumber {
+  double constant = 0.0;
+  std::vector<float> values;  // empty: `constant` holds for all
+
+  bool varies() const { return !values.empty(); }
+};
+
+// Where a noise is to be evaluated, and its parameters there.
+struct BakeVertices {
+  std::span<const Vec<3>> positions;   // rest positions, world units, finite
+  std::span<const Vec<3>> normals;     // smooth; any length but 0
+  VertexNumber frequency{8.0, {}};     // principal frequency, cycles per world unit; > 0
+  VertexNumber bandwidth{1.0, {}};     // octaves; 0.1 to 4
+  VertexNumber magnitude{1.0, {}};     // standard deviation of the value; >= 0
+  std::span<const Vec<3>> directions;  // of oriented noise; tangential or not, either sign
+};
+
+// Evaluates a noise at all vertices, in parallel: one value per vertex, of mean 0 and variance magnitude^2
+// (times the octaves' powers where they are not renormalised). A value depends on the recipe, and on the
+// position, normal and parameters of the vertex only: not on the mesh around it, the order of the vertices or
+// the number of threads. Where nothing varies, `solid` is the field of GaborNoise<3>, and `kensler_solid`
+// that of GradientNoise<3>.
+//
+// Throws std::invalid_argument naming the field or vertex: recipe.validate(); spans whose sizes differ; a
+// parameter that is out of range, or that varies where may_vary() says no; oriented noise without directions.
+// Throws Cancelled.
+std::vector<float> bake_noise(const SurfaceNoiseRecipe& recipe, const BakeVertices& vertices,
+                              Progress* progress = nullptr);
+
+// The frequencies that hold all but a thousandth of the variance, with the first octave at this frequency.
+Noise<2>::Band surface_band(const SurfaceNoiseRecipe& recipe, double frequency, double bandwidth);
+
+}  // namespace solidnoise

@@ -1,0 +1,108 @@
+#include "solidnoise/mesh/surface_octave.h"
+
+#include <type_traits>
+
+#include "solidnoise/noise/gabor_noise.h"
+#include "solidnoise/noise/gradient_noise.h"
+#include "solidnoise/noise/projected_gradient_noise.h"
+#include "solidnoise/noise/surface_gabor_noise.h"
+#include "solidnoise/noise/varying_gabor_noise.h"
+
+namespace solidnoise {
+namespace {
+
+class GaborOctave final : public SurfaceOctave {
+ public:
+  explicit GaborOctave(const SurfaceGaborOptions& options) : noise_(options) {}
+
+  void evaluate(const SurfacePoints& points, const VaryingParameters<3>& parameters,
+                std::span<float> values) const override {
+    noise_.evaluate(points, parameters, values);
+  }
+  Noise<2>::Band band() const override { return noise_.band(); }
+
+ private:
+  SurfaceGaborNoise noise_;
+};
+
+// The field of volumes, or its varying sibling where frequency or bandwidth vary.
+class SolidOctave final : public SurfaceOctave {
+ public:
+  SolidOctave(const GaborNoiseOptions& options, const VaryingGaborOptions& varying)
+      : noise_(options), varying_(varying) {}
+
+  void evaluate(const SurfacePoints& points, const VaryingParameters<3>& parameters,
+                std::span<float> values) const override {
+    if (parameters.radius_varies()) return varying_.evaluate(points.positions, parameters, values);
+    noise_.evaluate(points.positions, {.values = values});
+  }
+  Noise<2>::Band band() const override { return {noise_.band().lower, noise_.band().upper}; }
+
+ private:
+  GaborNoise<3> noise_;
+  VaryingGaborNoise<3> varying_;
+};
+
+template <class Gradient>
+class GradientOctave final : public SurfaceOctave {
+ public:
+  template <class Options>
+  explicit GradientOctave(const Options& options) : noise_(options) {}
+
+  void evaluate(const SurfacePoints& points, const VaryingParameters<3>&,
+                std::span<float> values) const override {
+    if constexpr (std::is_same_v<Gradient, ProjectedGradientNoise>) {
+      noise_.evaluate(points, values);
+    } else {
+      noise_.evaluate(points.positions, Samples<3>{.values = values});
+    }
+  }
+  Noise<2>::Band band() const override { return {noise_.band().lower, noise_.band().upper}; }
+
+ private:
+  Gradient noise_;
+};
+
+}  // namespace
+
+std::unique_ptr<SurfaceOctave> make_surface_octave(const SurfaceNoiseRecipe& recipe, double frequency,
+                                                   double bandwidth, std::uint64_t seed) {
+  switch (recipe.kind) {
+    case SurfaceNoiseKind::surface:
+    case SurfaceNoiseKind::oriented: {
+      SurfaceGaborOptions options;
+      options.frequency = frequency;
+      options.bandwidth = bandwidth;
+      options.error = recipe.error;
+      options.impulses = recipe.impulses;
+      options.layer = recipe.layer;
+      options.seed = seed;
+      if (recipe.kind == SurfaceNoiseKind::oriented) options.waves = GaborWaves::oriented;
+      return std::make_unique<GaborOctave>(options);
+    }
+    case SurfaceNoiseKind::solid: {
+      GaborNoiseOptions options;
+      options.frequency = frequency;
+      options.bandwidth = bandwidth;
+      options.error = recipe.error;
+      options.impulses = recipe.impulses;
+      options.seed = seed;
+      VaryingGaborOptions varying;
+      varying.frequency = frequency;
+      varying.bandwidth = bandwidth;
+      varying.error = recipe.error;
+      varying.impulses = recipe.impulses;
+      varying.seed = seed;
+      return std::make_unique<SolidOctave>(options, varying);
+    }
+    case SurfaceNoiseKind::kensler:
+      return std::make_unique<GradientOctave<ProjectedGradientNoise>>(
+          ProjectedGradientOptions{.frequency = frequency, .seed = seed});
+    case SurfaceNoiseKind::kensler_solid:
+      break;
+  }
+  return std::make_unique<GradientOctave<GradientNoise<3>>>(
+      GradientNoiseOptions{.frequency = frequency, .seed = seed});
+}
+
+}  // namespace solidnoise

@@ -1,0 +1,51 @@
+#include "solidnoise/mesh/vertex_batches.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <glm/common.hpp>
+
+namespace solidnoise {
+namespace {
+
+constexpr std::size_t kLargest = 8192;  // vertices of a batch
+constexpr double kParts = 8.0;          // along each side of a cube, in whose order its vertices are
+
+}  // namespace
+
+std::vector<VertexBatch> make_batches(std::span<const Vec<3>> positions, double cube) {
+  // In the order of the cubes, and in each in the order of its parts.
+  struct Place {
+    Vec<3> cube;
+    Vec<3> part;
+    std::uint32_t vertex;
+  };
+  std::vector<Place> places(positions.size());
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const Vec<3> scaled = positions[i] / cube;
+    const Vec<3> corner = glm::floor(scaled);
+    places[i] = {corner, glm::floor((scaled - corner) * kParts), static_cast<std::uint32_t>(i)};
+  }
+  const auto before = [](const Vec<3>& a, const Vec<3>& b) {
+    return std::lexicographical_compare(&a.x, &a.x + 3, &b.x, &b.x + 3);
+  };
+  std::sort(places.begin(), places.end(), [&](const Place& a, const Place& b) {
+    if (a.cube != b.cube) return before(a.cube, b.cube);
+    if (a.part != b.part) return before(a.part, b.part);
+    return a.vertex < b.vertex;
+  });
+
+  std::vector<VertexBatch> batches;
+  const Place* last = nullptr;
+  for (const Place& place : places) {
+    if (!last || last->cube != place.cube || batches.back().vertices.size() == kLargest) {
+      batches.push_back({place.cube * cube, {}});
+    }
+    batches.back().vertices.push_back(place.vertex);
+    last = &place;
+  }
+  return batches;
+}
+
+}  // namespace solidnoise
