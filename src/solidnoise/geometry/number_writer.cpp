@@ -20,10 +20,7 @@ Number convert(double value) {
   if constexpr (std::is_same_v<Number, double>) {
     return value;
   } else if constexpr (std::is_same_v<Number, float>) {
-    if (std::abs(value) <= static_cast<double>(Limits::max()) || std::isnan(value)) {
-      return static_cast<float>(value);
-    }
-    return std::copysign(Limits::infinity(), static_cast<float>(std::copysign(1.0, value)));
+    return nearest_float(value);
   } else {
     if (std::isnan(value)) return 0;
     return static_cast<Number>(std::clamp(std::round(value), static_cast<double>(Limits::min()),

@@ -56,7 +56,7 @@ class PlyTextRows {
                          is_float(type) ? std::string("a number")
                                         : fmt::format("an integer of type {}", ply_type_name(type))));
     }
-    return *number;
+    return type == ScalarType::float32 ? static_cast<double>(nearest_float(*number)) : *number;
   }
 
   void end_row() {

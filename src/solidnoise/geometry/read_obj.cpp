@@ -127,11 +127,11 @@ class ObjReader {
       return;
     }
     for (int axis = 0; axis < 3; ++axis) {
-      VertexProperty property{
-          std::string(kNormalNames[static_cast<std::size_t>(axis)]), ScalarType::float32, {}};
-      property.values.reserve(count);
-      for (const Vec<3>& normal : normals_) property.values.push_back(normal[axis]);
-      reading_.mesh.properties.push_back(std::move(property));
+      std::vector<double> values;
+      values.reserve(count);
+      for (const Vec<3>& normal : normals_) values.push_back(normal[axis]);
+      reading_.mesh.properties.push_back(
+          text_property(kNormalNames[static_cast<std::size_t>(axis)], std::move(values)));
     }
   }
 

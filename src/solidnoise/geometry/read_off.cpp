@@ -157,10 +157,10 @@ class OffReader {
   void add_columns(const std::vector<std::array<double, Count>>& rows,
                    const std::array<std::string_view, Count>& names) {
     for (std::size_t c = 0; c < Count; ++c) {
-      VertexProperty property{std::string(names[c]), ScalarType::float32, {}};
-      property.values.reserve(rows.size());
-      for (const auto& row : rows) property.values.push_back(row[c]);
-      reading_.mesh.properties.push_back(std::move(property));
+      std::vector<double> values;
+      values.reserve(rows.size());
+      for (const auto& row : rows) values.push_back(row[c]);
+      reading_.mesh.properties.push_back(text_property(names[c], std::move(values)));
     }
   }
 

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <stdexcept>
 
 #include "solidnoise/geometry/polygon_mesh.h"
@@ -39,6 +41,13 @@ constexpr bool is_float(ScalarType type) {
 // Bytes of a number.
 inline std::size_t size_of(ScalarType type) {
   return visit_scalar_type(type, [](auto value) { return sizeof(value); });
+}
+
+// The float32 that is nearest, infinite if none is as large.
+inline float nearest_float(double value) {
+  using Limits = std::numeric_limits<float>;
+  if (!(std::abs(value) > static_cast<double>(Limits::max()))) return static_cast<float>(value);
+  return value > 0.0 ? Limits::infinity() : -Limits::infinity();
 }
 
 }  // namespace solidnoise

@@ -27,6 +27,11 @@ std::vector<const VertexProperty*> find_properties(const PolygonMesh& mesh,
 
 }  // namespace
 
+VertexProperty text_property(std::string_view name, std::vector<double> values) {
+  for (double& value : values) value = static_cast<double>(nearest_float(value));
+  return {std::string(name), ScalarType::float32, std::move(values)};
+}
+
 void add_text_colors(PolygonMesh& mesh, const std::vector<TextColor>& colors, std::size_t channels) {
   bool whole = true;
   bool above_one = false;
@@ -40,12 +45,11 @@ void add_text_colors(PolygonMesh& mesh, const std::vector<TextColor>& colors, st
   const bool bytes = whole && above_one;
   const double largest = bytes ? 255.0 : 1.0;
   for (std::size_t c = 0; c < channels; ++c) {
-    VertexProperty property{std::string(kColorNames[c]), bytes ? ScalarType::uint8 : ScalarType::float32, {}};
-    property.values.reserve(colors.size());
-    for (const TextColor& color : colors) {
-      property.values.push_back(std::isnan(color[c]) ? largest : color[c]);
-    }
-    mesh.properties.push_back(std::move(property));
+    std::vector<double> values;
+    values.reserve(colors.size());
+    for (const TextColor& color : colors) values.push_back(std::isnan(color[c]) ? largest : color[c]);
+    mesh.properties.push_back(text_property(kColorNames[c], std::move(values)));
+    if (bytes) mesh.properties.back().type = ScalarType::uint8;
   }
 }
 

@@ -15,6 +15,9 @@ inline constexpr std::array<std::string_view, 2> kTextureNames{"s", "t"};
 // Colours as text files have them: a row of red, green, blue, alpha per vertex.
 using TextColor = std::array<double, 4>;
 
+// A property of type float32 of numbers from a text, which are rounded to it.
+VertexProperty text_property(std::string_view name, std::vector<double> values);
+
 // Adds the first `channels` columns as properties: of type uint8 if all are whole numbers up to 255 and one
 // of them is above 1, otherwise float32. What is not a number becomes the largest: white, opaque.
 void add_text_colors(PolygonMesh& mesh, const std::vector<TextColor>& colors, std::size_t channels);

@@ -1,0 +1,100 @@
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "solidnoise/geometry/om_format.h"
+#include "solidnoise/geometry/read_mesh.h"
+#include "support/mesh_text.h"
+#include "support/message_of.h"
+
+namespace solidnoise {
+namespace {
+
+MeshReading read(const std::string& bytes) {
+  return read_mesh(bytes, MeshFormat::om, "mesh.om");
+}
+
+std::string refusal(const std::string& bytes) {
+  return message_of<std::runtime_error>([&] { read(bytes); });
+}
+
+std::string header(char kind, std::uint8_t version, std::uint32_t vertices, std::uint32_t faces,
+                   std::uint32_t edges) {
+  return std::string("OM") + kind + bytes_of(version) + bytes_of(vertices) + bytes_of(faces) +
+         bytes_of(edges);
+}
+
+std::string chunk(const OmChunk& chunk) {
+  return bytes_of(chunk.pack());
+}
+
+const OmChunk kPositions{.is_signed = true, .is_float = true, .dimensions = 3};
+const OmChunk kFaces{.entity = OmChunk::face, .type = OmChunk::topology};
+const OmChunk kHalfedges{
+    .entity = OmChunk::halfedge, .type = OmChunk::topology, .is_signed = true, .dimensions = 3};
+
+std::string positions(float z = 0.0f) {
+  std::string bytes = chunk(kPositions);
+  for (const float number : {0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, 1.0f, z}) bytes += bytes_of(number);
+  return bytes;
+}
+
+// A triangle in version 2: half-edges 0 2 4 go around it, the others back.
+std::string version_2(const std::string& halfedges, char first = 0) {
+  return header('P', om_version(2, 2), 3, 1, 3) + positions() + chunk(kHalfedges) + halfedges +
+         chunk(kFaces) + first + chunk({.entity = OmChunk::end});
+}
+const std::string kLoop("\2\1\0\5\0\xff\4\2\0\1\1\xff\0\0\0\3\2\xff", 18);
+
+TEST(ReadOm, ReadsFacesAsListsOfVertices) {
+  const std::string start = header('T', om_version(1, 0), 3, 1, 0) + positions() + chunk(kFaces);
+  EXPECT_EQ(corners_of(read(start + std::string("\2\0\1", 3)).mesh, 0),
+            (std::vector<std::uint32_t>{2, 0, 1}));
+  EXPECT_EQ(refusal(start + std::string("\2\0\3", 3)),
+            "mesh.om: face 0: it has vertex 3, but there are 3 vertices");
+  EXPECT_EQ(refusal(start + std::string("\2\0", 2)), "mesh.om: the file ends at face 0 of 1");
+  EXPECT_EQ(refusal(header('P', om_version(1, 0), 3, 2000000000, 0) + positions() + chunk(kFaces)),
+            "mesh.om: the file ends at face 0 of 2000000000");
+}
+
+TEST(ReadOm, ReadsFacesAsLoopsOfHalfEdges) {
+  EXPECT_EQ(corners_of(read(version_2(kLoop)).mesh, 0), (std::vector<std::uint32_t>{1, 2, 0}));
+  EXPECT_EQ(refusal(version_2(kLoop, 6)), "mesh.om: face 0: it has half-edge 6, but there are 6");
+  EXPECT_EQ(refusal(version_2(kLoop, -1)), "mesh.om: face 0: it has half-edge -1, but there are 6");
+  std::string endless = kLoop;
+  endless[12] = 2;  // the third half-edge's next is the second
+  EXPECT_EQ(refusal(version_2(endless)), "mesh.om: face 0: its half-edges are no loop of its own");
+  std::string far = kLoop;
+  far[1] = -2;
+  EXPECT_EQ(refusal(version_2(far)), "mesh.om: face 0: it has vertex -2, but there are 3 vertices");
+  EXPECT_EQ(refusal(header('P', om_version(2, 2), 3, 1, 2000000000) + positions() + chunk(kHalfedges)),
+            "mesh.om: the file ends at half-edge 0 of 4000000000");
+}
+
+TEST(ReadOm, RefusesWhatIsNotThereOrNotKnown) {
+  EXPECT_EQ(refusal("OFF"), "mesh.om: is not an OM file: it does not begin with 'OM'");
+  EXPECT_EQ(refusal(header('X', om_version(1, 2), 3, 1, 0)), "mesh.om: the kind of faces is unknown");
+  EXPECT_EQ(refusal(header('T', om_version(3, 1), 3, 1, 0)), "mesh.om: version 3.1 is unknown");
+  const std::string start = header('T', om_version(1, 2), 3, 1, 0);
+  EXPECT_EQ(refusal(start), "mesh.om: the vertices have no positions");
+  EXPECT_EQ(refusal(start + positions()), "mesh.om: the faces have no vertices");
+  EXPECT_EQ(refusal(start + positions(std::numeric_limits<float>::infinity())),
+            "mesh.om: vertex 2: its z is not finite");
+  EXPECT_EQ(refusal(header('T', om_version(1, 2), 2000000000, 1, 0) + positions()),
+            "mesh.om: the file ends at vertex 3 of 2000000000");
+  EXPECT_EQ(refusal(start + chunk({.entity = OmChunk::vertex, .type = OmChunk::position, .bits = 0})),
+            "mesh.om: a number has an unknown type");
+  EXPECT_EQ(refusal(start + chunk({.entity = 3, .type = OmChunk::color})),
+            "mesh.om: unknown kind of element 3");
+  EXPECT_EQ(refusal(start + chunk({.named = true}) + "\7noi"), "mesh.om: the file ends in a name");
+  EXPECT_EQ(refusal(start + chunk({.named = true, .type = OmChunk::custom}) + "\5noise" +
+                    bytes_of(std::uint32_t{2000000000})),
+            "mesh.om: the file ends in property 'noise'");
+  EXPECT_EQ(refusal(header('T', om_version(1, 2), 0, 0, 0)), "mesh.om: the mesh has no vertices");
+}
+
+}  // namespace
+}  // namespace solidnoise

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+#include "solidnoise/geometry/polygon_mesh.h"
+
+namespace solidnoise {
+
+// Seven vertices, one in no face; a square, triangles, an edge in three faces, a face of two corners, and
+// properties of every type, in an order that none would choose.
+inline PolygonMesh awkward_mesh() {
+  PolygonMesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0.25}, {0, 1, 0}, {0.5, 0.5, 1}, {0.5, 0.5, -1}, {7, 8, 9}};
+  for (Vec<3>& p : mesh.positions) p.x = static_cast<double>(static_cast<float>(p.x) * 0.1f);
+  mesh.add_face(std::array{0u, 1u, 2u, 3u});
+  mesh.add_face(std::array{0u, 1u, 4u});
+  mesh.add_face(std::array{1u, 0u, 5u});
+  mesh.add_face(std::array{2u, 3u});
+  const auto add = [&](const std::string& name, ScalarType type, double first, double step) {
+    VertexProperty property{name, type, {}};
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+      const double value = first + step * static_cast<double>(v);
+      property.values.push_back(type == ScalarType::float32 ? static_cast<double>(static_cast<float>(value))
+                                                            : value);
+    }
+    mesh.properties.push_back(property);
+  };
+  add("quality", ScalarType::float64, 0.1, 1e-9);
+  add("blue", ScalarType::uint8, 255, -17);
+  add("green", ScalarType::uint8, 0, 31);
+  add("a", ScalarType::int8, -128, 40);
+  add("nx", ScalarType::float32, 0.1, 0.1);
+  add("b", ScalarType::int16, -32768, 10000);
+  add("c", ScalarType::uint16, 65535, -9999);
+  add("d", ScalarType::int32, -2147483648.0, 7e8);
+  add("e", ScalarType::uint32, 4294967295.0, -6e8);
+  add("nz", ScalarType::float32, -1, 0.3);
+  add("ny", ScalarType::float32, 1e-30, 3e30);
+  add("red", ScalarType::uint8, 128, 19);
+  add("noise", ScalarType::float32, -1.23456789, 0.7);
+  return mesh;
+}
+
+}  // namespace solidnoise
