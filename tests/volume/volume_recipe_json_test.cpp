@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "solidnoise/recipe/recipe_header.h"
+
 namespace solidnoise {
 namespace {
 

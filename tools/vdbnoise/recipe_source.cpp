@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/text_file.h"
+#include "solidnoise/recipe/recipe_header.h"
 #include "solidnoise/volume/make_volume.h"
 #include "solidnoise/volume/vdb_read.h"
 #include "solidnoise/volume/volume_recipe_json.h"

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "solidnoise/core/up_axis.h"
 #include "solidnoise/noise/gabor_options.h"
 #include "solidnoise/noise/gradient_noise_options.h"
 
@@ -34,6 +35,8 @@ std::vector<std::string_view> names_of(const Choices<Enum, Count>& choices) {
   for (const Choice<Enum>& choice : choices) names.push_back(choice.name);
   return names;
 }
+
+inline constexpr Choices<UpAxis, 2> kUpAxisChoices{{{UpAxis::y, "y"}, {UpAxis::z, "z"}}};
 
 inline constexpr Choices<ImpulseWeights, 2> kImpulseWeightChoices{{
     {ImpulseWeights::signs, "signs"},

@@ -79,6 +79,20 @@ void JsonReader::read(const std::string& key, Box<3>& value) {
   value = {{corners[0], corners[1], corners[2]}, {corners[3], corners[4], corners[5]}};
 }
 
+void JsonReader::read_range(const std::string& key, double& from, double& to) {
+  const Json* const json = find(key);
+  if (!json) return;
+  if (!json->is_array()) {
+    read(key, from);
+    to = from;
+    return;
+  }
+  std::array<double, 2> ends{};
+  read_numbers(key, ends.data(), ends.size());
+  from = ends[0];
+  to = ends[1];
+}
+
 std::size_t JsonReader::read_choice(const std::string& key, const std::vector<std::string_view>& names) {
   const Json* const json = find(key);
   const std::string allowed = fmt::format("one of {}", fmt::join(names, ", "));

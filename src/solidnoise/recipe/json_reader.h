@@ -34,6 +34,9 @@ class JsonReader {
   void read(const std::string& key, std::optional<double>& value);
   void read(const std::string& key, Box<3>& value);  // x0, y0, z0, x1, y1, z1
 
+  // One number for both, or an array of two.
+  void read_range(const std::string& key, double& from, double& to);
+
   template <int Dim>
   void read(const std::string& key, Vec<Dim>& value) {
     double* const components = &value[0];

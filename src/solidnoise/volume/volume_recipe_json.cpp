@@ -10,6 +10,7 @@
 
 #include "solidnoise/recipe/json_reader.h"
 #include "solidnoise/recipe/noise_recipe_json.h"
+#include "solidnoise/recipe/recipe_header.h"
 
 namespace solidnoise {
 namespace {
@@ -121,25 +122,10 @@ void refuse_both(const JsonReader& reader, const char* one, const char* other) {
   throw std::invalid_argument(fmt::format("{} and {} contradict each other; give one of them", one, other));
 }
 
-void check_version(JsonReader& reader) {
-  if (!reader.has("solidnoise")) {
-    throw std::invalid_argument(
-        fmt::format("\"solidnoise\": {} is missing; this is no recipe", kRecipeVersion));
-  }
-  int version = 0;
-  reader.read("solidnoise", version);
-  if (version != kRecipeVersion) {
-    throw std::invalid_argument(
-        fmt::format("solidnoise is {}; this program reads recipes of version {}", version, kRecipeVersion));
-  }
-}
-
 }  // namespace
 
 Json to_json(const VolumeRecipe& recipe) {
-  Json json = Json::object();
-  json["solidnoise"] = kRecipeVersion;
-  json["algorithm"] = kAlgorithmVersion;
+  Json json = recipe_header();
   if (!recipe.description.empty()) json["description"] = recipe.description;
   json["noise"] = to_json(recipe.noise);
   json["dims"] = recipe.dims;
@@ -168,13 +154,11 @@ Json to_json(const VolumeRecipe& recipe) {
 
 VolumeRecipe volume_recipe_from_json(const Json& json) {
   JsonReader reader(json);
-  check_version(reader);
+  read_recipe_header(reader);
   refuse_both(reader, "optical_depth", "density");
   refuse_both(reader, "voxel", "dim");
 
   VolumeRecipe recipe;
-  int algorithm = kAlgorithmVersion;
-  reader.read("algorithm", algorithm);
   reader.read("description", recipe.description);
   if (auto noise = reader.object("noise")) recipe.noise = noise_recipe_from_json(*noise);
   reader.read("dims", recipe.dims);
@@ -193,13 +177,6 @@ VolumeRecipe volume_recipe_from_json(const Json& json) {
   reader.finish();
   reader.validate(recipe);
   return recipe;
-}
-
-int algorithm_of(const Json& json) {
-  JsonReader reader(json);
-  int algorithm = kAlgorithmVersion;
-  reader.read("algorithm", algorithm);
-  return algorithm;
 }
 
 }  // namespace solidnoise

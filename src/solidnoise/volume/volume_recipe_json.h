@@ -9,8 +9,6 @@
 
 namespace solidnoise {
 
-inline constexpr Choices<UpAxis, 2> kUpAxisChoices{{{UpAxis::y, "y"}, {UpAxis::z, "z"}}};
-
 inline constexpr Choices<Codec, 3> kCodecChoices{{
     {Codec::blosc, "blosc"},
     {Codec::zip, "zip"},
@@ -41,8 +39,5 @@ Json to_json(const VolumeRecipe& recipe);
 // Throws std::invalid_argument with the path in the tree: another version, wrong type, unknown key, two keys
 // that contradict each other, value out of range.
 VolumeRecipe volume_recipe_from_json(const Json& json);
-
-// The algorithm version that a recipe was written with; kAlgorithmVersion if it does not say.
-int algorithm_of(const Json& json);
 
 }  // namespace solidnoise

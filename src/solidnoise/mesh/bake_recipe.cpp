@@ -1,0 +1,66 @@
+#include "solidnoise/mesh/bake_recipe.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string_view>
+
+#include <glm/geometric.hpp>
+
+#include "solidnoise/core/check.h"
+#include "solidnoise/image/color_ramp.h"
+
+namespace solidnoise {
+namespace {
+
+void require_range(std::string_view field, const ParameterRange& range, double least, double most,
+                   std::string_view unit = {}) {
+  require_in_range(field, range.from, least, most, unit);
+  require_in_range(field, range.to, least, most, unit);
+}
+
+void refuse_variation(std::string_view field, const ParameterRange& range) {
+  if (!range.varies()) return;
+  throw std::invalid_argument(std::string(field) + " is a range; this noise has one " + std::string(field) +
+                              " for all vertices");
+}
+
+}  // namespace
+
+void BakeRecipe::validate() const {
+  noise.validate();
+  if (frequency) require_range("frequency", *frequency, 1e-9, 1e9, "cycles per world unit");
+  require_range("bandwidth", bandwidth, 0.1, 4.0, "octaves");
+  require_range("magnitude", magnitude, 0.0, 1e6);
+  require_range("bias", bias, -1e6, 1e6);
+  if (!may_vary(noise.kind)) {
+    if (frequency) refuse_variation("frequency", *frequency);
+    refuse_variation("bandwidth", bandwidth);
+  }
+  by.validate();
+  require_in_range("smooth", smooth, 0, 10000, "rounds");
+  require_in_range("direction_smooth", direction.smooth, 0, 10000, "rounds");
+  for (int axis = 0; axis < 3; ++axis) require_finite("direction", direction.axis[axis]);
+  if (glm::length(direction.axis) == 0.0)
+    throw std::invalid_argument("direction is 0 0 0; it must point somewhere");
+  parse_color_ramp(ramp);
+  require_positive("contrast", contrast);
+  if (refine.mode == RefineRecipe::Mode::rounds) require_in_range("refine", refine.rounds, 1, 8, "rounds");
+  require_finite("displace", displace);
+}
+
+bool BakeRecipe::steers() const {
+  return (frequency && frequency->varies()) || bandwidth.varies() || magnitude.varies() || bias.varies();
+}
+
+double default_frequency(double diagonal, double mean_edge) {
+  constexpr double kFeaturesAlongDiagonal = 24.0;
+  constexpr double kEdgesPerFeature = 6.0;
+  return std::min(kFeaturesAlongDiagonal / diagonal, 1.0 / (kEdgesPerFeature * mean_edge));
+}
+
+float place_on_ramp(double value, double contrast) {
+  constexpr double kSigmas = 2.5;
+  return static_cast<float>(0.5 + 0.5 * contrast * value / kSigmas);
+}
+
+}  // namespace solidnoise

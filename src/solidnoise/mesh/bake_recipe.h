@@ -1,0 +1,71 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "solidnoise/core/up_axis.h"
+#include "solidnoise/core/vec.h"
+#include "solidnoise/mesh/steering.h"
+#include "solidnoise/mesh/surface_recipe.h"
+
+namespace solidnoise {
+
+// Which way the waves of oriented noise travel.
+struct DirectionRecipe {
+  enum class Source {
+    axis,           // an axis of space, laid into the tangent plane
+    max_curvature,  // the principal direction of the curvature of larger magnitude
+    min_curvature,  // the other one
+  };
+
+  Source source = Source::axis;
+  Vec<3> axis{0.0, 1.0, 0.0};  // any length but 0
+  int smooth = 10;             // rounds of smoothing, 0 to 10000: of a field that follows the curvature
+
+  friend bool operator==(const DirectionRecipe&, const DirectionRecipe&) = default;
+};
+
+// How densely a mesh is sampled before baking.
+struct RefineRecipe {
+  enum class Mode { off, automatic, rounds };
+
+  Mode mode = Mode::off;
+  int rounds = 1;  // of halving every edge, 1 to 8
+
+  friend bool operator==(const RefineRecipe&, const RefineRecipe&) = default;
+};
+
+// Everything that a bake depends on but the mesh: plain data.
+struct BakeRecipe {
+  std::string description;  // one line
+  SurfaceNoiseRecipe noise;
+  std::optional<ParameterRange>
+      frequency;  // cycles per world unit; unset: suits the mesh, see default_frequency()
+  ParameterRange bandwidth{1.0, 1.0};  // octaves; 0.1 to 4
+  ParameterRange magnitude{1.0, 1.0};  // standard deviation; >= 0
+  ParameterRange bias{0.0, 0.0};       // added to the noise, in standard deviations
+  Steering by;                         // what ranges follow
+  int smooth = 2;                      // rounds of smoothing of the curvature, 0 to 10000
+  DirectionRecipe direction;
+  std::string ramp = "rust";  // a name or stops, see parse_color_ramp()
+  double contrast = 1.0;      // the ramp spans -2.5 to 2.5 standard deviations over this; > 0
+  RefineRecipe refine;
+  double displace = 0.0;  // along the normals, world units for a value of 1
+  UpAxis up = UpAxis::y;
+
+  // Throws std::invalid_argument naming the field, its value and what is allowed.
+  void validate() const;
+  // Whether a parameter follows the steering.
+  bool steers() const;
+
+  friend bool operator==(const BakeRecipe&, const BakeRecipe&) = default;
+};
+
+// Of a mesh: 24 features along the diagonal of its box, or fewer where its edges are too long to show them: a
+// feature takes at least 6 edges. `diagonal` and `mean_edge` in world units, > 0.
+double default_frequency(double diagonal, double mean_edge);
+
+// Where a value (noise plus bias) is on the ramp, 0 to 1 within it.
+float place_on_ramp(double value, double contrast);
+
+}  // namespace solidnoise

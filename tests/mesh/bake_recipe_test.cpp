@@ -1,0 +1,99 @@
+#include "solidnoise/mesh/bake_recipe.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "solidnoise/mesh/bake_recipe_json.h"
+#include "support/message_of.h"
+
+namespace solidnoise {
+namespace {
+
+BakeRecipe unusual_recipe() {
+  BakeRecipe recipe;
+  recipe.description = "A test";
+  recipe.noise = {.kind = SurfaceNoiseKind::oriented,
+                  .error = 0.05,
+                  .impulses = 17.25,
+                  .layer = 0.3,
+                  .fractal = {.octaves = 3, .lacunarity = 2.5, .gain = 0.4, .renormalize = false},
+                  .seed = 18446744073709551615u};
+  recipe.frequency = ParameterRange{4.1, 32.0};
+  recipe.bandwidth = {0.5, 1.5};
+  recipe.magnitude = {0.1, 2.0};
+  recipe.bias = {-1.0, 0.3};
+  recipe.by = {.source = SteeringSource::attribute,
+               .attribute = "heat",
+               .low_percentile = 1.0,
+               .high_percentile = 99.0,
+               .gamma = 0.7};
+  recipe.smooth = 5;
+  recipe.direction = {.source = DirectionRecipe::Source::min_curvature, .axis = {1.0, 2.0, 3.0}, .smooth = 7};
+  recipe.ramp = "0:#000,1:#fff";
+  recipe.contrast = 1.3;
+  recipe.refine = {.mode = RefineRecipe::Mode::rounds, .rounds = 2};
+  recipe.displace = -0.01;
+  recipe.up = UpAxis::z;
+  return recipe;
+}
+
+TEST(BakeRecipe, ComesBackFromJsonAsItWas) {
+  for (const BakeRecipe& recipe : {BakeRecipe{}, unusual_recipe()}) {
+    EXPECT_EQ(bake_recipe_from_json(parse_json(format_json(to_json(recipe)))), recipe);
+  }
+}
+
+TEST(BakeRecipe, WhatIsLeftOutHasItsDefault) {
+  EXPECT_EQ(bake_recipe_from_json(parse_json(R"({"solidnoise": 1})")), BakeRecipe{});
+  const BakeRecipe recipe = bake_recipe_from_json(parse_json(R"({"solidnoise": 1, "frequency": 3})"));
+  EXPECT_EQ(recipe.frequency, (ParameterRange{3.0, 3.0}));
+}
+
+TEST(BakeRecipe, SaysWhereInTheTreeAnErrorIs) {
+  const auto message = [](const char* text) {
+    return message_of<std::invalid_argument>([&] { bake_recipe_from_json(parse_json(text)); });
+  };
+  EXPECT_EQ(message(R"({"solidnoise": 1, "surface": {"gian": 1}})").substr(0, 25),
+            "surface.gian is unknown; ");
+  EXPECT_EQ(message(R"({"solidnoise": 1, "by": {"source": "mood"}})"),
+            "by.source is \"mood\"; it must be one of mean-curvature, gaussian-curvature, max-curvature, "
+            "abs-curvature, height");
+  EXPECT_EQ(message(R"({"solidnoise": 1, "by": {"source": "height", "attribute": "heat"}})"),
+            "by.source and attribute contradict each other; give one of them");
+  EXPECT_EQ(message(R"({"solidnoise": 1, "frequency": [1, 2, 3]})"),
+            "frequency is [1,2,3]; it must be an array of 2 numbers");
+  EXPECT_EQ(message(R"({"frequency": 1})"), "\"solidnoise\": 1 is missing; this is no recipe");
+}
+
+TEST(BakeRecipe, RefusesWhatIsOutOfRange) {
+  const auto refused = [](const std::function<void(BakeRecipe&)>& change) {
+    BakeRecipe recipe;
+    change(recipe);
+    return message_of<std::invalid_argument>([&] { recipe.validate(); });
+  };
+  EXPECT_EQ(refused([](BakeRecipe& r) {
+              r.frequency = ParameterRange{4.0, -1.0};
+            }).substr(0, 16),
+            "frequency is -1;");
+  EXPECT_EQ(refused([](BakeRecipe& r) {
+              r.noise.kind = SurfaceNoiseKind::kensler;
+              r.frequency = ParameterRange{4.0, 8.0};
+            }),
+            "frequency is a range; this noise has one frequency for all vertices");
+  EXPECT_EQ(refused([](BakeRecipe& r) { r.direction.axis = Vec<3>(0.0); }),
+            "direction is 0 0 0; it must point somewhere");
+  EXPECT_NE(refused([](BakeRecipe& r) { r.ramp = "rusty"; }).find("rusty"), std::string::npos);
+  EXPECT_EQ(refused([](BakeRecipe& r) { r.contrast = 0.0; }).substr(0, 13), "contrast is 0");
+}
+
+TEST(BakeRecipe, TheDefaultFrequencyShowsOnTheMesh) {
+  EXPECT_DOUBLE_EQ(default_frequency(2.0, 1e-4), 12.0);      // fine mesh: 24 features along it
+  EXPECT_DOUBLE_EQ(default_frequency(2.0, 0.1), 1.0 / 0.6);  // coarse one: 6 edges each
+}
+
+}  // namespace
+}  // namespace solidnoise
