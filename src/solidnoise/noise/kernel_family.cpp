@@ -41,15 +41,27 @@ CompactKernel on_unit_ball(const CompactKernel& kernel) {
                        kernel.relative_error());
 }
 
+// Of frequency 1, so that radii are in cycles; at a given radius, or, if that is 0, at the cheapest one.
 template <int Dim>
-CompactKernel fit_isotropic(double bandwidth, double radius_times_a, double error) {
-  const double a = gaussian_parameter(1.0, bandwidth);
+CompactKernel fit_isotropic(double a, double radius, double error) {
   const auto kernel = IsotropicGaborKernel<Dim>::with_unit_peak(1.0, a);
-  if (radius_times_a == 0.0) return compact_kernel(kernel, error);
+  if (radius == 0.0) return compact_kernel(kernel, error);
   // At a given a R the truncation error depends on the bandwidth a little; what it leaves is for the fit.
-  const double radius = radius_times_a / a;
   return compact_kernel(kernel, radius,
                         std::fmin(0.9, std::fmax(error, 1.5 * kernel.relative_error(radius))));
+}
+
+CompactKernel fit_isotropic(int dimensions, double a, double radius, double error) {
+  switch (dimensions) {
+    case 1:
+      return fit_isotropic<1>(a, radius, error);
+    case 2:
+      return fit_isotropic<2>(a, radius, error);
+    case 3:
+      return fit_isotropic<3>(a, radius, error);
+    default:
+      return fit_isotropic<4>(a, radius, error);
+  }
 }
 
 }  // namespace
@@ -63,37 +75,38 @@ int KernelFamily::Member::degree() const {
 KernelFamily::KernelFamily(int dimensions, GaborWaves waves, double bandwidth, double error)
     : dimensions_(dimensions), waves_(waves), bandwidth_(bandwidth), error_(error) {
   require_in_range("bandwidth", bandwidth, kLeastBandwidth, kMostBandwidth, "octaves");
-  first_ = static_cast<int>(std::floor(kStepsPerOctave * std::log2(kLeastBandwidth / bandwidth)));
-  const int last = static_cast<int>(std::ceil(kStepsPerOctave * std::log2(kMostBandwidth / bandwidth))) + 1;
+  const double a = gaussian_parameter(1.0, bandwidth);
+  if (waves == GaborWaves::oriented) {
+    const CompactKernel envelope = compact_gaussian(1.0, dimensions, error);
+    radius_times_a_ = envelope.radius();
+    reference_.emplace(on_unit_ball(envelope));
+  } else {
+    const CompactKernel kernel = fit_isotropic(dimensions, a, 0.0, error);
+    radius_times_a_ = kernel.radius() * a;
+    reference_.emplace(on_unit_ball(kernel));
+  }
+  reference_cycles_ = radius_times_a_ / a;
+  const auto steps_to = [&](double octaves) { return (cycles(octaves) - reference_cycles_) / kStep; };
+  first_ = static_cast<int>(std::floor(steps_to(kMostBandwidth)));
+  const int last = static_cast<int>(std::ceil(steps_to(kLeastBandwidth))) + 1;
   nodes_.resize(static_cast<std::size_t>(last - first_ + 1));
-  const bool oriented = waves == GaborWaves::oriented;
-  const CompactKernel best = oriented ? compact_gaussian(1.0, dimensions, error) : fit(bandwidth);
-  radius_times_a_ = best.radius() * (oriented ? 1.0 : gaussian_parameter(1.0, bandwidth));
-  reference_.emplace(on_unit_ball(best));
 }
 
-CompactKernel KernelFamily::fit(double bandwidth) const {
-  switch (dimensions_) {
-    case 1:
-      return fit_isotropic<1>(bandwidth, radius_times_a_, error_);
-    case 2:
-      return fit_isotropic<2>(bandwidth, radius_times_a_, error_);
-    case 3:
-      return fit_isotropic<3>(bandwidth, radius_times_a_, error_);
-    default:
-      return fit_isotropic<4>(bandwidth, radius_times_a_, error_);
-  }
+double KernelFamily::cycles(double bandwidth) const {
+  return bandwidth == bandwidth_ && reference_cycles_ > 0.0
+             ? reference_cycles_
+             : radius_times_a_ / gaussian_parameter(1.0, bandwidth);
 }
 
 std::unique_ptr<const KernelFamily::Tabulated> KernelFamily::make(int step) const {
-  const double bandwidth = bandwidth_ * std::exp2(static_cast<double>(step) / kStepsPerOctave);
+  const double cycles = reference_cycles_ + step * kStep;
   // Gaussians of the same a R are the same.
   const bool reference = step == 0 || waves_ == GaborWaves::oriented;
-  CompactKernel kernel = reference ? *reference_ : on_unit_ball(fit(bandwidth));
-  const RadialPolynomial single = to_single_precision(kernel);
-  const double cycles = radius_times_a_ / gaussian_parameter(1.0, bandwidth);
-  auto made = std::make_unique<Tabulated>(Tabulated{std::move(kernel), cycles, false, {}, {}});
-  made->power = single.basis == RadialPolynomial::Basis::power;
+  CompactKernel kernel =
+      reference ? *reference_
+                : on_unit_ball(fit_isotropic(dimensions_, radius_times_a_ / cycles, cycles, error_));
+  const bool power = to_single_precision(kernel).basis == RadialPolynomial::Basis::power;
+  auto made = std::make_unique<Tabulated>(Tabulated{std::move(kernel), cycles, power, {}, {}});
   for (const double c : made->kernel.power_coefficients())
     made->coefficients.push_back(static_cast<float>(c));
   for (const double c : made->kernel.chebyshev_coefficients())
@@ -124,17 +137,18 @@ const KernelFamily::Node& KernelFamily::interval(int step) const {
 KernelFamily::Member KernelFamily::at(double bandwidth) const {
   if (bandwidth == bandwidth_) {
     const Tabulated& reference = tabulated(0);
-    Member member{&reference, &reference, 0.0, reference.cycles, 0.0};
-    member.energy = interval(0).energy[0];
-    return member;
+    return {&reference, &reference, 0.0, reference.cycles, interval(0).energy[0]};
   }
-  const double position = kStepsPerOctave * std::log2(bandwidth / bandwidth_);
+  Member member;
+  member.cycles = cycles(bandwidth);
+  const double position = (member.cycles - reference_cycles_) / kStep;
   const int last = first_ + static_cast<int>(nodes_.size()) - 2;
   const int step = std::clamp(static_cast<int>(std::floor(position)), first_, last);
   const Node& node = interval(step);
-  Member member{&tabulated(step), &tabulated(step + 1), position - step, 0.0, 0.0};
+  member.lower = &tabulated(step);
+  member.upper = &tabulated(step + 1);
+  member.blend = position - step;
   const double x = member.blend;
-  member.cycles = member.lower->cycles + x * (member.upper->cycles - member.lower->cycles);
   // The parabola through the three energies.
   const auto [e0, e1, e2] = node.energy;
   member.energy = e0 + x * (4.0 * e1 - 3.0 * e0 - e2) + x * x * (2.0 * e0 - 4.0 * e1 + 2.0 * e2);

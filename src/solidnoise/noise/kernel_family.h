@@ -22,21 +22,22 @@ enum class GaborWaves { isotropic, oriented };
 // wave there are in the radius. The phase is 0 so that u and -u are the same kernel: a field of directions
 // needs no signs.
 //
-// A kernel between the tabulated bandwidths is interpolated linearly between the two neighbours, coefficient
-// by coefficient. Its energy is that of the interpolated kernel, so that a noise normalised by it has exactly
-// the variance that it should (isotropic: the energy is a quadratic polynomial between two bandwidths, and
-// known exactly; oriented: to 1e-6). All kernels have the same product of radius and Gaussian parameter a,
-// that of the cheapest compact kernel of the reference bandwidth, at which the family is exactly that kernel.
+// A kernel between tabulated ones (at equal steps of `cycles`) is interpolated linearly between the two
+// neighbours, coefficient by coefficient. Its energy is that of the interpolated kernel, so that a noise
+// normalised by it has exactly the variance that it should (isotropic: the energy is a quadratic polynomial
+// between two bandwidths, and known exactly; oriented: to 1e-5). All kernels have the same product of radius
+// and Gaussian parameter a, that of the cheapest compact kernel of the reference bandwidth, at which the
+// family is exactly that kernel.
 //
 // Tabulated kernels are made when they are first asked for. May be shared between threads.
 class KernelFamily {
  public:
   static constexpr double kLeastBandwidth = 0.1;  // octaves
   static constexpr double kMostBandwidth = 4.0;
-  static constexpr int kStepsPerOctave = 16;  // tabulated bandwidths in a factor of two
+  static constexpr double kStep = 0.05;  // between tabulated kernels, in cycles
 
   // `bandwidth`: the reference, in octaves; `error`: relative RMS error of its compact kernel. Others may
-  // have an error up to twice that.
+  // have an error up to three times that.
   KernelFamily(int dimensions, GaborWaves waves, double bandwidth, double error);
 
   int dimensions() const { return dimensions_; }
@@ -83,15 +84,16 @@ class KernelFamily {
   const Tabulated& tabulated(int step) const;
   const Node& interval(int step) const;
   std::unique_ptr<const Tabulated> make(int step) const;
-  CompactKernel fit(double bandwidth) const;
+  double cycles(double bandwidth) const;
 
   int dimensions_;
   GaborWaves waves_;
   double bandwidth_;
   double error_;
-  double radius_times_a_ = 0.0;  // 0 until the reference is made
+  double radius_times_a_ = 0.0;
+  double reference_cycles_ = 0.0;
   std::optional<CompactKernel> reference_;
-  int first_ = 0;  // step of the first node; step 0 is the reference bandwidth
+  int first_ = 0;  // step of the first node; step 0 is the reference
   mutable std::deque<Node> nodes_;
 };
 

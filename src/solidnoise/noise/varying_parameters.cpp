@@ -36,7 +36,7 @@ void VaryingParameters<Dim>::validate(std::size_t count) const {
                [](float f) { return f > 0.0f; });
   require_each(
       "bandwidth", bandwidth, count,
-      fmt::format("from {} to {} (octaves)", KernelFamily::kLeastBandwidth, KernelFamily::kMostBandwidth),
+      fmt::format("between {} and {} (octaves)", KernelFamily::kLeastBandwidth, KernelFamily::kMostBandwidth),
       [](float b) {
         return b >= static_cast<float>(KernelFamily::kLeastBandwidth) &&
                b <= static_cast<float>(KernelFamily::kMostBandwidth);

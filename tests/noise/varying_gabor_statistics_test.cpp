@@ -1,0 +1,201 @@
+// Moments, spectra and covariances of Gabor noise with parameters per point, against the closed forms.
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "solidnoise/core/quadrature.h"
+#include "solidnoise/core/special_functions.h"
+#include "solidnoise/noise/gabor_noise.h"
+#include "solidnoise/noise/varying_gabor_noise.h"
+#include "support/independent_values.h"
+#include "support/scattered.h"
+
+namespace solidnoise {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+// Points so far apart that no impulse is seen by two of them: their values are independent. Each has a
+// neighbour at `lag` (0: none), which follows it.
+template <int Dim>
+Scattered<Dim> independent_points(std::size_t count, double distance, const Vec<Dim>& lag = Vec<Dim>(0.0)) {
+  Scattered<Dim> result;
+  const auto side = static_cast<std::size_t>(std::ceil(std::pow(static_cast<double>(count), 1.0 / Dim)));
+  for (std::size_t i = 0; i < count; ++i) {
+    for (int neighbour = 0; neighbour < (lag == Vec<Dim>(0.0) ? 1 : 2); ++neighbour) {
+      std::size_t rest = i;
+      for (int axis = 0; axis < Dim; ++axis) {
+        const double x =
+            distance * (static_cast<double>(rest % side) - 0.3 * static_cast<double>(side) + 0.137);
+        result.offset[static_cast<std::size_t>(axis)].push_back(
+            static_cast<float>(x + neighbour * lag[axis]));
+        rest /= side;
+      }
+    }
+  }
+  return result;
+}
+
+template <int Dim>
+std::vector<float> evaluate(const VaryingGaborNoise<Dim>& noise, const Scattered<Dim>& scattered) {
+  std::vector<float> values(scattered.size());
+  noise.evaluate(scattered.points(), scattered.parameters(), values);
+  return values;
+}
+
+template <int Dim>
+VaryingGaborNoise<Dim> make(GaborWaves waves, ScaleTransition transition, double impulses = 24.0) {
+  VaryingGaborOptions options;
+  options.impulses = impulses;
+  options.waves = waves;
+  options.transition = transition;
+  options.frequency = 1.0;
+  options.seed = 3;
+  return VaryingGaborNoise<Dim>(options);
+}
+
+// The parameters change smoothly over several octaves from one end of the points to the other.
+template <int Dim>
+void set_smooth_fields(Scattered<Dim>& points) {
+  const std::size_t count = points.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const double t = static_cast<double>(i) / static_cast<double>(count);
+    points.frequency.push_back(static_cast<float>(std::exp2(4.0 * t)));
+    points.bandwidth.push_back(static_cast<float>(1.0 + 0.6 * std::sin(20.0 * t)));
+    points.magnitude.push_back(static_cast<float>(2.0 + std::sin(9.0 * t)));
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      points.direction[axis].push_back(static_cast<float>(std::cos(7.0 * t + static_cast<double>(axis))));
+    }
+  }
+}
+
+template <int Dim>
+void expect_unit_variance_under_varying_parameters(ScaleTransition transition, std::size_t count) {
+  for (const GaborWaves waves : {GaborWaves::isotropic, GaborWaves::oriented}) {
+    SCOPED_TRACE(testing::Message() << Dim << "D, waves " << static_cast<int>(waves) << ", transition "
+                                    << static_cast<int>(transition));
+    const auto noise = make<Dim>(waves, transition);
+    auto points = independent_points<Dim>(count, 2.1 * noise.radius(1.0, 0.4));
+    set_smooth_fields<Dim>(points);
+    std::vector<float> values = evaluate<Dim>(noise, points);
+    for (std::size_t i = 0; i < count; ++i) values[i] /= points.magnitude[i];
+    expect_within_4_sigma(estimate_mean(values, [](double x) { return x; }), 0.0);
+    expect_within_4_sigma(estimate_mean(values, [](double x) { return x * x; }), 1.0);
+    // Parts of the field: 16 along the way, over four octaves of frequency.
+    for (std::size_t part = 0; part < 16; ++part) {
+      const std::vector<float> some(values.begin() + static_cast<std::ptrdiff_t>(part * count / 16),
+                                    values.begin() + static_cast<std::ptrdiff_t>((part + 1) * count / 16));
+      expect_within_4_sigma(estimate_mean(some, [](double x) { return x * x; }), 1.0);
+    }
+  }
+}
+
+TEST(VaryingGaborStatistics, VarianceIsOneUnderAnyFieldOfParameters) {
+  expect_unit_variance_under_varying_parameters<2>(ScaleTransition::fade, 160000);
+  expect_unit_variance_under_varying_parameters<3>(ScaleTransition::fade, 80000);
+  expect_unit_variance_under_varying_parameters<4>(ScaleTransition::fade, 16000);
+  expect_unit_variance_under_varying_parameters<2>(ScaleTransition::power, 80000);
+  expect_unit_variance_under_varying_parameters<3>(ScaleTransition::power, 40000);
+}
+
+// Values of the same law: all at one place in the range of a level.
+template <int Dim>
+std::vector<float> values_at(double alpha, ScaleTransition transition, std::size_t count) {
+  const auto noise = make<Dim>(GaborWaves::isotropic, transition);
+  const double frequency = noise.radius(1.0, 1.0) / (1.0 + alpha);
+  auto points = independent_points<Dim>(count, 2.1 * (1.0 + alpha));
+  points.frequency.assign(count, static_cast<float>(frequency));
+  return evaluate<Dim>(noise, points);
+}
+
+TEST(VaryingGaborStatistics, PaperWeightsLoseTheVarianceThatTheyShould) {
+  for (const double alpha : {0.2, 1.0 / 3.0, 0.5, 0.8}) {
+    const ScaleWeights weights = scale_weights(ScaleTransition::paper, 2, alpha);
+    const auto values = values_at<2>(alpha, ScaleTransition::paper, 60000);
+    expect_within_4_sigma(estimate_mean(values, [](double x) { return x * x; }),
+                          scale_variance(weights, 2, alpha));
+  }
+}
+
+TEST(VaryingGaborStatistics, FadingKeepsTheKurtosisToo) {
+  for (const double alpha : {0.0, 0.2, 0.5, 0.9}) {
+    const auto values = values_at<2>(alpha, ScaleTransition::fade, 60000);
+    const double expected = make<2>(GaborWaves::isotropic, ScaleTransition::fade).excess_kurtosis() + 3.0;
+    expect_within_4_sigma(estimate_mean(values, [](double x) { return std::pow(x, 4); }), expected);
+  }
+}
+
+TEST(VaryingGaborStatistics, ExcessKurtosisIsThatOfAStationaryNoiseOfAsManyImpulses) {
+  const VaryingGaborNoise<3> noise({.frequency = 1.0, .impulses = 50.0});
+  const GaborNoise<3> stationary({.frequency = 1.0, .impulses = 50.0});
+  EXPECT_NEAR(noise.excess_kurtosis(), stationary.excess_kurtosis(), 1e-9);
+  EXPECT_EQ(VaryingGaborNoise<3>({}).impulses_per_kernel(), GaborNoise<3>({}).impulses_per_kernel());
+}
+
+// The covariance at a lag is that of a stationary noise: the Fourier transform of the spectrum. Where the
+// parameters are constant, whichever the level.
+template <int Dim>
+void expect_covariance(double frequency) {
+  const auto noise = make<Dim>(GaborWaves::isotropic, ScaleTransition::fade);
+  const GaborNoise<Dim> stationary(
+      GaborNoiseOptions{.frequency = frequency, .impulses = noise.impulses_per_kernel()});
+  const double radius = stationary.radius();
+  for (const double lag : {0.2, 0.45, 0.8}) {
+    // Of the compact kernel: the integral of its squared spectrum times the mean cosine.
+    const auto density = [&](double f) {
+      Vec<Dim> at(0.0);
+      at[0] = f;
+      return stationary.power_spectrum(at) * std::pow(f, Dim - 1) * unit_sphere_area(Dim);
+    };
+    const double expected =
+        integrate([&](double f) { return density(f) * mean_cosine(Dim, 2.0 * kPi * f * lag / frequency); },
+                  0.0, 8.0 * frequency, 40);
+    Vec<Dim> along(0.0);
+    along[Dim - 1] = lag / frequency;
+    auto points = independent_points<Dim>(40000, 2.1 * radius + lag / frequency, along);
+    points.frequency.assign(points.size(), static_cast<float>(frequency));
+    const std::vector<float> values = evaluate<Dim>(noise, points);
+    std::vector<double> products;
+    for (std::size_t i = 0; i < values.size(); i += 2) {
+      products.push_back(static_cast<double>(values[i]) * static_cast<double>(values[i + 1]));
+    }
+    expect_within_4_sigma(estimate_mean(products, [](double x) { return x; }), expected);
+  }
+}
+
+TEST(VaryingGaborStatistics, CovarianceIsThatOfTheStationaryNoiseAtEveryScale) {
+  expect_covariance<2>(1.0);
+  expect_covariance<2>(1.37);
+  expect_covariance<3>(0.8);
+}
+
+TEST(VaryingGaborStatistics, SpectrumOfTheOptionsIsThatOfTheStationaryNoise) {
+  const VaryingGaborNoise<3> noise({.frequency = 2.0, .bandwidth = 1.4});
+  const GaborNoise<3> stationary({.frequency = 2.0, .bandwidth = 1.4});
+  for (double f = 0.0; f < 5.0; f += 0.3) {
+    EXPECT_NEAR(noise.power_spectrum({f, 0.0, 0.0}), stationary.power_spectrum({f, 0.0, 0.0}), 1e-9);
+  }
+}
+
+TEST(VaryingGaborStatistics, OrientedSpectrumIntegratesToOneAndLiesAlongTheDirection) {
+  VaryingGaborOptions options;
+  options.frequency = 1.0;
+  options.bandwidth = 2.0;
+  options.waves = GaborWaves::oriented;
+  options.direction = Vec<4>(3.0, 4.0, 0.0, 0.0);
+  const VaryingGaborNoise<2> noise(options);
+  double sum = 0.0;
+  constexpr double kStep = 0.05;
+  // The spectrum is smooth and falls as f^-7 or faster; the midpoint rule converges as fast.
+  for (double x = -8.0 + kStep / 2; x < 8.0; x += kStep) {
+    for (double y = -8.0 + kStep / 2; y < 8.0; y += kStep)
+      sum += noise.power_spectrum({x, y}) * kStep * kStep;
+  }
+  EXPECT_NEAR(sum, 1.0, 1e-3);
+  EXPECT_GT(noise.power_spectrum({0.6, 0.8}), 50.0 * noise.power_spectrum({-0.8, 0.6}));
+}
+
+}  // namespace
+}  // namespace solidnoise

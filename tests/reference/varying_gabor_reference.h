@@ -1,0 +1,171 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <numbers>
+
+#include "reference/gabor_kernels.h"
+#include "solidnoise/core/random.h"
+#include "solidnoise/noise/impulse_process.h"
+
+// Gabor noise whose kernel belongs to the evaluation point, as it is defined: one point, one impulse at a
+// time, in double precision. It has in common with the library the random numbers only.
+namespace solidnoise::reference {
+
+// How impulses enter and leave as the kernel's radius changes.
+enum class Transition { none, fade, power, paper };
+
+template <int Dim>
+struct VaryingSetting {
+  Transition transition = Transition::fade;
+  double impulses = 20.0;  // N
+  double layer = 0.0;      // half thickness of a surface's layer, in radii; 0: the kernel is a ball
+  std::uint64_t seed = 0;
+};
+
+template <int Dim>
+struct VaryingPoint {
+  Position<Dim> position{};
+  double radius = 1.0;
+  Position<Dim> normal{};                                     // of a surface, in 3D
+  std::function<double(const Position<Dim>& offset)> kernel;  // 0 from the radius on
+  double energy = 1.0;  // integral of its square, over space or over the tangent plane
+};
+
+inline double smooth_step(double x) {
+  return x <= 0.0 ? 0.0 : x >= 1.0 ? 1.0 : x * x * (3.0 - 2.0 * x);
+}
+
+// The window of a layer and the integral of its square.
+inline double window(double u) {
+  return std::abs(u) < 1.0 ? std::pow(1.0 - u * u, 2) : 0.0;
+}
+inline constexpr double kWindowPower = 256.0 / 315.0;
+
+// Ramps up from 2^-n over half of that, down over the last quarter.
+template <int Dim>
+double fade(double y) {
+  const double lowest = std::pow(0.5, Dim);
+  return smooth_step(std::fmin((y - lowest) / (0.5 * lowest), (1.0 - y) / 0.25));
+}
+
+// Integral over y of fade^power, by the midpoint rule.
+template <int Dim>
+double fade_moment(int power) {
+  constexpr int kSteps = 200000;
+  double sum = 0.0;
+  for (int i = 0; i < kSteps; ++i) sum += std::pow(fade<Dim>((i + 0.5) / kSteps), power);
+  return sum / kSteps;
+}
+
+template <int Dim>
+class VaryingGaborProcedure {
+ public:
+  explicit VaryingGaborProcedure(const VaryingSetting<Dim>& setting) : setting_(setting) {
+    const double ball = std::array{0.0, 2.0, std::numbers::pi, 4.0 * std::numbers::pi / 3.0,
+                                   std::numbers::pi * std::numbers::pi / 2.0}[Dim];
+    const double support = setting.layer > 0.0 ? 2.0 * std::numbers::pi * setting.layer : ball;
+    density_ = setting.impulses / support;
+    second_ = 1.0;
+    if (setting.transition == Transition::fade) {
+      second_ = fade_moment<Dim>(2);
+      density_ *= fade_moment<Dim>(4) / (second_ * second_);
+    }
+  }
+
+  // Of unit variance (less with the paper's weights).
+  double operator()(const VaryingPoint<Dim>& point) const {
+    double energy = point.energy;
+    double reach = 1.0;
+    if (setting_.layer > 0.0) {
+      energy *= kWindowPower * setting_.layer * point.radius;
+      reach = std::hypot(1.0, setting_.layer);
+    }
+    // density_ per cube of the radius.
+    const double scale = 1.0 / std::sqrt(density_ / std::pow(point.radius, Dim) * second_ * energy);
+    if (setting_.transition == Transition::none) {
+      return scale * sum_of_grid(point, 0, reach * point.radius, density_ * std::pow(reach, Dim), reach);
+    }
+    const int level = static_cast<int>(std::floor(std::log2(point.radius)));
+    const double alpha = point.radius / std::exp2(level) - 1.0;
+    const double growth = std::pow(1.0 + alpha, Dim);
+    double fine = 1.0;
+    double coarse = 1.0;
+    if (setting_.transition == Transition::power) {
+      const double angle = 0.5 * std::numbers::pi * smooth_step(alpha);
+      fine = std::cos(angle) / std::sqrt(growth);
+      coarse = std::sin(angle) * std::sqrt(std::exp2(Dim) / growth);
+    } else if (setting_.transition == Transition::paper) {
+      fine = (1.0 - alpha) / growth;
+      coarse = std::exp2(Dim) * alpha / growth;
+    }
+    const double band = setting_.transition == Transition::fade ? 1.0 - std::exp2(-Dim) : 1.0;
+    double sum = 0.0;
+    for (const int step : {0, 1}) {
+      const double size = std::exp2(level + step);
+      sum += (step == 0 ? fine : coarse) * sum_of_grid(point, level + step, size, density_ * band, reach);
+    }
+    // At radius (1 + alpha) 2^l the finer grid has (1 + alpha)^n times the density asked for, and the weights
+    // make up for it; the fading selects it.
+    return scale * sum;
+  }
+
+ private:
+  double sum_of_grid(const VaryingPoint<Dim>& point, int level, double size, double mean,
+                     double reach) const {
+    std::array<CellAxis, Dim> axes;
+    axes.fill(CellAxis(size));
+    // Keys: stream 1 of the seed, and of that one stream per level from 2^20 on.
+    const std::uint64_t key =
+        derive_seed(derive_seed(setting_.seed, 1), (1u << 20) + static_cast<std::uint64_t>(level));
+    const ImpulseProcess<Dim> process(axes, mean, key);
+    Index<Dim> first, last;
+    for (int axis = 0; axis < Dim; ++axis) {
+      first[axis] =
+          static_cast<std::int64_t>(std::floor((point.position[axis] - reach * point.radius) / size));
+      last[axis] =
+          static_cast<std::int64_t>(std::floor((point.position[axis] + reach * point.radius) / size));
+    }
+    double sum = 0.0;
+    Index<Dim> cell = first;
+    while (true) {
+      process.generate(cell, [&](const Impulse<Dim>& impulse) { sum += term(point, cell, size, impulse); });
+      int axis = Dim - 1;
+      while (axis >= 0 && ++cell[axis] > last[axis]) {
+        cell[axis] = first[axis];
+        --axis;
+      }
+      if (axis < 0) return sum;
+    }
+  }
+
+  double term(const VaryingPoint<Dim>& point, const Index<Dim>& cell, double size,
+              const Impulse<Dim>& impulse) const {
+    Position<Dim> offset;
+    double height = 0.0;
+    for (int axis = 0; axis < Dim; ++axis) {
+      const double fraction = impulse.position[axis] / static_cast<double>(CellAxis::kQuantaPerCell);
+      offset[axis] = point.position[axis] - (static_cast<double>(cell[axis]) + fraction) * size;
+      height += offset[axis] * point.normal[axis];
+    }
+    double factor = impulse.mark >> 63 ? 1.0 : -1.0;
+    if (setting_.layer > 0.0) {
+      for (int axis = 0; axis < Dim; ++axis) offset[axis] -= height * point.normal[axis];
+      factor *= window(height / (setting_.layer * point.radius));
+    }
+    if (setting_.transition == Transition::fade) {
+      const double share = static_cast<double>(impulse.mark & 0xffffffu) / 0x1p24;
+      const double lowest = std::exp2(-Dim);
+      factor *= fade<Dim>(std::pow(point.radius / size, Dim) * (lowest + (1.0 - lowest) * share));
+    }
+    return factor * point.kernel(offset);
+  }
+
+  VaryingSetting<Dim> setting_;
+  double density_;  // impulses per cube of the kernel's radius
+  double second_;   // integral of fade^2
+};
+
+}  // namespace solidnoise::reference
