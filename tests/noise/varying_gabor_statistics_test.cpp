@@ -93,11 +93,11 @@ void expect_unit_variance_under_varying_parameters(ScaleTransition transition, s
 }
 
 TEST(VaryingGaborStatistics, VarianceIsOneUnderAnyFieldOfParameters) {
-  expect_unit_variance_under_varying_parameters<2>(ScaleTransition::fade, 160000);
-  expect_unit_variance_under_varying_parameters<3>(ScaleTransition::fade, 80000);
+  expect_unit_variance_under_varying_parameters<2>(ScaleTransition::fade, 80000);
+  expect_unit_variance_under_varying_parameters<3>(ScaleTransition::fade, 48000);
   expect_unit_variance_under_varying_parameters<4>(ScaleTransition::fade, 16000);
-  expect_unit_variance_under_varying_parameters<2>(ScaleTransition::power, 80000);
-  expect_unit_variance_under_varying_parameters<3>(ScaleTransition::power, 40000);
+  expect_unit_variance_under_varying_parameters<2>(ScaleTransition::power, 48000);
+  expect_unit_variance_under_varying_parameters<3>(ScaleTransition::power, 24000);
 }
 
 // Values of the same law: all at one place in the range of a level.
@@ -154,7 +154,7 @@ void expect_covariance(double frequency) {
                   0.0, 8.0 * frequency, 40);
     Vec<Dim> along(0.0);
     along[Dim - 1] = lag / frequency;
-    auto points = independent_points<Dim>(40000, 2.1 * radius + lag / frequency, along);
+    auto points = independent_points<Dim>(20000, 2.1 * radius + lag / frequency, along);
     points.frequency.assign(points.size(), static_cast<float>(frequency));
     const std::vector<float> values = evaluate<Dim>(noise, points);
     std::vector<double> products;

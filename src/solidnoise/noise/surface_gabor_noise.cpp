@@ -41,7 +41,8 @@ Vec<3> unit_tangent(const Vec<3>& direction, const Vec<3>& normal) {
 SurfaceGaborNoise::SurfaceGaborNoise(const SurfaceGaborOptions& options)
     : options_(validated(options)),
       family_(std::make_shared<KernelFamily>(2, options.waves, options.bandwidth, options.error)),
-      kernel_(family_->at(options.bandwidth)) {
+      kernel_(family_->at(options.bandwidth)),
+      compact_(family_->compact(kernel_)) {
   // Moments of kernel and window, in units of the kernel's radius.
   const KernelMoments plane = family_->moments(kernel_);
   const KernelMoments moments{plane.second * layer_window_moment(2) * options.layer,
@@ -99,9 +100,8 @@ void SurfaceGaborNoise::evaluate(const SurfacePoints& points, const VaryingParam
 }
 
 double SurfaceGaborNoise::power_spectrum(const Vec<2>& f) const {
-  const CompactKernel unit = family_->compact(kernel_);
   const double r = radius();
-  const auto transform = [&](const Vec<2>& at) { return unit.spectrum(r * glm::length(at)); };
+  const auto transform = [&](const Vec<2>& at) { return compact_.spectrum(r * glm::length(at)); };
   double spectrum = 0.0;
   if (options_.waves == GaborWaves::isotropic) {
     spectrum = transform(f);

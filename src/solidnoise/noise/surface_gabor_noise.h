@@ -66,6 +66,7 @@ class SurfaceGaborNoise {
   SurfaceGaborOptions options_;
   std::shared_ptr<const KernelFamily> family_;
   KernelFamily::Member kernel_;  // of the options
+  CompactKernel compact_;        // the same, on the unit ball
   double impulses_ = 0.0;
   double excess_kurtosis_ = 0.0;
   std::shared_ptr<const PointConvolution<3>> stationary_;

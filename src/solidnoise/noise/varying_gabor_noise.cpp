@@ -38,7 +38,8 @@ template <int Dim>
 VaryingGaborNoise<Dim>::VaryingGaborNoise(const VaryingGaborOptions& options)
     : options_(validated(options)),
       family_(std::make_shared<KernelFamily>(Dim, options.waves, options.bandwidth, options.error)),
-      kernel_(family_->at(options.bandwidth)) {
+      kernel_(family_->at(options.bandwidth)),
+      compact_(family_->compact(kernel_)) {
   const KernelMoments moments = family_->moments(kernel_);  // in units of the kernel's radius
   impulses_ = options.impulses > 0.0 ? options.impulses : impulses_for_quality(Dim, 1.0, moments);
   excess_kurtosis_ = noise_excess_kurtosis(impulse_density(Dim, impulses_, 1.0), moments);
@@ -86,9 +87,8 @@ void VaryingGaborNoise<Dim>::evaluate(const Points<Dim>& points, const VaryingPa
 
 template <int Dim>
 double VaryingGaborNoise<Dim>::power_spectrum(const Vec<Dim>& frequency) const {
-  const CompactKernel unit = family_->compact(kernel_);
   const double r = kernel_.cycles / options_.frequency;
-  const auto transform = [&](const Vec<Dim>& at) { return unit.spectrum(r * glm::length(at)); };
+  const auto transform = [&](const Vec<Dim>& at) { return compact_.spectrum(r * glm::length(at)); };
   double spectrum = 0.0;
   if (options_.waves == GaborWaves::isotropic) {
     spectrum = transform(frequency);

@@ -52,6 +52,7 @@ class VaryingGaborNoise {
   VaryingGaborOptions options_;
   std::shared_ptr<const KernelFamily> family_;
   KernelFamily::Member kernel_;  // of the options
+  CompactKernel compact_;        // the same, on the unit ball
   double impulses_ = 0.0;
   double excess_kurtosis_ = 0.0;
   std::shared_ptr<const PointConvolution<Dim>> stationary_;
