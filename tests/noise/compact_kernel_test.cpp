@@ -72,6 +72,38 @@ TEST(CompactKernel, HasTheRequestedErrorAgainstTheUnlimitedKernel) {
   });
 }
 
+TEST(CompactKernel, AtAGivenRadiusHasTheLowestDegreeWithinTheError) {
+  for_each_kernel([]<int Dim>(const IsotropicGaborKernel<Dim>& kernel, const Setting& setting) {
+    const CompactKernel cheapest = compact_kernel(kernel, setting.error);
+    // Where the cheapest one reaches the error exactly, any margin lets the same degree pass.
+    const double radius = cheapest.radius();
+    const CompactKernel same = compact_kernel(kernel, radius, setting.error * (1.0 + 1e-6));
+    EXPECT_EQ(same.degree(), cheapest.degree());
+    EXPECT_EQ(same.radius(), radius);
+    EXPECT_LE(compact_kernel(kernel, 1.1 * radius, setting.error).relative_error(), setting.error);
+  });
+}
+
+TEST(CompactKernel, RefusesARadiusThatLeavesTooMuchOutside) {
+  const auto kernel = IsotropicGaborKernel<2>::with_unit_peak(1.0, 0.7);
+  EXPECT_THROW(compact_kernel(kernel, 0.5 * kernel.radius_for_error(0.02), 0.02), std::invalid_argument);
+}
+
+TEST(CompactGaussian, HasTheRequestedErrorAgainstTheRadialGaussian) {
+  for (int n = 1; n <= 4; ++n) {
+    for (const double error : {0.5, 0.02, 1e-4}) {
+      const double a = 1.7;
+      const CompactKernel compact = compact_gaussian(a, n, error);
+      const auto gaussian = [a](double r) { return std::exp(-kPi * a * a * r * r); };
+      const double inside =
+          ball_integral(compact, [&](double r) { return std::pow(gaussian(r) - compact.value(r), 2); });
+      const double whole = std::pow(std::numbers::sqrt2 * a, -n);
+      const double tail = whole * regularized_gamma_q(0.5 * n, 2.0 * kPi * std::pow(a * compact.radius(), 2));
+      EXPECT_NEAR(std::sqrt((inside + tail) / whole) / error, 1.0, 1e-5) << n << "D, error " << error;
+    }
+  }
+}
+
 TEST(CompactKernel, ValueAndSlopeVanishAtTheRadius) {
   for_each_kernel([]<int Dim>(const IsotropicGaborKernel<Dim>& kernel, const Setting& setting) {
     const CompactKernel compact = compact_kernel(kernel, setting.error);
