@@ -9,6 +9,7 @@
 #include "solidnoise/geometry/read_mesh.h"
 #include "support/mesh_text.h"
 #include "support/message_of.h"
+#include "support/sample_meshes.h"
 
 namespace solidnoise {
 namespace {
@@ -42,13 +43,6 @@ std::string positions(float z = 0.0f) {
   return bytes;
 }
 
-// A triangle in version 2: half-edges 0 2 4 go around it, the others back.
-std::string version_2(const std::string& halfedges, char first = 0) {
-  return header('P', om_version(2, 2), 3, 1, 3) + positions() + chunk(kHalfedges) + halfedges +
-         chunk(kFaces) + first + chunk({.entity = OmChunk::end});
-}
-const std::string kLoop("\2\1\0\5\0\xff\4\2\0\1\1\xff\0\0\0\3\2\xff", 18);
-
 TEST(ReadOm, ReadsFacesAsListsOfVertices) {
   const std::string start = header('T', om_version(1, 0), 3, 1, 0) + positions() + chunk(kFaces);
   EXPECT_EQ(corners_of(read(start + std::string("\2\0\1", 3)).mesh, 0),
@@ -61,15 +55,17 @@ TEST(ReadOm, ReadsFacesAsListsOfVertices) {
 }
 
 TEST(ReadOm, ReadsFacesAsLoopsOfHalfEdges) {
-  EXPECT_EQ(corners_of(read(version_2(kLoop)).mesh, 0), (std::vector<std::uint32_t>{1, 2, 0}));
-  EXPECT_EQ(refusal(version_2(kLoop, 6)), "mesh.om: face 0: it has half-edge 6, but there are 6");
-  EXPECT_EQ(refusal(version_2(kLoop, -1)), "mesh.om: face 0: it has half-edge -1, but there are 6");
-  std::string endless = kLoop;
+  EXPECT_EQ(corners_of(read(om_triangle(kTriangleHalfedges)).mesh, 0), (std::vector<std::uint32_t>{1, 2, 0}));
+  EXPECT_EQ(refusal(om_triangle(kTriangleHalfedges, 6)),
+            "mesh.om: face 0: it has half-edge 6, but there are 6");
+  EXPECT_EQ(refusal(om_triangle(kTriangleHalfedges, -1)),
+            "mesh.om: face 0: it has half-edge -1, but there are 6");
+  std::string endless = kTriangleHalfedges;
   endless[12] = 2;  // the third half-edge's next is the second
-  EXPECT_EQ(refusal(version_2(endless)), "mesh.om: face 0: its half-edges are no loop of its own");
-  std::string far = kLoop;
+  EXPECT_EQ(refusal(om_triangle(endless)), "mesh.om: face 0: its half-edges are no loop of its own");
+  std::string far = kTriangleHalfedges;
   far[1] = -2;
-  EXPECT_EQ(refusal(version_2(far)), "mesh.om: face 0: it has vertex -2, but there are 3 vertices");
+  EXPECT_EQ(refusal(om_triangle(far)), "mesh.om: face 0: it has vertex -2, but there are 3 vertices");
   EXPECT_EQ(refusal(header('P', om_version(2, 2), 3, 1, 2000000000) + positions() + chunk(kHalfedges)),
             "mesh.om: the file ends at half-edge 0 of 4000000000");
 }

@@ -111,6 +111,21 @@ TEST(WriteMesh, ObjHasShortestDecimals) {
             "v 0.1 0.1 1e+20 0 0 0\nv -1 0 0.3333333333333333 0.2 0.2 0.2\nv 0 0 1e-20 1 1 1\nf 1 2 3\n");
 }
 
+TEST(WriteMesh, ObjAndOffHaveZeroForWhatIsNotFinite) {
+  PolygonMesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  mesh.add_face(std::array{0u, 1u, 2u});
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const auto name : {"red", "green", "blue", "nx", "ny", "nz"}) {
+    mesh.properties.push_back({name, ScalarType::float32, {infinity, std::nan(""), 1e99}});
+  }
+  EXPECT_EQ(written(mesh, MeshFormat::obj),
+            "v 0 0 0 0 0 0\nv 1 0 0 0 0 0\nv 0 1 0 0 0 0\nvn 0 0 0\nvn 0 0 0\nvn 0 0 0\nf 1//1 2//2 3//3\n");
+  EXPECT_EQ(written(mesh, MeshFormat::off),
+            "CNOFF\n3 1 0\n0 0 0 0 0 0 255 255 255 255\n1 0 0 0 0 0 0 0 0 255\n0 1 0 0 0 0 255 255 255 255\n"
+            "3 0 1 2\n");
+}
+
 TEST(WriteMesh, OffKeepsShapeColoursAndNormals) {
   const PolygonMesh mesh = awkward_mesh();
   const MeshReading reading = again(mesh, MeshFormat::off, {.comments = {"made by us"}});

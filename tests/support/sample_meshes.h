@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <string>
 
+#include "solidnoise/geometry/om_format.h"
 #include "solidnoise/geometry/polygon_mesh.h"
+#include "support/mesh_text.h"
 
 namespace solidnoise {
 
@@ -42,6 +44,41 @@ inline PolygonMesh awkward_mesh() {
   add("red", ScalarType::uint8, 128, 19);
   add("noise", ScalarType::float32, -1.23456789, 0.7);
   return mesh;
+}
+
+// Six facets as an STL file, in bytes and in words.
+inline std::string stl_binary() {
+  std::string bytes(80, ' ');
+  bytes += bytes_of(std::uint32_t{6});
+  for (int number = 0; number < 6 * 12; ++number) {
+    bytes += bytes_of(static_cast<float>(number % 7));
+    if (number % 12 == 11) bytes += bytes_of(std::uint16_t{0});
+  }
+  return bytes;
+}
+inline std::string stl_text() {
+  std::string text = "solid name\n";
+  for (int facet = 0; facet < 6; ++facet) {
+    text +=
+        "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1e-3 0.25\nendloop\nendfacet\n";
+  }
+  return text + "endsolid name\n";
+}
+
+// A triangle as an OM file of version 2, whose faces are loops of half-edges: 0 2 4 go around it, the others
+// back. A half-edge is the next one, the vertex it points to and the face.
+inline const std::string kTriangleHalfedges("\2\1\0\5\0\xff\4\2\0\1\1\xff\0\0\0\3\2\xff", 18);
+inline std::string om_triangle(const std::string& halfedges = kTriangleHalfedges, char first_of_face = 0) {
+  std::string bytes = "OMP" + bytes_of(om_version(2, 2));
+  for (const std::uint32_t count : {3u, 1u, 3u}) bytes += bytes_of(count);
+  bytes += bytes_of(OmChunk{.is_signed = true, .is_float = true, .dimensions = 3}.pack());
+  for (const float number : {0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f}) bytes += bytes_of(number);
+  bytes += bytes_of(
+      OmChunk{.entity = OmChunk::halfedge, .type = OmChunk::topology, .is_signed = true, .dimensions = 3}
+          .pack());
+  bytes += halfedges;
+  bytes += bytes_of(OmChunk{.entity = OmChunk::face, .type = OmChunk::topology}.pack()) + first_of_face;
+  return bytes + bytes_of(OmChunk{.entity = OmChunk::end}.pack());
 }
 
 }  // namespace solidnoise

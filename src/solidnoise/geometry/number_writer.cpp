@@ -47,6 +47,12 @@ void NumberWriter::decimal(double value, ScalarType type) {
   flush_if_full();
 }
 
+void NumberWriter::finite_decimal(double value, ScalarType type) {
+  const bool finite =
+      std::isfinite(type == ScalarType::float32 ? static_cast<double>(nearest_float(value)) : value);
+  decimal(finite ? value : 0.0, type);
+}
+
 void NumberWriter::decimal(std::uint64_t value) {
   append_decimal(buffer_, value);
   flush_if_full();

@@ -21,6 +21,8 @@ class NumberWriter {
   void text(std::string_view text);
   // A number as the shortest decimal that reads back as the same number of its type.
   void decimal(double value, ScalarType type);
+  // The same, but 0 for what is not finite in its type.
+  void finite_decimal(double value, ScalarType type);
   void decimal(std::uint64_t value);
   // The shortest that reads back as the same double; as if it were a float32 where it is one.
   void decimal(double value);

@@ -26,8 +26,8 @@ struct MeshWriteOptions {
 //   .om   positions of position_type; nx ny nz; red green blue in 8 bits. OpenMesh's version 1, whose faces
 //         are lists of vertices, because version 2 can hold manifolds only
 // Formats but PLY leave out other properties. Texts have the shortest decimals that read back as the same
-// number. Values that their type cannot hold are clamped; integers are rounded. STL holds no shared vertices
-// and no colours, and is not written.
+// number; OBJ and OFF have 0 for values that are not finite. Values that their type cannot hold are clamped;
+// integers are rounded. STL holds no shared vertices and no colours, and is not written.
 //
 // Throws std::runtime_error naming the path (also for an unknown extension), OutputExists, Cancelled;
 // std::invalid_argument for a property whose count is not that of the vertices, or that has a name which is

@@ -20,7 +20,7 @@ void write_obj(std::ostream& stream, const PolygonMesh& mesh, const MeshWriteOpt
     }
     for (std::size_t c = 0; c < colors.size() && c < 3; ++c) {
       out.text(" ");
-      out.decimal(unit_color(*colors[c], v), ScalarType::float32);
+      out.finite_decimal(unit_color(*colors[c], v), ScalarType::float32);
     }
     out.text("\n");
   }
@@ -30,7 +30,7 @@ void write_obj(std::ostream& stream, const PolygonMesh& mesh, const MeshWriteOpt
     out.text("vn");
     for (const VertexProperty* part : normals) {
       out.text(" ");
-      out.decimal(part->values[v], part->type);
+      out.finite_decimal(part->values[v], part->type);
     }
     out.text("\n");
   }

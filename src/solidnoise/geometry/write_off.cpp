@@ -28,7 +28,7 @@ void write_off(std::ostream& stream, const PolygonMesh& mesh, const MeshWriteOpt
     const auto put_values = [&](const std::vector<const VertexProperty*>& parts) {
       for (const VertexProperty* part : parts) {
         out.text(" ");
-        out.decimal(part->values[v], part->type);
+        out.finite_decimal(part->values[v], part->type);
       }
     };
     for (int axis = 0; axis < 3; ++axis) {

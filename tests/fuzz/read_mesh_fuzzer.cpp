@@ -1,0 +1,52 @@
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "solidnoise/geometry/inspect_mesh.h"
+#include "solidnoise/geometry/read_mesh.h"
+#include "support/mesh_text.h"
+#include "support/sound_mesh.h"
+
+namespace solidnoise {
+namespace {
+
+void require(bool condition) {
+  if (!condition) std::abort();
+}
+
+// Whatever can be read is sound, can be written in every format, and has the same shape when read again.
+void check(const PolygonMesh& mesh) {
+  require(fault_of(mesh).empty());
+  inspect_mesh(mesh);
+  for (const MeshFormat format : {MeshFormat::ply, MeshFormat::obj, MeshFormat::off, MeshFormat::om}) {
+    // OBJ has no faces without vertices, OM none of more than 65535.
+    bool fits = true;
+    for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+      fits = fits && !mesh.face(f).empty() && mesh.face(f).size() < 65536;
+    }
+    if (!fits && format != MeshFormat::ply) continue;
+    const PolygonMesh again = read_mesh(written(mesh, format), format, "again").mesh;
+    require(again.positions.size() == mesh.positions.size());
+    require(again.face_starts == mesh.face_starts && again.corners == mesh.corners);
+  }
+}
+
+}  // namespace
+}  // namespace solidnoise
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace solidnoise;
+  const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+  PolygonMesh mesh;
+  try {
+    mesh = read_mesh(bytes, MeshFormat::SOLIDNOISE_FUZZED_FORMAT, "mesh").mesh;
+  } catch (const std::runtime_error& error) {
+    require(std::string_view(error.what()).starts_with("mesh:"));
+    return 0;
+  }
+  check(mesh);
+  return 0;
+}
