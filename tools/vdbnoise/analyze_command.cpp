@@ -8,6 +8,7 @@
 
 #include "common/exit_status.h"
 #include "common/flag_set.h"
+#include "common/outputs.h"
 #include "common/usage_error.h"
 #include "solidnoise/analysis/four_panel.h"
 #include "solidnoise/image/image_file.h"
@@ -19,7 +20,6 @@
 #include "vdbnoise/commands.h"
 #include "vdbnoise/dense_block.h"
 #include "vdbnoise/kernel_slice.h"
-#include "vdbnoise/outputs.h"
 
 namespace solidnoise {
 namespace {

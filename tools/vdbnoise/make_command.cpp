@@ -12,6 +12,8 @@
 #include "common/exit_status.h"
 #include "common/interrupt.h"
 #include "common/memory.h"
+#include "common/outputs.h"
+#include "common/presets.h"
 #include "common/task_progress.h"
 #include "common/text_file.h"
 #include "common/usage_error.h"
@@ -22,8 +24,6 @@
 #include "vdbnoise/commands.h"
 #include "vdbnoise/describe.h"
 #include "vdbnoise/make_options.h"
-#include "vdbnoise/outputs.h"
-#include "vdbnoise/presets.h"
 #include "vdbnoise/recipe_source.h"
 
 namespace solidnoise {
@@ -34,6 +34,8 @@ constexpr char kDescription[] =
     "  vdbnoise --out cloud.vdb     makes a cloud\n"
     "  vdbnoise info FILE           prints a file's grids and recipe\n"
     "  vdbnoise analyze FILE        measures a grid and compares it with the theory";
+
+constexpr std::string_view kDefaultPreset = "cumulus";
 
 void list_presets() {
   for (const Preset& preset : presets()) {

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "common/flag_targets.h"
 #include "common/noise_flags.h"
 #include "common/parse_value.h"
 #include "common/usage_error.h"
@@ -15,21 +16,6 @@
 
 namespace solidnoise {
 namespace {
-
-template <typename Enum, std::size_t Count>
-void declare_choice(FlagSet& flags, const std::string& flag, const Choices<Enum, Count>& choices,
-                    const std::string& help, Enum& target) {
-  flags.choice(flag, names_of(choices), help,
-               [&target, choices](std::size_t index) { target = choices[index].value; });
-}
-
-void keep(FlagSet& flags, const std::string& flag, const std::string& value_name, const std::string& help,
-          std::string& target) {
-  flags.text(flag, value_name, help, [flag, &target](const std::string& text) {
-    if (text.empty()) throw UsageError(flag + " is empty; it must be a name");
-    target = text;
-  });
-}
 
 // "box", "sphere", "ellipsoid", "bunny.obj", "smoke.vdb" or "smoke.vdb:density". Files are kept with their
 // whole path, so that the recipe can be used from any folder.

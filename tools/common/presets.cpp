@@ -1,4 +1,4 @@
-#include "vdbnoise/presets.h"
+#include "common/presets.h"
 
 #include <string>
 

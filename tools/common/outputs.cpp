@@ -1,4 +1,4 @@
-#include "vdbnoise/outputs.h"
+#include "common/outputs.h"
 
 #include <filesystem>
 #include <stdexcept>

@@ -11,8 +11,7 @@ struct Preset {
   std::string_view json;
 };
 
-inline constexpr std::string_view kDefaultPreset = "cumulus";
-
+// Those of this program; defined by the source that solidnoise_tool() in CMakeLists.txt makes of them.
 std::span<const Preset> presets();
 
 // Throws UsageError that lists the names if there is none of this one.

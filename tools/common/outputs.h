@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "solidnoise/volume/vdb_write.h"
+#include "solidnoise/core/output_file.h"
 
 namespace solidnoise {
 
