@@ -13,6 +13,7 @@
 #include <benchmark/benchmark.h>
 #include <hwy/targets.h>
 
+#include "point_bench.h"
 #include "ratio_reporter.h"
 #include "reference/gabor_reference.h"
 #include "reference/kensler_reference.h"
@@ -195,6 +196,7 @@ int main(int argc, char** argv) {
   solidnoise::bench::add_oriented(ratios);
   solidnoise::bench::add_animated(ratios);
   solidnoise::bench::add_kensler(ratios);
+  solidnoise::bench::add_scattered(ratios);
   solidnoise::bench::add_threads(ratios);
 
   // Ours come first, so that the command line overrides them.

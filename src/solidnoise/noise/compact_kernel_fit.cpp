@@ -20,7 +20,7 @@ namespace solidnoise {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr int kMostDegree = 2000;  // of a fit at a given radius: what needs more cannot be fitted there
+constexpr int kMostDegree = 400;  // of a fit at a given radius: what needs more cannot be fitted there
 
 // What is to be approximated: a radial function in n dimensions.
 struct RadialFunction {

@@ -124,15 +124,19 @@ class PointConvolution<Dim>::Evaluation {
     const double radius = prepared_[point].radius;
     if (fixed_) {
       const double size = radius * extent_.reach();
-      return add(level(0, size), point, radius / size, 1.0);
+      if (!fine_) fine_ = &level(0, size);
+      return add(*fine_, point, radius / size, 1.0);
     }
-    const int fine = std::ilogb(radius);
-    const double size = std::ldexp(1.0, fine);
-    const ScaleWeights weights = scale_weights(noise_.settings_.transition, Dim, radius / size - 1.0);
-    if (weights.fine != 0.0) add(level(fine, size), point, radius / size, weights.fine);
-    if (weights.coarse != 0.0) {
-      add(level(fine + 1, 2.0 * size), point, 0.5 * radius / size, weights.coarse);
+    // Most often the levels are those of the point before.
+    if (!(radius >= size_ && radius < 2.0 * size_)) {
+      const int l = std::ilogb(radius);
+      size_ = std::ldexp(1.0, l);
+      fine_ = &level(l, size_);
+      coarse_ = &level(l + 1, 2.0 * size_);
     }
+    const ScaleWeights weights = scale_weights(noise_.settings_.transition, Dim, radius / size_ - 1.0);
+    if (weights.fine != 0.0) add(*fine_, point, radius / size_, weights.fine);
+    if (weights.coarse != 0.0) add(*coarse_, point, 0.5 * radius / size_, weights.coarse);
   }
 
   void add(Level& level, std::uint32_t point, double radius, double weight) {
@@ -160,9 +164,9 @@ class PointConvolution<Dim>::Evaluation {
       const std::size_t count = tile_size<Dim>(points);
       const std::span<const Located> tile = points.first(count);
       gather(cells, tile);
-      for (std::size_t first = 0; first < count; first += PointCluster::kSamples) {
-        const std::size_t in_cluster = std::min<std::size_t>(PointCluster::kSamples, count - first);
-        evaluate_cluster(cells.axis().size(), tile.subspan(first, in_cluster), power);
+      for (std::size_t first = 0; first < count; first += kPatchPoints) {
+        evaluate_patch(cells.axis().size(), tile.subspan(first, std::min(kPatchPoints, count - first)),
+                       power);
       }
       points = points.subspan(count);
     }
@@ -181,25 +185,37 @@ class PointConvolution<Dim>::Evaluation {
               const PointCull& cull) {
     constexpr float kLowest = 1.0f / static_cast<float>(1 << Dim);
     gathered_.reserve(gathered_.size() + items.size());
+    std::array<float*, Dim> position;
+    std::array<float, Dim> corner;
+    for (int axis = 0; axis < Dim; ++axis) {
+      position[static_cast<std::size_t>(axis)] = gathered_.position(axis);
+      corner[static_cast<std::size_t>(axis)] = static_cast<float>(cell[axis]);
+    }
+    float* const weight = gathered_.attribute(PointImpulses::kWeight);
+    float* const turn = gathered_.attribute(PointImpulses::kTurn);
     std::size_t end = gathered_.size();
     for (const auto& item : items) {
-      const float turn = kLowest + (1.0f - kLowest) * item.share;
-      if (extent_.fade && (turn < cull.least_turn || turn > cull.most_turn)) continue;
-      for (int axis = 0; axis < Dim; ++axis) {
-        gathered_.position(axis)[end] =
-            static_cast<float>(cell[axis]) + item.position[static_cast<std::size_t>(axis)];
-      }
-      gathered_.attribute(PointImpulses::kWeight)[end] = item.weight;
-      gathered_.attribute(PointImpulses::kTurn)[end] = turn;
-      ++end;
+      for (std::size_t axis = 0; axis < Dim; ++axis) position[axis][end] = corner[axis] + item.position[axis];
+      weight[end] = item.weight;
+      turn[end] = kLowest + (1.0f - kLowest) * item.share;
+      end += turn[end] >= cull.least_turn && turn[end] <= cull.most_turn ? 1 : 0;
     }
     gathered_.set_size(end);
+  }
+
+  void evaluate_patch(double cell_size, std::span<const Located> points, bool power) {
+    near_.clear();
+    cull_impulses(gathered_, bounds<Dim>(points, anchor_, extent_), near_);
+    for (std::size_t first = 0; first < points.size(); first += PointCluster::kSamples) {
+      const std::size_t count = std::min<std::size_t>(PointCluster::kSamples, points.size() - first);
+      evaluate_cluster(cell_size, points.subspan(first, count), power);
+    }
   }
 
   void evaluate_cluster(double cell_size, std::span<const Located> points, bool power) {
     const PointCull cull = bounds<Dim>(points, anchor_, extent_);
     kept_.clear();
-    cull_impulses(gathered_, cull, kept_);
+    cull_impulses(near_, cull, kept_);
 
     fill_polynomials(points, power);
     cluster_.count = static_cast<int>(points.size());
@@ -247,19 +263,21 @@ class PointConvolution<Dim>::Evaluation {
   }
 
   void fill_lane(double cell_size, const Located& point, std::size_t lane) {
-    const KernelPoint<Dim>& prepared = prepared_[point.point];
     for (int axis = 0; axis < Dim; ++axis) {
       cluster_.coordinate[axis][lane] = from_anchor<Dim>(point, anchor_, axis);
-      cluster_.wave[axis][lane] =
-          static_cast<float>(prepared.wave[static_cast<std::size_t>(axis)] * cell_size);
     }
     cluster_.density[lane] = point.density;
     cluster_.inverse_square_radius[lane] = 1.0f / (point.radius * point.radius);
-    if (!kernel_.layer) return;
-    const float height = point.radius * static_cast<float>(extent_.layer);
-    cluster_.inverse_square_height[lane] = 1.0f / (height * height);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      cluster_.normal[axis][lane] = point.normal[axis];
+    if (kernel_.oriented) {
+      const auto& wave = prepared_[point.point].wave;
+      for (std::size_t axis = 0; axis < Dim; ++axis) {
+        cluster_.wave[axis][lane] = static_cast<float>(wave[axis] * cell_size);
+      }
+    }
+    if (kernel_.layer) {
+      const float height = point.radius * static_cast<float>(extent_.layer);
+      cluster_.inverse_square_height[lane] = 1.0f / (height * height);
+      for (std::size_t axis = 0; axis < 3; ++axis) cluster_.normal[axis][lane] = point.normal[axis];
     }
   }
 
@@ -288,13 +306,17 @@ class PointConvolution<Dim>::Evaluation {
   KernelExtent extent_;
   PointKernel kernel_;
   std::map<int, Level> levels_;
+  double size_ = 0.0;  // of the cells of the finer of two levels, those used last
+  Level* fine_ = nullptr;
+  Level* coarse_ = nullptr;
   std::span<const std::size_t> batch_;
   std::vector<KernelPoint<Dim>> prepared_;
   std::array<std::vector<double>, Dim> positions_;
   std::vector<float> sums_;
   Index<Dim> anchor_{0};
-  PointImpulses gathered_;
-  PointImpulses kept_;
+  PointImpulses gathered_;  // of a tile
+  PointImpulses near_;      // of a patch
+  PointImpulses kept_;      // of a cluster
   PointCluster cluster_;
   PointPolynomials polynomials_;
   std::vector<float> coefficients_;

@@ -35,6 +35,18 @@ void bound_layer(std::span<const LocatedPoint<Dim>> points, const Index<Dim>& an
 
 }  // namespace
 
+CellRange::CellRange(const PointCull& cull, int axis) {
+  const auto a = static_cast<std::size_t>(axis);
+  first = static_cast<int>(std::floor(cull.lower[a] - cull.reach));
+  count = std::min(static_cast<int>(std::floor(cull.upper[a] + cull.reach)) - first + 1, kMost);
+  for (int i = 0; i < count; ++i) {
+    const auto lower = static_cast<float>(first + i);
+    const float excess = std::max({lower - cull.upper[a], cull.lower[a] - lower - 1.0f, 0.0f});
+    square[static_cast<std::size_t>(i)] = excess * excess;
+    along[static_cast<std::size_t>(i)] = axis < 3 ? cull.normal[a] * (lower + 0.5f) : 0.0f;
+  }
+}
+
 template <int Dim>
 std::size_t tile_size(std::span<const LocatedPoint<Dim>> points) {
   Index<Dim> lower = points.front().cell;

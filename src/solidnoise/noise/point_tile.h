@@ -30,8 +30,9 @@ float from_anchor(const LocatedPoint<Dim>& point, const Index<Dim>& anchor, int 
 }
 
 // A tile is a run of points that are near each other, for which impulses are gathered together.
-inline constexpr std::size_t kTilePoints = 384;
-inline constexpr std::int64_t kTileCells = 3;  // most cells along an axis that the points of a tile lie in
+inline constexpr std::size_t kTilePoints = 512;
+inline constexpr std::size_t kPatchPoints = 64;  // of a tile, for a first culling
+inline constexpr std::int64_t kTileCells = 3;    // most cells along an axis that the points of a tile lie in
 
 // How many of the first points form a tile.
 template <int Dim>
@@ -51,45 +52,52 @@ template <int Dim>
 PointCull bounds(std::span<const LocatedPoint<Dim>> points, const Index<Dim>& anchor,
                  const KernelExtent& extent);
 
-// Whether a cell may hold any of these.
-template <int Dim>
-bool reaches(const PointCull& cull, const Index<Dim>& cell) {
-  float square = 0.0f;
-  float along = 0.0f;
-  float half = 0.0f;
-  for (int axis = 0; axis < Dim; ++axis) {
-    const auto a = static_cast<std::size_t>(axis);
-    const auto lower = static_cast<float>(cell[axis]);
-    const float excess = std::max({lower - cull.upper[a], cull.lower[a] - lower - 1.0f, 0.0f});
-    square += excess * excess;
-    if (axis < 3) {
-      along += cull.normal[a] * (lower + 0.5f);
-      half += 0.5f * std::abs(cull.normal[a]);
-    }
-  }
-  return square <= cull.reach * cull.reach * 1.0001f && along + half >= cull.below &&
-         along - half <= cull.above;
-}
+// The cells along one axis that may hold impulses of interest.
+struct CellRange {
+  static constexpr int kMost = 24;
 
-// Calls visit(cell) for each of these cells, relative to the anchor, in lexicographic order.
+  int first = 0;
+  int count = 0;
+  std::array<float, kMost> square;  // squared distance from the points' box, along this axis
+  std::array<float, kMost> along;   // of a cell's middle, along the normal
+
+  CellRange(const PointCull& cull, int axis);
+};
+
+// Calls visit(cell) for each cell that may hold impulses that are not culled, relative to the anchor, in
+// lexicographic order.
 template <int Dim, typename Visit>
 void for_each_reaching_cell(const PointCull& cull, const Visit& visit) {
-  Index<Dim> first, last;
-  for (int axis = 0; axis < Dim; ++axis) {
-    const auto a = static_cast<std::size_t>(axis);
-    first[axis] = static_cast<std::int64_t>(std::floor(cull.lower[a] - cull.reach));
-    last[axis] = static_cast<std::int64_t>(std::floor(cull.upper[a] + cull.reach));
-  }
-  Index<Dim> cell = first;
-  while (true) {
-    if (reaches<Dim>(cull, cell)) visit(cell);
-    int axis = Dim - 1;
-    while (axis >= 0 && ++cell[axis] > last[axis]) {
-      cell[axis] = first[axis];
-      --axis;
+  const CellRange last(cull, Dim - 1);
+  const float most = cull.reach * cull.reach * 1.0001f;
+  const float half =
+      0.5f * (std::abs(cull.normal[0]) + std::abs(cull.normal[1]) + std::abs(cull.normal[2])) + 1e-4f;
+  const float below = cull.below - half;
+  const float above = cull.above + half;
+  Index<Dim> cell;
+  const auto visit_row = [&](float square, float along) {
+    for (int i = 0; i < last.count; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      if (square + last.square[k] > most) continue;
+      if (along + last.along[k] < below || along + last.along[k] > above) continue;
+      cell[Dim - 1] = last.first + i;
+      visit(cell);
     }
-    if (axis < 0) return;
-  }
+  };
+  const auto visit_axis = [&]<int kAxis>(const auto& self, float square, float along) {
+    if constexpr (kAxis == Dim - 1) {
+      visit_row(square, along);
+    } else {
+      const CellRange range(cull, kAxis);
+      for (int i = 0; i < range.count; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        if (square + range.square[k] > most) continue;
+        cell[kAxis] = range.first + i;
+        self.template operator()<kAxis + 1>(self, square + range.square[k], along + range.along[k]);
+      }
+    }
+  };
+  visit_axis.template operator()<0>(visit_axis, 0.0f, 0.0f);
 }
 
 extern template std::size_t tile_size(std::span<const LocatedPoint<2>>);
