@@ -54,10 +54,9 @@ class PointConvolution<Dim>::Evaluation {
  public:
   Evaluation(const PointConvolution& noise, const Points<Dim>& points, const Prepare& prepare,
              std::span<float> values)
-      : noise_(noise), points_(points), prepare_(prepare), values_(values) {
+      : noise_(noise), points_(points), prepare_(prepare), values_(values), extent_(noise.settings_.layer) {
     const Settings& settings = noise.settings_;
     fixed_ = settings.radius > 0.0;
-    extent_.layer = settings.layer;
     kernel_.dimensions = Dim;
     kernel_.layer = settings.layer > 0.0;
     kernel_.oriented = settings.waves == GaborWaves::oriented;
@@ -74,8 +73,8 @@ class PointConvolution<Dim>::Evaluation {
  private:
   using Located = LocatedPoint<Dim>;
 
-  // A grid and the points of the batch that use it, those whose polynomials are in powers apart from the
-  // others.
+  // A grid and the points of the batch that use it (and with ScaleTransition::fade the next coarser one too),
+  // those whose polynomials are in powers apart from the others.
   struct Level {
     std::unique_ptr<ImpulseCells<Dim>> cells;
     std::array<std::vector<Located>, 2> points;
@@ -93,10 +92,13 @@ class PointConvolution<Dim>::Evaluation {
     }
     sums_.assign(batch.size(), 0.0f);
     for (std::size_t i = 0; i < batch.size(); ++i) add_to_levels(static_cast<std::uint32_t>(i));
-    for (auto& [key, level] : levels_) {
-      for (int form = 0; form < 2; ++form) {
-        auto& points = level.points[static_cast<std::size_t>(form)];
-        evaluate_level(*level.cells, points, form == 1);
+    for (auto& [l, level] : levels_) {
+      for (const bool power : {false, true}) {
+        auto& points = level.points[power ? 1 : 0];
+        if (points.empty()) continue;
+        level_ = &level;
+        coarse_level_ = extent_.fade ? &this->level(l + 1, 2.0 * level.cells->axis().size()) : nullptr;
+        evaluate_level(points, power);
         points.clear();
       }
     }
@@ -123,7 +125,7 @@ class PointConvolution<Dim>::Evaluation {
   void add_to_levels(std::uint32_t point) {
     const double radius = prepared_[point].radius;
     if (fixed_) {
-      const double size = radius * extent_.reach();
+      const double size = radius * std::hypot(1.0, noise_.settings_.layer);
       if (!fine_) fine_ = &level(0, size);
       return add(*fine_, point, radius / size, 1.0);
     }
@@ -132,8 +134,9 @@ class PointConvolution<Dim>::Evaluation {
       const int l = std::ilogb(radius);
       size_ = std::ldexp(1.0, l);
       fine_ = &level(l, size_);
-      coarse_ = &level(l + 1, 2.0 * size_);
+      coarse_ = extent_.fade ? nullptr : &level(l + 1, 2.0 * size_);
     }
+    if (extent_.fade) return add(*fine_, point, radius / size_, 1.0);
     const ScaleWeights weights = scale_weights(noise_.settings_.transition, Dim, radius / size_ - 1.0);
     if (weights.fine != 0.0) add(*fine_, point, radius / size_, weights.fine);
     if (weights.coarse != 0.0) add(*coarse_, point, 0.5 * radius / size_, weights.coarse);
@@ -159,68 +162,88 @@ class PointConvolution<Dim>::Evaluation {
     level.points[prepared_[point].kernel.power() ? 1 : 0].push_back(located);
   }
 
-  void evaluate_level(ImpulseCells<Dim>& cells, std::span<const Located> points, bool power) {
+  void evaluate_level(std::span<Located> points, bool power) {
     while (!points.empty()) {
-      const std::size_t count = tile_size<Dim>(points);
-      const std::span<const Located> tile = points.first(count);
-      gather(cells, tile);
-      for (std::size_t first = 0; first < count; first += kPatchPoints) {
-        evaluate_patch(cells.axis().size(), tile.subspan(first, std::min(kPatchPoints, count - first)),
-                       power);
+      const PointTile<Dim> tile(points);
+      gather(tile);
+      for (std::size_t first = 0; first < tile.points.size(); first += kPatchPoints) {
+        evaluate_patch(tile.points.subspan(first, std::min(kPatchPoints, tile.points.size() - first)), power);
       }
-      points = points.subspan(count);
     }
   }
 
-  // Collects the impulses of a tile, cell by cell in lexicographic order.
-  void gather(ImpulseCells<Dim>& cells, std::span<const Located> tile) {
-    anchor_ = tile.front().cell;
-    const PointCull cull = bounds<Dim>(tile, anchor_, extent_);
+  // Collects the impulses of a tile, cell by cell in lexicographic order, the finer grid first.
+  void gather(const PointTile<Dim>& tile) {
+    const PointCull cull = bounds<Dim>(tile.points, extent_);
     gathered_.clear();
-    for_each_reaching_cell<Dim>(
-        cull, [&](const Index<Dim>& cell) { append(cells.at(anchor_ + cell), cell, cull); });
+    std::array<float, PointImpulses::kMaxAxes> offset{};
+    for_each_reaching_cell<Dim>(cull, [&](const Index<Dim>& cell) {
+      append(level_->cells->at(tile.anchor + cell), cell, offset, 1.0f, cull);
+    });
+    if (coarse_level_ == nullptr) return;
+    Index<Dim> anchor;
+    for (int axis = 0; axis < Dim; ++axis) {
+      anchor[axis] = tile.anchor[axis] >> 1;
+      offset[static_cast<std::size_t>(axis)] = static_cast<float>(tile.anchor[axis] & 1);
+    }
+    for_each_reaching_cell<Dim>(coarsened(cull, offset), [&](const Index<Dim>& cell) {
+      append(coarse_level_->cells->at(anchor + cell), cell, offset, 2.0f, cull);
+    });
   }
 
+  // Adds the impulses of a cell of the given size, in cells of the finer grid. With the radius r in cells of
+  // that grid, the y of a coarser impulse is (r / 2)^n times its turn: 2^-n of the latter counts as the turn
+  // here.
   void append(const std::vector<typename ImpulseCells<Dim>::Item>& items, const Index<Dim>& cell,
-              const PointCull& cull) {
+              const std::array<float, PointImpulses::kMaxAxes>& offset, float size, const PointCull& cull) {
     constexpr float kLowest = 1.0f / static_cast<float>(1 << Dim);
+    const float turn_factor = size == 1.0f ? 1.0f : kLowest;
     gathered_.reserve(gathered_.size() + items.size());
     std::array<float*, Dim> position;
     std::array<float, Dim> corner;
     for (int axis = 0; axis < Dim; ++axis) {
-      position[static_cast<std::size_t>(axis)] = gathered_.position(axis);
-      corner[static_cast<std::size_t>(axis)] = static_cast<float>(cell[axis]);
+      const auto a = static_cast<std::size_t>(axis);
+      position[a] = gathered_.position(axis);
+      corner[a] = static_cast<float>(cell[axis]) * size - offset[a];
     }
     float* const weight = gathered_.attribute(PointImpulses::kWeight);
     float* const turn = gathered_.attribute(PointImpulses::kTurn);
     std::size_t end = gathered_.size();
     for (const auto& item : items) {
-      for (std::size_t axis = 0; axis < Dim; ++axis) position[axis][end] = corner[axis] + item.position[axis];
+      for (std::size_t axis = 0; axis < Dim; ++axis) {
+        position[axis][end] = corner[axis] + size * item.position[axis];
+      }
       weight[end] = item.weight;
-      turn[end] = kLowest + (1.0f - kLowest) * item.share;
+      turn[end] = turn_factor * (kLowest + (1.0f - kLowest) * item.share);
       end += turn[end] >= cull.least_turn && turn[end] <= cull.most_turn ? 1 : 0;
     }
     gathered_.set_size(end);
   }
 
-  void evaluate_patch(double cell_size, std::span<const Located> points, bool power) {
+  void evaluate_patch(std::span<const Located> points, bool power) {
+    constexpr std::size_t kClusters = kPatchPoints / PointCluster::kSamples;
+    std::array<PointCull, kClusters> culls;
+    const auto cluster = [&](std::size_t i) {
+      const std::size_t first = i * PointCluster::kSamples;
+      return points.subspan(first, std::min<std::size_t>(PointCluster::kSamples, points.size() - first));
+    };
+    const std::size_t count = (points.size() + PointCluster::kSamples - 1) / PointCluster::kSamples;
+    for (std::size_t i = 0; i < count; ++i) culls[i] = bounds<Dim>(cluster(i), extent_);
+    PointCull all = culls[0];
+    for (std::size_t i = 1; i < count; ++i) all = joined(all, culls[i]);
     near_.clear();
-    cull_impulses(gathered_, bounds<Dim>(points, anchor_, extent_), near_);
-    for (std::size_t first = 0; first < points.size(); first += PointCluster::kSamples) {
-      const std::size_t count = std::min<std::size_t>(PointCluster::kSamples, points.size() - first);
-      evaluate_cluster(cell_size, points.subspan(first, count), power);
-    }
+    cull_impulses(gathered_, all, near_);
+    for (std::size_t i = 0; i < count; ++i) evaluate_cluster(cluster(i), culls[i], power);
   }
 
-  void evaluate_cluster(double cell_size, std::span<const Located> points, bool power) {
-    const PointCull cull = bounds<Dim>(points, anchor_, extent_);
+  void evaluate_cluster(std::span<const Located> points, const PointCull& cull, bool power) {
     kept_.clear();
     cull_impulses(near_, cull, kept_);
 
     fill_polynomials(points, power);
     cluster_.count = static_cast<int>(points.size());
     for (std::size_t lane = 0; lane < PointCluster::kSamples; ++lane) {
-      fill_lane(cell_size, points[std::min(lane, points.size() - 1)], lane);
+      fill_lane(points[std::min(lane, points.size() - 1)], lane);
     }
     alignas(64) float sums[PointCluster::kSamples];
     sum_impulses(kernel_, cluster_, polynomials_, kept_, sums);
@@ -262,20 +285,19 @@ class PointConvolution<Dim>::Evaluation {
     }
   }
 
-  void fill_lane(double cell_size, const Located& point, std::size_t lane) {
-    for (int axis = 0; axis < Dim; ++axis) {
-      cluster_.coordinate[axis][lane] = from_anchor<Dim>(point, anchor_, axis);
-    }
+  void fill_lane(const Located& point, std::size_t lane) {
+    for (std::size_t axis = 0; axis < Dim; ++axis) cluster_.coordinate[axis][lane] = point.at[axis];
     cluster_.density[lane] = point.density;
     cluster_.inverse_square_radius[lane] = 1.0f / (point.radius * point.radius);
     if (kernel_.oriented) {
       const auto& wave = prepared_[point.point].wave;
+      const double cell_size = level_->cells->axis().size();
       for (std::size_t axis = 0; axis < Dim; ++axis) {
         cluster_.wave[axis][lane] = static_cast<float>(wave[axis] * cell_size);
       }
     }
     if (kernel_.layer) {
-      const float height = point.radius * static_cast<float>(extent_.layer);
+      const float height = point.radius * extent_.layer;
       cluster_.inverse_square_height[lane] = 1.0f / (height * height);
       for (std::size_t axis = 0; axis < 3; ++axis) cluster_.normal[axis][lane] = point.normal[axis];
     }
@@ -305,18 +327,19 @@ class PointConvolution<Dim>::Evaluation {
   bool fixed_ = false;
   KernelExtent extent_;
   PointKernel kernel_;
-  std::map<int, Level> levels_;
-  double size_ = 0.0;  // of the cells of the finer of two levels, those used last
+  std::map<int, Level> levels_;  // by the exponent of the cell size
+  double size_ = 0.0;            // of the cells of the finer of two levels, those used last
   Level* fine_ = nullptr;
   Level* coarse_ = nullptr;
   std::span<const std::size_t> batch_;
   std::vector<KernelPoint<Dim>> prepared_;
   std::array<std::vector<double>, Dim> positions_;
   std::vector<float> sums_;
-  Index<Dim> anchor_{0};
-  PointImpulses gathered_;  // of a tile
-  PointImpulses near_;      // of a patch
-  PointImpulses kept_;      // of a cluster
+  Level* level_ = nullptr;         // whose points are evaluated
+  Level* coarse_level_ = nullptr;  // that the same points use too
+  PointImpulses gathered_;         // of a tile
+  PointImpulses near_;             // of a patch
+  PointImpulses kept_;             // of a cluster
   PointCluster cluster_;
   PointPolynomials polynomials_;
   std::vector<float> coefficients_;

@@ -6,8 +6,7 @@ namespace {
 // With m the mean normal, an impulse at X within the layer of a point x of normal n has
 //   |m.(X - x)| <= |n.(X - x)| + |m - n| |X - x| <= layer + |m - n| reach.
 template <int Dim>
-void bound_layer(std::span<const LocatedPoint<Dim>> points, const Index<Dim>& anchor, float layer,
-                 PointCull& cull) {
+void bound_layer(std::span<const LocatedPoint<Dim>> points, float layer, PointCull& cull) {
   std::array<float, 3> mean{};
   for (const auto& point : points) {
     for (std::size_t axis = 0; axis < 3; ++axis) mean[axis] += point.normal[axis];
@@ -21,10 +20,9 @@ void bound_layer(std::span<const LocatedPoint<Dim>> points, const Index<Dim>& an
   for (const auto& point : points) {
     float along = 0.0f;
     float square = 0.0f;
-    for (int axis = 0; axis < 3; ++axis) {
-      const auto a = static_cast<std::size_t>(axis);
-      along += cull.normal[a] * from_anchor<Dim>(point, anchor, axis);
-      const float difference = cull.normal[a] - point.normal[a];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      along += cull.normal[axis] * point.at[axis];
+      const float difference = cull.normal[axis] - point.normal[axis];
       square += difference * difference;
     }
     const float half = point.radius * layer + std::sqrt(square) * cull.reach;
@@ -48,23 +46,28 @@ CellRange::CellRange(const PointCull& cull, int axis) {
 }
 
 template <int Dim>
-std::size_t tile_size(std::span<const LocatedPoint<Dim>> points) {
-  Index<Dim> lower = points.front().cell;
-  Index<Dim> upper = lower;
-  std::size_t count = 1;
-  for (; count < std::min(points.size(), kTilePoints); ++count) {
+PointTile<Dim>::PointTile(std::span<LocatedPoint<Dim>>& rest) : anchor(rest.front().cell) {
+  Index<Dim> lower = anchor;
+  Index<Dim> upper = anchor;
+  std::size_t count = 0;
+  for (; count < std::min(rest.size(), kTilePoints); ++count) {
+    LocatedPoint<Dim>& point = rest[count];
+    bool near = true;
     for (int axis = 0; axis < Dim; ++axis) {
-      lower[axis] = std::min(lower[axis], points[count].cell[axis]);
-      upper[axis] = std::max(upper[axis], points[count].cell[axis]);
-      if (upper[axis] - lower[axis] >= kTileCells) return count;
+      const auto a = static_cast<std::size_t>(axis);
+      lower[axis] = std::min(lower[axis], point.cell[axis]);
+      upper[axis] = std::max(upper[axis], point.cell[axis]);
+      near = near && upper[axis] - lower[axis] < kTileCells;
+      point.at[a] = static_cast<float>(point.cell[axis] - anchor[axis]) + point.fraction[a];
     }
+    if (!near) break;
   }
-  return count;
+  points = rest.first(count);
+  rest = rest.subspan(count);
 }
 
 template <int Dim>
-PointCull bounds(std::span<const LocatedPoint<Dim>> points, const Index<Dim>& anchor,
-                 const KernelExtent& extent) {
+PointCull bounds(std::span<const LocatedPoint<Dim>> points, const KernelExtent& extent) {
   PointCull cull;
   cull.dimensions = Dim;
   cull.lower.fill(HUGE_VALF);
@@ -73,33 +76,59 @@ PointCull bounds(std::span<const LocatedPoint<Dim>> points, const Index<Dim>& an
   float least_density = HUGE_VALF;
   float most_density = 0.0f;
   for (const auto& point : points) {
-    for (int axis = 0; axis < Dim; ++axis) {
-      const auto a = static_cast<std::size_t>(axis);
-      const float x = from_anchor<Dim>(point, anchor, axis);
-      cull.lower[a] = std::min(cull.lower[a], x);
-      cull.upper[a] = std::max(cull.upper[a], x);
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      cull.lower[axis] = std::min(cull.lower[axis], point.at[axis]);
+      cull.upper[axis] = std::max(cull.upper[axis], point.at[axis]);
     }
     largest = std::max(largest, point.radius);
     least_density = std::min(least_density, point.density);
     most_density = std::max(most_density, point.density);
   }
-  cull.reach = largest * static_cast<float>(extent.reach());
+  cull.reach = largest * extent.reach;
   if (extent.fade) {
     // fade(y) is 0 outside of 2^-n < y < 1; a small margin for rounding.
     cull.least_turn = 0.9999f / static_cast<float>(1 << Dim) / most_density;
     cull.most_turn = 1.0001f / least_density;
   }
   if constexpr (Dim == 3) {
-    if (extent.layer > 0.0) bound_layer<Dim>(points, anchor, static_cast<float>(extent.layer), cull);
+    if (extent.layer > 0.0f) bound_layer<Dim>(points, extent.layer, cull);
   }
   return cull;
 }
 
-template std::size_t tile_size(std::span<const LocatedPoint<2>>);
-template std::size_t tile_size(std::span<const LocatedPoint<3>>);
-template std::size_t tile_size(std::span<const LocatedPoint<4>>);
-template PointCull bounds(std::span<const LocatedPoint<2>>, const Index<2>&, const KernelExtent&);
-template PointCull bounds(std::span<const LocatedPoint<3>>, const Index<3>&, const KernelExtent&);
-template PointCull bounds(std::span<const LocatedPoint<4>>, const Index<4>&, const KernelExtent&);
+PointCull joined(const PointCull& a, const PointCull& b) {
+  PointCull both = a;
+  for (std::size_t axis = 0; axis < both.lower.size(); ++axis) {
+    both.lower[axis] = std::min(a.lower[axis], b.lower[axis]);
+    both.upper[axis] = std::max(a.upper[axis], b.upper[axis]);
+  }
+  both.reach = std::max(a.reach, b.reach);
+  both.least_turn = std::min(a.least_turn, b.least_turn);
+  both.most_turn = std::max(a.most_turn, b.most_turn);
+  both.normal.fill(0.0f);
+  both.below = both.above = 0.0f;
+  return both;
+}
+
+PointCull coarsened(const PointCull& cull, const std::array<float, PointImpulses::kMaxAxes>& offset) {
+  PointCull coarse = cull;
+  float along = 0.0f;
+  for (std::size_t axis = 0; axis < offset.size(); ++axis) {
+    coarse.lower[axis] = 0.5f * (cull.lower[axis] + offset[axis]);
+    coarse.upper[axis] = 0.5f * (cull.upper[axis] + offset[axis]);
+    if (axis < 3) along += cull.normal[axis] * offset[axis];
+  }
+  coarse.reach = 0.5f * cull.reach;
+  coarse.below = 0.5f * (cull.below + along);
+  coarse.above = 0.5f * (cull.above + along);
+  return coarse;
+}
+
+template struct PointTile<2>;
+template struct PointTile<3>;
+template struct PointTile<4>;
+template PointCull bounds(std::span<const LocatedPoint<2>>, const KernelExtent&);
+template PointCull bounds(std::span<const LocatedPoint<3>>, const KernelExtent&);
+template PointCull bounds(std::span<const LocatedPoint<4>>, const KernelExtent&);
 
 }  // namespace solidnoise

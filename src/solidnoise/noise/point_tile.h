@@ -16,6 +16,7 @@ template <int Dim>
 struct LocatedPoint {
   Index<Dim> cell;
   std::array<float, Dim> fraction;  // position in the cell, 0 to 1
+  std::array<float, Dim> at;        // position relative to the tile's anchor
   float radius;                     // of the kernel
   float density;                    // (r / 2^l)^n
   float weight;                     // of the sum over this grid's impulses
@@ -23,34 +24,41 @@ struct LocatedPoint {
   std::uint32_t point;              // in the batch
 };
 
-// Position relative to the corner of a cell not far away, exact.
-template <int Dim>
-float from_anchor(const LocatedPoint<Dim>& point, const Index<Dim>& anchor, int axis) {
-  return static_cast<float>(point.cell[axis] - anchor[axis]) + point.fraction[static_cast<std::size_t>(axis)];
-}
-
 // A tile is a run of points that are near each other, for which impulses are gathered together.
 inline constexpr std::size_t kTilePoints = 512;
 inline constexpr std::size_t kPatchPoints = 64;  // of a tile, for a first culling
 inline constexpr std::int64_t kTileCells = 3;    // most cells along an axis that the points of a tile lie in
 
-// How many of the first points form a tile.
+// Takes a tile from the front of `points`: relates its points to a cell near them, its anchor. Differences
+// between positions relative to the anchor are exact.
 template <int Dim>
-std::size_t tile_size(std::span<const LocatedPoint<Dim>> points);
+struct PointTile {
+  explicit PointTile(std::span<LocatedPoint<Dim>>& points);
+
+  std::span<const LocatedPoint<Dim>> points;
+  Index<Dim> anchor;
+};
 
 // How the kernels extend around their points.
 struct KernelExtent {
   // Half the thickness of the layer around a surface, in kernel radii; 0: no layer, the kernel is a ball.
-  double layer = 0.0;
-  bool fade = false;  // whether impulses are of interest in their turn only (ScaleTransition::fade)
+  float layer = 0.0f;
+  float reach = 1.0f;  // farthest impulse, in kernel radii
+  bool fade = false;   // whether impulses are of interest in their turn only (ScaleTransition::fade)
 
-  double reach() const { return std::hypot(1.0, layer); }  // farthest impulse, in kernel radii
+  explicit KernelExtent(double layer_) : layer(static_cast<float>(layer_)), reach(std::hypot(1.0f, layer)) {}
 };
 
-// Where the impulses are that some points need; positions relative to the cell `anchor`.
+// Where the impulses are that some points of a tile need.
 template <int Dim>
-PointCull bounds(std::span<const LocatedPoint<Dim>> points, const Index<Dim>& anchor,
-                 const KernelExtent& extent);
+PointCull bounds(std::span<const LocatedPoint<Dim>> points, const KernelExtent& extent);
+
+// The same of all points of two sets together, but that it knows of no layer.
+PointCull joined(const PointCull& a, const PointCull& b);
+
+// The same in cells of twice the size, relative to the one that the anchor lies in. `offset`: the anchor's
+// corner in that cell, in cells of the smaller size, 0 or 1 per axis. Turns are not changed.
+PointCull coarsened(const PointCull& cull, const std::array<float, PointImpulses::kMaxAxes>& offset);
 
 // The cells along one axis that may hold impulses of interest.
 struct CellRange {
@@ -100,11 +108,11 @@ void for_each_reaching_cell(const PointCull& cull, const Visit& visit) {
   visit_axis.template operator()<0>(visit_axis, 0.0f, 0.0f);
 }
 
-extern template std::size_t tile_size(std::span<const LocatedPoint<2>>);
-extern template std::size_t tile_size(std::span<const LocatedPoint<3>>);
-extern template std::size_t tile_size(std::span<const LocatedPoint<4>>);
-extern template PointCull bounds(std::span<const LocatedPoint<2>>, const Index<2>&, const KernelExtent&);
-extern template PointCull bounds(std::span<const LocatedPoint<3>>, const Index<3>&, const KernelExtent&);
-extern template PointCull bounds(std::span<const LocatedPoint<4>>, const Index<4>&, const KernelExtent&);
+extern template struct PointTile<2>;
+extern template struct PointTile<3>;
+extern template struct PointTile<4>;
+extern template PointCull bounds(std::span<const LocatedPoint<2>>, const KernelExtent&);
+extern template PointCull bounds(std::span<const LocatedPoint<3>>, const KernelExtent&);
+extern template PointCull bounds(std::span<const LocatedPoint<4>>, const KernelExtent&);
 
 }  // namespace solidnoise

@@ -42,10 +42,10 @@ class Evaluation {
  public:
   Evaluation(const ProjectedGradientNoise& noise, const GradientLattice<3>& lattice,
              const GradientKernel<2>& kernel)
-      : lattice_(lattice), axis_(make_axes(noise.options(), noise.lattice_spacing())[0]) {
-    // In cells, the radius is 2 and the window 1; or, with half resolution, both are 1.
-    radius_ = is_half(noise.options()) ? 1.0f : 2.0f;
-    extent_.layer = 1.0 / radius_;
+      : lattice_(lattice),
+        axis_(make_axes(noise.options(), noise.lattice_spacing())[0]),
+        radius_(is_half(noise.options()) ? 1.0f : 2.0f),
+        extent_(1.0 / radius_) {
     kernel_.window = noise.options().window;
     kernel_.root = static_cast<float>(kernel.c2() / kernel.c1());
     // Offsets are in cells, of 2 / radius_ lattice units.
@@ -68,12 +68,8 @@ class Evaluation {
     for (std::size_t first = 0; first < order.size(); first += kBatch) {
       const auto batch = std::span(order).subspan(first, std::min(kBatch, order.size() - first));
       locate(points, batch);
-      std::span<const LocatedPoint<3>> rest = located_;
-      while (!rest.empty()) {
-        const std::size_t count = tile_size<3>(rest);
-        evaluate_tile(rest.first(count), batch, values);
-        rest = rest.subspan(count);
-      }
+      std::span<LocatedPoint<3>> rest = located_;
+      while (!rest.empty()) evaluate_tile(PointTile<3>(rest), batch, values);
     }
   }
 
@@ -100,23 +96,21 @@ class Evaluation {
     }
   }
 
-  void evaluate_tile(std::span<const LocatedPoint<3>> tile, std::span<const std::size_t> batch,
-                     std::span<float> values) {
-    anchor_ = tile.front().cell;
+  void evaluate_tile(const PointTile<3>& tile, std::span<const std::size_t> batch, std::span<float> values) {
     gathered_.clear();
-    for_each_reaching_cell<3>(bounds<3>(tile, anchor_, extent_),
-                              [&](const Index<3>& cell) { append_lattice_point(cell); });
-    for (std::size_t first = 0; first < tile.size(); first += PointCluster::kSamples) {
-      const auto points =
-          tile.subspan(first, std::min<std::size_t>(PointCluster::kSamples, tile.size() - first));
+    for_each_reaching_cell<3>(bounds<3>(tile.points, extent_),
+                              [&](const Index<3>& cell) { append_lattice_point(tile.anchor, cell); });
+    for (std::size_t first = 0; first < tile.points.size(); first += PointCluster::kSamples) {
+      const auto points = tile.points.subspan(
+          first, std::min<std::size_t>(PointCluster::kSamples, tile.points.size() - first));
       alignas(64) float sums[PointCluster::kSamples];
       sum(points, sums);
       for (std::size_t i = 0; i < points.size(); ++i) values[batch[points[i].point]] = sums[i];
     }
   }
 
-  void append_lattice_point(const Index<3>& cell) {
-    const auto& gradient = gradients_[lattice_.gradient_index(anchor_ + cell)];
+  void append_lattice_point(const Index<3>& anchor, const Index<3>& cell) {
+    const auto& gradient = gradients_[lattice_.gradient_index(anchor + cell)];
     const std::size_t end = gathered_.size();
     gathered_.reserve(end + 1);
     for (int axis = 0; axis < 3; ++axis) {
@@ -127,16 +121,16 @@ class Evaluation {
   }
 
   void sum(std::span<const LocatedPoint<3>> points, float* sums) {
-    PointCull cull = bounds<3>(points, anchor_, extent_);
+    PointCull cull = bounds<3>(points, extent_);
     cull.attributes = 3;
     kept_.clear();
     cull_impulses(gathered_, cull, kept_);
     cluster_.count = static_cast<int>(points.size());
     for (std::size_t lane = 0; lane < PointCluster::kSamples; ++lane) {
       const LocatedPoint<3>& point = points[std::min(lane, points.size() - 1)];
-      for (int axis = 0; axis < 3; ++axis) {
-        cluster_.coordinate[axis][lane] = from_anchor<3>(point, anchor_, axis);
-        cluster_.normal[axis][lane] = point.normal[static_cast<std::size_t>(axis)];
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        cluster_.coordinate[axis][lane] = point.at[axis];
+        cluster_.normal[axis][lane] = point.normal[axis];
       }
     }
     sum_projected(kernel_, cluster_, kept_, sums);
@@ -144,12 +138,11 @@ class Evaluation {
 
   const GradientLattice<3>& lattice_;
   CellAxis axis_;
-  float radius_ = 2.0f;
+  float radius_;  // in cells: 2, and the window 1; or, with half resolution, both 1
   KernelExtent extent_;
   ProjectedKernel kernel_;
   std::array<std::array<float, 3>, kGradients> gradients_;
   std::vector<LocatedPoint<3>> located_;
-  Index<3> anchor_{0};
   PointImpulses gathered_;
   PointImpulses kept_;
   PointCluster cluster_;
