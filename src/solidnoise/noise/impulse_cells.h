@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -25,16 +26,37 @@ class ImpulseCells {
   const CellAxis& axis() const { return process_.axes()[0]; }
 
   // Valid until the next call.
-  const std::vector<Item>& at(const Index<Dim>& cell) {
+  std::span<const Item> at(const Index<Dim>& cell) {
     std::uint64_t hash = 0;
     for (int axis = 0; axis < Dim; ++axis) {
       hash = (hash + static_cast<std::uint64_t>(cell[axis])) * 0x9e3779b97f4a7c15ULL;
     }
     Slot& slot = slots_[hash >> (64 - kSlotBits)];
-    if (slot.filled && slot.cell == cell) return slot.items;
+    if (!slot.filled || slot.cell != cell) fill(slot, cell);
+    return std::span(items_).subspan(slot.first, slot.count);
+  }
+
+ private:
+  static constexpr int kSlotBits = Dim == 4 ? 13 : 11;
+  static constexpr std::size_t kSlots = std::size_t{1} << kSlotBits;
+  static constexpr std::size_t kMostItems = 16 * kSlots;
+
+  // A cell and its part of the items.
+  struct Slot {
+    Index<Dim> cell{0};
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+    bool filled = false;
+  };
+
+  void fill(Slot& slot, const Index<Dim>& cell) {
+    if (items_.size() > kMostItems) {
+      items_.clear();
+      for (Slot& any : slots_) any.filled = false;
+    }
     slot.cell = cell;
     slot.filled = true;
-    slot.items.clear();
+    slot.first = static_cast<std::uint32_t>(items_.size());
     process_.generate(cell, [&](const Impulse<Dim>& impulse) {
       Item item;
       for (std::size_t axis = 0; axis < Dim; ++axis) {
@@ -43,23 +65,14 @@ class ImpulseCells {
       }
       item.weight = impulse.mark >> 63 ? 1.0f : -1.0f;
       item.share = static_cast<float>(impulse.mark & 0xffffffu) * 0x1p-24f;
-      slot.items.push_back(item);
+      items_.push_back(item);
     });
-    return slot.items;
+    slot.count = static_cast<std::uint32_t>(items_.size()) - slot.first;
   }
-
- private:
-  static constexpr int kSlotBits = Dim == 4 ? 13 : 11;
-  static constexpr std::size_t kSlots = std::size_t{1} << kSlotBits;
-
-  struct Slot {
-    Index<Dim> cell{0};
-    bool filled = false;
-    std::vector<Item> items;
-  };
 
   ImpulseProcess<Dim> process_;
   std::vector<Slot> slots_;
+  std::vector<Item> items_;
 };
 
 }  // namespace solidnoise

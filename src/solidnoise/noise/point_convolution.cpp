@@ -194,7 +194,7 @@ class PointConvolution<Dim>::Evaluation {
   // Adds the impulses of a cell of the given size, in cells of the finer grid. With the radius r in cells of
   // that grid, the y of a coarser impulse is (r / 2)^n times its turn: 2^-n of the latter counts as the turn
   // here.
-  void append(const std::vector<typename ImpulseCells<Dim>::Item>& items, const Index<Dim>& cell,
+  void append(std::span<const typename ImpulseCells<Dim>::Item> items, const Index<Dim>& cell,
               const std::array<float, PointImpulses::kMaxAxes>& offset, float size, const PointCull& cull) {
     constexpr float kLowest = 1.0f / static_cast<float>(1 << Dim);
     const float turn_factor = size == 1.0f ? 1.0f : kLowest;

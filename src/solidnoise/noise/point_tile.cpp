@@ -45,6 +45,23 @@ CellRange::CellRange(const PointCull& cull, int axis) {
   }
 }
 
+std::pair<int, int> CellRange::between(float lower, float upper) const {
+  const float step = count > 1 ? along[1] - along[0] : 0.0f;
+  if (std::abs(step) < 1e-3f) {
+    // All are about the same.
+    const float margin = 1e-3f * static_cast<float>(count);
+    return along[0] >= lower - margin && along[0] <= upper + margin ? std::pair(0, count - 1)
+                                                                    : std::pair(0, -1);
+  }
+  const auto index = [&](float value) {
+    return std::clamp((value - along[0]) / step, -1.0f, static_cast<float>(count));
+  };
+  const float first_index = index(step > 0.0f ? lower : upper);
+  const float last_index = index(step > 0.0f ? upper : lower);
+  return {std::max(0, static_cast<int>(std::floor(first_index))),
+          std::min(count - 1, static_cast<int>(std::ceil(last_index)))};
+}
+
 template <int Dim>
 PointTile<Dim>::PointTile(std::span<LocatedPoint<Dim>>& rest) : anchor(rest.front().cell) {
   Index<Dim> lower = anchor;

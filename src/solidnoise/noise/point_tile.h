@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 #include "solidnoise/core/vec.h"
 #include "solidnoise/noise/point_cluster.h"
@@ -70,6 +71,9 @@ struct CellRange {
   std::array<float, kMost> along;   // of a cell's middle, along the normal
 
   CellRange(const PointCull& cull, int axis);
+
+  // The first and the last of the cells whose `along` is between two numbers, or one more on either side.
+  std::pair<int, int> between(float lower, float upper) const;
 };
 
 // Calls visit(cell) for each cell that may hold impulses that are not culled, relative to the anchor, in
@@ -84,10 +88,9 @@ void for_each_reaching_cell(const PointCull& cull, const Visit& visit) {
   const float above = cull.above + half;
   Index<Dim> cell;
   const auto visit_row = [&](float square, float along) {
-    for (int i = 0; i < last.count; ++i) {
-      const auto k = static_cast<std::size_t>(i);
-      if (square + last.square[k] > most) continue;
-      if (along + last.along[k] < below || along + last.along[k] > above) continue;
+    const auto [from, to] = last.between(below - along, above - along);
+    for (int i = from; i <= to; ++i) {
+      if (square + last.square[static_cast<std::size_t>(i)] > most) continue;
       cell[Dim - 1] = last.first + i;
       visit(cell);
     }
