@@ -1,0 +1,139 @@
+#include "solidnoise/mesh/jet_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
+
+namespace solidnoise {
+namespace {
+
+// A polynomial's derivatives at the origin.
+struct Jet {
+  double x = 0.0;
+  double y = 0.0;
+  double xx = 0.0;
+  double xy = 0.0;
+  double yy = 0.0;
+};
+
+// All monomials to degree 2 or 3, scaled so that coefficients are derivatives.
+template <int Size>
+Eigen::Matrix<double, Size, 1> monomials(double x, double y) {
+  Eigen::Matrix<double, Size, 1> row;
+  row.template head<6>() << 1.0, x, y, 0.5 * x * x, x * y, 0.5 * y * y;
+  if constexpr (Size == 10) row.template tail<4>() << x * x * x, x * x * y, x * y * y, y * y * y;
+  return row;
+}
+
+// Coordinates of the tangent plane in which the neighbours lie around the origin alike in all directions, at
+// distances of about 1: the fit is then as good for long thin triangles as for equilateral ones.
+struct RoundCoordinates {
+  Eigen::Matrix2d to_round;
+
+  // Scales along the axes of the neighbours' second moments; one scale if there is only one place.
+  explicit RoundCoordinates(std::span<const Neighbour> neighbours) {
+    Eigen::Matrix2d moments = Eigen::Matrix2d::Zero();
+    double weights = 0.0;
+    for (const auto& [offset, weight] : neighbours) {
+      const Eigen::Vector2d p(offset.x, offset.y);
+      moments += weight * p * p.transpose();
+      weights += weight;
+    }
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes;
+    axes.computeDirect(moments / weights);
+    constexpr double kThinnest = 1e-4;
+    const double longest = std::sqrt(std::max(axes.eigenvalues()[1], 0.0));
+    const double shortest = std::max(std::sqrt(std::max(axes.eigenvalues()[0], 0.0)), kThinnest * longest);
+    const Eigen::Vector2d scales(1.0 / shortest, 1.0 / longest);
+    to_round = scales.asDiagonal() * axes.eigenvectors().transpose();
+  }
+
+  Eigen::Vector2d operator()(const Vec<3>& offset) const {
+    return to_round * Eigen::Vector2d(offset.x, offset.y);
+  }
+
+  // The derivatives in the plane of what has these derivatives in round coordinates.
+  Jet in_plane(const Eigen::Vector2d& first, double xx, double xy, double yy) const {
+    const Eigen::Vector2d slope = to_round.transpose() * first;
+    const Eigen::Matrix2d second =
+        to_round.transpose() * (Eigen::Matrix2d() << xx, xy, xy, yy).finished() * to_round;
+    return {slope[0], slope[1], second(0, 0), second(0, 1), second(1, 1)};
+  }
+};
+
+// No value if the neighbours do not determine the polynomial.
+template <int Size>
+std::optional<Jet> fit_polynomial(std::span<const Neighbour> neighbours, const RoundCoordinates& round) {
+  // The point itself has the weight of its nearest neighbours, 1.
+  Eigen::Matrix<double, Size, Size> normal_matrix = Eigen::Matrix<double, Size, Size>::Zero();
+  Eigen::Matrix<double, Size, 1> right = Eigen::Matrix<double, Size, 1>::Zero();
+  normal_matrix(0, 0) = 1.0;
+  for (const Neighbour& neighbour : neighbours) {
+    const Eigen::Vector2d p = round(neighbour.offset);
+    const auto row = monomials<Size>(p[0], p[1]);
+    const Eigen::Matrix<double, Size, 1> weighted = neighbour.weight * row;
+    normal_matrix.noalias() += weighted * row.transpose();
+    right += neighbour.offset.z * weighted;
+  }
+  const Eigen::LDLT<Eigen::Matrix<double, Size, Size>> factors(normal_matrix);
+  constexpr double kSingular = 1e-7;
+  const auto pivots = factors.vectorD();
+  if (!(pivots.minCoeff() > kSingular * pivots.maxCoeff())) return std::nullopt;
+  const Eigen::Matrix<double, Size, 1> c = factors.solve(right);
+  return round.in_plane({c[1], c[2]}, c[3], c[4], c[5]);
+}
+
+Jet fit_without_slope(std::span<const Neighbour> neighbours, const RoundCoordinates& round) {
+  Eigen::Matrix3d normal_matrix = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  for (const Neighbour& neighbour : neighbours) {
+    const Eigen::Vector2d p = round(neighbour.offset);
+    const Eigen::Vector3d row(0.5 * p[0] * p[0], p[0] * p[1], 0.5 * p[1] * p[1]);
+    normal_matrix += neighbour.weight * row * row.transpose();
+    right += neighbour.weight * neighbour.offset.z * row;
+  }
+  // Decides what the neighbours do not, and changes the rest by its share only.
+  constexpr double kRidge = 1e-6;
+  normal_matrix.diagonal().array() += kRidge * normal_matrix.trace();
+  const Eigen::Vector3d c = normal_matrix.ldlt().solve(right);
+  return round.in_plane(Eigen::Vector2d::Zero(), c[0], c[1], c[2]);
+}
+
+ShapeOperator shape_of(const Jet& jet) {
+  // With the unit normal n = (-z_x, -z_y, 1) / s, the frame's axes turn to u_k = e_k - n_k / (1 + n_z) (n +
+  // e_z) in the surface's tangent plane, and the operator is -(second derivatives)(u_k, u_l) / s.
+  const double s = std::sqrt(1.0 + jet.x * jet.x + jet.y * jet.y);
+  const Vec<3> n(-jet.x / s, -jet.y / s, 1.0 / s);
+  const double q = 1.0 / (1.0 + n.z);
+  const Vec<2> u(1.0 - q * n.x * n.x, -q * n.x * n.y);
+  const Vec<2> v(-q * n.x * n.y, 1.0 - q * n.y * n.y);
+  const auto bend = [&](const Vec<2>& a, const Vec<2>& b) {
+    return -(jet.xx * a.x * b.x + jet.xy * (a.x * b.y + a.y * b.x) + jet.yy * a.y * b.y) / s;
+  };
+  const double uu = bend(u, u);
+  const double vv = bend(v, v);
+  return {0.5 * (uu + vv), {0.5 * (uu - vv), bend(u, v)}};
+}
+
+}  // namespace
+
+ShapeOperator fit_shape(std::span<const Neighbour> neighbours) {
+  const bool in_plane = std::any_of(neighbours.begin(), neighbours.end(), [](const Neighbour& neighbour) {
+    return neighbour.weight > 0.0 && (neighbour.offset.x != 0.0 || neighbour.offset.y != 0.0);
+  });
+  if (!in_plane) return {};
+  const RoundCoordinates round(neighbours);
+  constexpr std::size_t kForCubic = 13;
+  constexpr std::size_t kForQuadric = 7;
+  std::optional<Jet> jet;
+  if (neighbours.size() >= kForCubic) jet = fit_polynomial<10>(neighbours, round);
+  if (!jet && neighbours.size() >= kForQuadric) jet = fit_polynomial<6>(neighbours, round);
+  return shape_of(jet ? *jet : fit_without_slope(neighbours, round));
+}
+
+}  // namespace solidnoise

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <complex>
+#include <cstddef>
+#include <vector>
+
+#include "solidnoise/core/vec.h"
+
+namespace solidnoise {
+
+// A right-handed frame of a surface's tangent plane.
+struct TangentFrame {
+  Vec<3> first;
+  Vec<3> second;
+  Vec<3> normal;
+
+  // A tangent vector as a complex number, and back.
+  std::complex<double> in_frame(const Vec<3>& tangent) const;
+  Vec<3> in_space(std::complex<double> tangent) const {
+    return tangent.real() * first + tangent.imag() * second;
+  }
+};
+
+// An arbitrary frame, the same for equal normals. `normal` is of length 1.
+TangentFrame make_frame(const Vec<3>& normal);
+std::vector<TangentFrame> make_frames(const std::vector<Vec<3>>& normals);
+
+// What a tangent vector at `from` is to be multiplied with to become one at `to`, carried by the smallest
+// rotation that takes one normal to the other (on a fine mesh, parallel transport). Of length 1.
+std::complex<double> transport(const TangentFrame& from, const TangentFrame& to);
+
+// A line (a direction without a sign) at the angle p in its frame is the complex number e^(2ip): both signs
+// give the same. So is the part without trace of a symmetric tensor,
+//   [ a  b ]
+//   [ b -a ]  as a + ib:  its positive eigenvalue is |a + ib|, with eigenvectors at the angle arg(a + ib)
+//   / 2.
+inline std::complex<double> line_at(std::complex<double> tangent) {
+  return tangent * tangent;
+}
+// One of the two directions; the first axis for 0.
+std::complex<double> direction_of_line(std::complex<double> line);
+
+}  // namespace solidnoise

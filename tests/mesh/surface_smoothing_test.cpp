@@ -1,0 +1,101 @@
+#include "solidnoise/mesh/surface_smoothing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <numbers>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include "support/surfaces.h"
+
+namespace solidnoise {
+namespace {
+
+using Line = std::complex<double>;
+
+constexpr double kPi = std::numbers::pi;
+
+// On a square of side 2 without flow through its sides the heat equation multiplies cos(pi x) at the distance
+// x from a side by exp(-pi^2 t), and an implicit step of time t by 1 / (1 + pi^2 t); a radius r is two steps
+// of time r^2 / 8.
+TEST(SurfaceSmoothing, DiffusesAsTheHeatEquationDoes) {
+  const SurfaceMesh square(graph_mesh(1.0, {.n = 60}, [](double, double) { return 0.0; }));
+  const auto frames = make_frames(square.normals());
+  SurfaceSmoothing smoothing(square, frames);
+  for (const double radius : {0.0, 0.3, 1.0}) {
+    const auto before = [&](std::size_t p) { return std::cos(kPi * (square.positions()[p].x + 1.0)); };
+    std::vector<ShapeOperator> shapes(square.point_count());
+    for (std::size_t p = 0; p < shapes.size(); ++p) shapes[p].mean = before(p);
+    smoothing.diffuse(shapes, radius);
+    const double factor = std::pow(1.0 + kPi * kPi * radius * radius / 8.0, -2.0);
+    // Squares of side h make pi^2 a share of (pi h)^2 / 12 = 1e-3 smaller.
+    for (std::size_t p = 0; p < shapes.size(); ++p) EXPECT_NEAR(shapes[p].mean, factor * before(p), 1e-3);
+  }
+}
+
+TEST(SurfaceSmoothing, KeepsConstantsAndParallelLines) {
+  const SurfaceMesh cylinder(cylinder_mesh(0.7, 2.0, {.n = 20, .jitter = 0.3}));
+  const auto frames = make_frames(cylinder.normals());
+  SurfaceSmoothing smoothing(cylinder, frames);
+  std::vector<ShapeOperator> shapes(cylinder.point_count());
+  for (std::size_t p = 0; p < shapes.size(); ++p) {
+    shapes[p] = {3.0, line_at(frames[p].in_frame(Vec<3>(0.0, 1.0, 0.0)))};
+  }
+  const std::vector<ShapeOperator> before = shapes;
+  for (int round = 0; round < 5; ++round) smoothing.average(shapes, cylinder.areas());
+  smoothing.diffuse(shapes, 0.5);
+  for (std::size_t p = 0; p < shapes.size(); ++p) {
+    EXPECT_NEAR(shapes[p].mean, 3.0, 1e-5);
+    // The normals at the ends lean by up to an edge's angle (0.14), there and back.
+    EXPECT_LT(std::abs(shapes[p].line - before[p].line), 0.05);
+  }
+}
+
+// What leaves a place arrives elsewhere; nothing overshoots.
+TEST(SurfaceSmoothing, KeepsTheIntegralAndTheRange) {
+  const SurfaceMesh torus(torus_mesh(2.0, 0.7, {.n = 24, .jitter = 0.35}));
+  const auto frames = make_frames(torus.normals());
+  SurfaceSmoothing smoothing(torus, frames);
+  std::vector<ShapeOperator> shapes(torus.point_count());
+  shapes[100].mean = 1.0;
+  smoothing.diffuse(shapes, 0.3);
+  double integral = 0.0;
+  for (std::size_t p = 0; p < shapes.size(); ++p) {
+    integral += torus.areas()[p] * shapes[p].mean;
+    EXPECT_GT(shapes[p].mean, -1e-4);
+    EXPECT_LT(shapes[p].mean, 0.5);
+  }
+  EXPECT_NEAR(integral, torus.areas()[100], 1e-3 * torus.areas()[100]);
+}
+
+TEST(Transport, IsUndoneByTheWayBackAndKeepsAngles) {
+  const SurfaceMesh sphere(sphere_mesh(1.0, {.n = 6, .jitter = 0.3}));
+  const auto frames = make_frames(sphere.normals());
+  for (std::size_t a = 0; a < frames.size(); a += 7) {
+    EXPECT_NEAR(glm::length(frames[a].first), 1.0, 1e-14);
+    EXPECT_LT(glm::length(glm::cross(frames[a].first, frames[a].second) - frames[a].normal), 1e-14);
+    for (std::size_t b = 0; b < frames.size(); b += 5) {
+      const Line there = transport(frames[a], frames[b]);
+      EXPECT_NEAR(std::abs(there), 1.0, 1e-14);
+      EXPECT_LT(std::abs(there * transport(frames[b], frames[a]) - 1.0), 1e-9) << a << ' ' << b;
+      // The axis of the rotation, in both tangent planes, stays.
+      const Vec<3> axis = glm::cross(frames[a].normal, frames[b].normal);
+      EXPECT_LT(std::abs(there * frames[a].in_frame(axis) - frames[b].in_frame(axis)), 1e-9);
+    }
+  }
+}
+
+TEST(Lines, HaveNoSign) {
+  for (double angle = -3.0; angle < 3.0; angle += 0.37) {
+    const Line direction = std::polar(1.0, angle);
+    EXPECT_LT(std::abs(line_at(direction) - line_at(-direction)), 1e-15);
+    EXPECT_NEAR(std::abs((direction_of_line(line_at(direction)) / direction).real()), 1.0, 1e-14);
+  }
+}
+
+}  // namespace
+}  // namespace solidnoise
