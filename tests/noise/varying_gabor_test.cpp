@@ -304,6 +304,18 @@ TEST(VaryingGaborNoise, NamesTheFirstPointThatIsNotAllowed) {
   EXPECT_EQ(message([](auto& s) { s.frequency.pop_back(); }), "there are 4 values of frequency for 5 points");
 }
 
+TEST(VaryingGaborNoise, RefusesPositionsTooFarForTheirFrequency) {
+  const VaryingGaborNoise<3> noise({});
+  Scattered<3> scattered = scattered_points<3>(3, 1.0);
+  scattered.offset[1][2] = 1e20f;
+  EXPECT_EQ(message_of<std::invalid_argument>([&] { values_of<3>(noise, scattered); }).substr(0, 43),
+            "position of point 2 has a coordinate of 1.0");
+  scattered.offset[1][2] = 1.0f;
+  scattered.frequency[2] = 1e30f;
+  EXPECT_EQ(message_of<std::invalid_argument>([&] { values_of<3>(noise, scattered); }).substr(0, 20),
+            "position of point 2 ");
+}
+
 TEST(VaryingGaborNoise, RefusesOptionsOutOfRange) {
   const auto message = [](const VaryingGaborOptions& options) {
     return message_of<std::invalid_argument>([&] { VaryingGaborNoise<3> noise(options); });

@@ -146,7 +146,7 @@ class PointConvolution<Dim>::Evaluation {
     Located located;
     for (int axis = 0; axis < Dim; ++axis) {
       const auto a = static_cast<std::size_t>(axis);
-      const CellPosition position = level.cells->axis().locate(positions_[a][point]);
+      const CellPosition position = locate_point(level.cells->axis(), positions_[a][point], batch_[point]);
       located.cell[axis] = position.cell;
       located.fraction[a] = position.fraction;
     }

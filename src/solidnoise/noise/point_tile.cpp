@@ -1,5 +1,9 @@
 #include "solidnoise/noise/point_tile.h"
 
+#include <stdexcept>
+
+#include <fmt/format.h>
+
 namespace solidnoise {
 namespace {
 
@@ -32,6 +36,16 @@ void bound_layer(std::span<const LocatedPoint<Dim>> points, float layer, PointCu
 }
 
 }  // namespace
+
+CellPosition locate_point(const CellAxis& axis, double coordinate, std::size_t point) {
+  constexpr double kMostCells = 0x1p40;
+  if (!(std::abs(coordinate) < kMostCells * axis.size())) {
+    throw std::invalid_argument(fmt::format(
+        "position of point {} has a coordinate of {}; with the frequency there it must be within {:.6g}",
+        point, coordinate, kMostCells * axis.size()));
+  }
+  return axis.locate(coordinate);
+}
 
 CellRange::CellRange(const PointCull& cull, int axis) {
   const auto a = static_cast<std::size_t>(axis);

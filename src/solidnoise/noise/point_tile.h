@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "solidnoise/core/cell_grid.h"
 #include "solidnoise/core/vec.h"
 #include "solidnoise/noise/point_cluster.h"
 
@@ -24,6 +25,10 @@ struct LocatedPoint {
   std::array<float, 3> normal;      // of a surface
   std::uint32_t point;              // in the batch
 };
+
+// Where a coordinate of a point lies in the cells. Throws std::invalid_argument, naming the point, where it
+// is 2^40 cells or more from 0: positions in the cells would lose digits, and then overflow.
+CellPosition locate_point(const CellAxis& axis, double coordinate, std::size_t point);
 
 // A tile is a run of points that are near each other, for which impulses are gathered together.
 inline constexpr std::size_t kTilePoints = 512;

@@ -81,7 +81,8 @@ class Evaluation {
       Vec<3> normal;
       for (int axis = 0; axis < 3; ++axis) {
         const auto a = static_cast<std::size_t>(axis);
-        const CellPosition position = axis_.locate(points.positions.coordinate(batch[i], axis));
+        const CellPosition position =
+            locate_point(axis_, points.positions.coordinate(batch[i], axis), batch[i]);
         point.cell[axis] = position.cell;
         point.fraction[a] = position.fraction;
         normal[axis] = points.normal[a][batch[i]];
