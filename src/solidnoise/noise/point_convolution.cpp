@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <map>
 #include <memory>
 #include <numbers>
@@ -11,9 +10,11 @@
 #include "solidnoise/core/special_functions.h"
 #include "solidnoise/noise/impulse_cells.h"
 #include "solidnoise/noise/kernel_cells.h"
+#include "solidnoise/noise/lane_polynomials.h"
 #include "solidnoise/noise/point_cluster.h"
 #include "solidnoise/noise/point_order.h"
 #include "solidnoise/noise/point_tile.h"
+#include "solidnoise/noise/tile_impulses.h"
 
 namespace solidnoise {
 namespace {
@@ -97,7 +98,8 @@ class PointConvolution<Dim>::Evaluation {
         auto& points = level.points[power ? 1 : 0];
         if (points.empty()) continue;
         level_ = &level;
-        coarse_level_ = extent_.fade ? &this->level(l + 1, 2.0 * level.cells->axis().size()) : nullptr;
+        const double size = level.cells->axis().size();
+        coarse_cells_ = extent_.fade ? this->level(l + 1, 2.0 * size).cells.get() : nullptr;
         evaluate_level(points, power);
         points.clear();
       }
@@ -165,59 +167,11 @@ class PointConvolution<Dim>::Evaluation {
   void evaluate_level(std::span<Located> points, bool power) {
     while (!points.empty()) {
       const PointTile<Dim> tile(points);
-      gather(tile);
+      impulses_.gather(tile, extent_, *level_->cells, coarse_cells_);
       for (std::size_t first = 0; first < tile.points.size(); first += kPatchPoints) {
         evaluate_patch(tile.points.subspan(first, std::min(kPatchPoints, tile.points.size() - first)), power);
       }
     }
-  }
-
-  // Collects the impulses of a tile, cell by cell in lexicographic order, the finer grid first.
-  void gather(const PointTile<Dim>& tile) {
-    const PointCull cull = bounds<Dim>(tile.points, extent_);
-    gathered_.clear();
-    std::array<float, PointImpulses::kMaxAxes> offset{};
-    for_each_reaching_cell<Dim>(cull, [&](const Index<Dim>& cell) {
-      append(level_->cells->at(tile.anchor + cell), cell, offset, 1.0f, cull);
-    });
-    if (coarse_level_ == nullptr) return;
-    Index<Dim> anchor;
-    for (int axis = 0; axis < Dim; ++axis) {
-      anchor[axis] = tile.anchor[axis] >> 1;
-      offset[static_cast<std::size_t>(axis)] = static_cast<float>(tile.anchor[axis] & 1);
-    }
-    for_each_reaching_cell<Dim>(coarsened(cull, offset), [&](const Index<Dim>& cell) {
-      append(coarse_level_->cells->at(anchor + cell), cell, offset, 2.0f, cull);
-    });
-  }
-
-  // Adds the impulses of a cell of the given size, in cells of the finer grid. With the radius r in cells of
-  // that grid, the y of a coarser impulse is (r / 2)^n times its turn: 2^-n of the latter counts as the turn
-  // here.
-  void append(std::span<const typename ImpulseCells<Dim>::Item> items, const Index<Dim>& cell,
-              const std::array<float, PointImpulses::kMaxAxes>& offset, float size, const PointCull& cull) {
-    constexpr float kLowest = 1.0f / static_cast<float>(1 << Dim);
-    const float turn_factor = size == 1.0f ? 1.0f : kLowest;
-    gathered_.reserve(gathered_.size() + items.size());
-    std::array<float*, Dim> position;
-    std::array<float, Dim> corner;
-    for (int axis = 0; axis < Dim; ++axis) {
-      const auto a = static_cast<std::size_t>(axis);
-      position[a] = gathered_.position(axis);
-      corner[a] = static_cast<float>(cell[axis]) * size - offset[a];
-    }
-    float* const weight = gathered_.attribute(PointImpulses::kWeight);
-    float* const turn = gathered_.attribute(PointImpulses::kTurn);
-    std::size_t end = gathered_.size();
-    for (const auto& item : items) {
-      for (std::size_t axis = 0; axis < Dim; ++axis) {
-        position[axis][end] = corner[axis] + size * item.position[axis];
-      }
-      weight[end] = item.weight;
-      turn[end] = turn_factor * (kLowest + (1.0f - kLowest) * item.share);
-      end += turn[end] >= cull.least_turn && turn[end] <= cull.most_turn ? 1 : 0;
-    }
-    gathered_.set_size(end);
   }
 
   void evaluate_patch(std::span<const Located> points, bool power) {
@@ -232,7 +186,7 @@ class PointConvolution<Dim>::Evaluation {
     PointCull all = culls[0];
     for (std::size_t i = 1; i < count; ++i) all = joined(all, culls[i]);
     near_.clear();
-    cull_impulses(gathered_, all, near_);
+    cull_impulses(impulses_.impulses(), all, near_);
     for (std::size_t i = 0; i < count; ++i) evaluate_cluster(cluster(i), culls[i], power);
   }
 
@@ -240,48 +194,18 @@ class PointConvolution<Dim>::Evaluation {
     kept_.clear();
     cull_impulses(near_, cull, kept_);
 
-    fill_polynomials(points, power);
+    std::array<const KernelFamily::Member*, PointCluster::kSamples> kernels;
+    for (std::size_t i = 0; i < points.size(); ++i) kernels[i] = &prepared_[points[i].point].kernel;
+    const PointPolynomials& polynomials = polynomials_.fill(std::span(kernels).first(points.size()), power);
+
     cluster_.count = static_cast<int>(points.size());
     for (std::size_t lane = 0; lane < PointCluster::kSamples; ++lane) {
       fill_lane(points[std::min(lane, points.size() - 1)], lane);
     }
     alignas(64) float sums[PointCluster::kSamples];
-    sum_impulses(kernel_, cluster_, polynomials_, kept_, sums);
+    sum_impulses(kernel_, cluster_, polynomials, kept_, sums);
     for (std::size_t i = 0; i < points.size(); ++i) {
       sums_[points[i].point] += points[i].weight * sums[i];
-    }
-  }
-
-  void fill_polynomials(std::span<const Located> points, bool power) {
-    // Most often all kernels are the same, and those of the last cluster too.
-    const auto is_filled = [&](const Located& point) {
-      const KernelFamily::Member& kernel = prepared_[point.point].kernel;
-      return kernel.lower == filled_.lower && kernel.upper == filled_.upper && kernel.blend == filled_.blend;
-    };
-    if (power == polynomials_.power && std::all_of(points.begin(), points.end(), is_filled)) return;
-    filled_ = {};
-
-    polynomials_.degree = power ? 4 : 0;
-    for (const Located& point : points) {
-      polynomials_.degree = std::max(polynomials_.degree, prepared_[point.point].kernel.degree());
-    }
-    if (power) polynomials_.degree = polynomials_.degree <= 4 ? 4 : polynomials_.degree <= 8 ? 8 : 12;
-    polynomials_.power = power;
-    const std::size_t needed = static_cast<std::size_t>(polynomials_.degree + 1) * PointCluster::kSamples;
-    if (coefficients_.size() < needed + 16) coefficients_.resize(needed + 16);
-    float* const coefficients = aligned(coefficients_.data());
-    polynomials_.coefficients = coefficients;
-
-    for (std::size_t lane = 0; lane < PointCluster::kSamples; ++lane) {
-      const Located& point = points[std::min(lane, points.size() - 1)];
-      fill_polynomial(prepared_[point.point].kernel, power, coefficients + lane);
-    }
-    const KernelFamily::Member& first = prepared_[points.front().point].kernel;
-    if (std::all_of(points.begin(), points.end(), [&](const Located& point) {
-          const KernelFamily::Member& kernel = prepared_[point.point].kernel;
-          return kernel.lower == first.lower && kernel.upper == first.upper && kernel.blend == first.blend;
-        })) {
-      filled_ = first;
     }
   }
 
@@ -303,23 +227,6 @@ class PointConvolution<Dim>::Evaluation {
     }
   }
 
-  // One lane's coefficients, kSamples apart.
-  void fill_polynomial(const KernelFamily::Member& kernel, bool power, float* to) const {
-    const std::vector<float>& lower = power ? kernel.lower->coefficients : kernel.lower->chebyshev;
-    const std::vector<float>& upper = power ? kernel.upper->coefficients : kernel.upper->chebyshev;
-    const float blend = static_cast<float>(kernel.blend);
-    for (std::size_t k = 0; k <= static_cast<std::size_t>(polynomials_.degree); ++k) {
-      const float a = k < lower.size() ? lower[k] : 0.0f;
-      const float b = k < upper.size() ? upper[k] : 0.0f;
-      to[k * PointCluster::kSamples] = (1.0f - blend) * a + blend * b;
-    }
-  }
-
-  static float* aligned(float* memory) {
-    const auto address = reinterpret_cast<std::uintptr_t>(memory);
-    return memory + (64 - address % 64) % 64 / sizeof(float);
-  }
-
   const PointConvolution& noise_;
   const Points<Dim>& points_;
   const Prepare& prepare_;
@@ -335,15 +242,13 @@ class PointConvolution<Dim>::Evaluation {
   std::vector<KernelPoint<Dim>> prepared_;
   std::array<std::vector<double>, Dim> positions_;
   std::vector<float> sums_;
-  Level* level_ = nullptr;         // whose points are evaluated
-  Level* coarse_level_ = nullptr;  // that the same points use too
-  PointImpulses gathered_;         // of a tile
-  PointImpulses near_;             // of a patch
-  PointImpulses kept_;             // of a cluster
+  Level* level_ = nullptr;                     // whose points are evaluated
+  ImpulseCells<Dim>* coarse_cells_ = nullptr;  // that the same points use too
+  TileImpulses<Dim> impulses_;
+  PointImpulses near_;  // of a patch
+  PointImpulses kept_;  // of a cluster
   PointCluster cluster_;
-  PointPolynomials polynomials_;
-  std::vector<float> coefficients_;
-  KernelFamily::Member filled_;  // what all lanes' coefficients are of; none if they differ
+  LanePolynomials polynomials_;
 };
 
 template <int Dim>
