@@ -112,9 +112,10 @@ void add_surface(std::vector<Ratio>& ratios) {
       noise->evaluate(sphere().surface(),
                       {.frequency = frequencies, .bandwidth = {}, .magnitude = {}, .direction = {}}, values);
     });
-    ratios.push_back(
-        {"surface noise, " + std::string(isotropic ? "isotropic" : "oriented") + ", stationary over varying",
-         name + "varying", name + "stationary", 0.0, 0.0});
+    // As times: at most 2, aim 1.3.
+    ratios.push_back({std::string(isotropic ? "surface" : "oriented surface") +
+                          " noise, varying over stationary (1/2, 1/1.3)",
+                      name + "stationary", name + "varying", 0.5, 0.77});
     if (!isotropic) continue;
     const reference::SurfaceGaborProcedure<float> procedure(
         {options.frequency, gaussian_parameter(options.frequency, 1.0)}, radius, kImpulses, 1u);
