@@ -3,12 +3,12 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <iostream>
-#include <iterator>
+#include <ostream>
 #include <stdexcept>
-#include <unistd.h>
 
 #include <fmt/format.h>
+
+#include "solidnoise/core/output_file.h"
 
 namespace solidnoise {
 namespace {
@@ -38,32 +38,7 @@ std::string read_text_file(const fs::path& path) {
 }
 
 void write_text_file(const fs::path& path, const std::string& text) {
-  if (path == "-") {
-    std::cout << text << std::flush;
-    errno = 0;
-    if (!std::cout) fail("standard output", "cannot be written");
-    return;
-  }
-  const fs::path temporary =
-      path.parent_path() / fmt::format(".{}.tmp-{}", path.filename().string(), getpid());
-  errno = 0;
-  std::ofstream file(temporary, std::ios::binary);
-  file << text;
-  file.close();
-  std::error_code error;
-  if (!file) {
-    const int reason = errno;
-    fs::remove(temporary, error);
-    errno = reason;
-    fail(path, "cannot be written");
-  }
-  fs::rename(temporary, path, error);
-  if (error) {
-    std::error_code ignored;
-    fs::remove(temporary, ignored);
-    errno = error.value();
-    fail(path, "cannot be written");
-  }
+  write_output(path, {.existing = Existing::replace}, [&](std::ostream& stream) { stream << text; });
 }
 
 }  // namespace solidnoise
