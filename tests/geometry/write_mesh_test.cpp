@@ -184,6 +184,17 @@ TEST(WriteMesh, WidensTheTypesThatDoNotSuffice) {
     expect_same_shape(again(mesh, format).mesh, mesh);
 }
 
+TEST(WriteMesh, RefusesOrLeavesOutFacesThatAFormatCannotHold) {
+  PolygonMesh mesh = awkward_mesh();
+  mesh.add_face({});
+  EXPECT_EQ(again(mesh, MeshFormat::ply).mesh.face_count(), 5u);
+  EXPECT_EQ(again(mesh, MeshFormat::obj).mesh.face_count(), 4u);
+  mesh.add_face(std::vector<std::uint32_t>(65536, 1u));
+  EXPECT_EQ(again(mesh, MeshFormat::ply).mesh.face(5).size(), 65536u);
+  EXPECT_EQ(message_of<std::invalid_argument>([&] { written(mesh, MeshFormat::om); }),
+            "face 5 has 65536 vertices; OM holds 65535");
+}
+
 TEST(WriteMesh, DoesNotHeedTheLocale) {
   class Commas : public std::numpunct<char> {
     char do_decimal_point() const override { return ','; }

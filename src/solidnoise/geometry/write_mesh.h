@@ -21,7 +21,8 @@ struct MeshWriteOptions {
 
 // Writes a mesh by the path's extension, all or nothing, as write_output does:
 //   .ply  positions of position_type, then every property by name, type and order
-//   .obj  positions; red green blue, scaled to 1, after them; nx ny nz as normals of the same numbers
+//   .obj  positions; red green blue, scaled to 1, after them; nx ny nz as normals of the same numbers; no
+//         faces without vertices
 //   .off  positions; nx ny nz; red green blue alpha in 8 bits (opaque if there is no alpha); s t
 //   .om   positions of position_type; nx ny nz; red green blue in 8 bits. OpenMesh's version 1, whose faces
 //         are lists of vertices, because version 2 can hold manifolds only
@@ -31,7 +32,8 @@ struct MeshWriteOptions {
 //
 // Throws std::runtime_error naming the path (also for an unknown extension), OutputExists, Cancelled;
 // std::invalid_argument for a property whose count is not that of the vertices, or that has a name which is
-// empty, has blanks, or is that of another or of a coordinate.
+// empty, has blanks, or is that of another or of a coordinate, and in OM for a face of more than 65535
+// vertices.
 void write_mesh(const std::filesystem::path& path, const PolygonMesh& mesh,
                 const MeshWriteOptions& options = {});
 

@@ -36,6 +36,7 @@ void write_obj(std::ostream& stream, const PolygonMesh& mesh, const MeshWriteOpt
   }
 
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    if (mesh.face(f).empty()) continue;
     out.text("f");
     for (const std::uint32_t corner : mesh.face(f)) {
       const std::uint64_t number = std::uint64_t{corner} + 1;

@@ -31,7 +31,7 @@ void write_faces(NumberWriter& out, const PolygonMesh& mesh, bool triangles) {
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
     const auto face = mesh.face(f);
     if (face.size() > std::numeric_limits<std::uint16_t>::max()) {
-      throw std::runtime_error(fmt::format("face {} has {} vertices; OM holds 65535", f, face.size()));
+      throw std::invalid_argument(fmt::format("face {} has {} vertices; OM holds 65535", f, face.size()));
     }
     if (!triangles) out.bytes(static_cast<double>(face.size()), ScalarType::uint16);
     for (const std::uint32_t corner : face) out.bytes(corner, ScalarType::uint32);
