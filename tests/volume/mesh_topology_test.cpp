@@ -7,8 +7,11 @@
 
 #include <gtest/gtest.h>
 
+#include "solidnoise/geometry/write_mesh.h"
+#include "solidnoise/volume/make_volume.h"
 #include "solidnoise/volume/topology.h"
 #include "support/message_of.h"
+#include "support/temporary_folder.h"
 
 namespace solidnoise {
 namespace {
@@ -133,6 +136,24 @@ TEST(MeshTopology, RefusesMeshesWithoutAnInside) {
   EXPECT_NE(refusal(broken).find("not finite"), std::string::npos);
 
   EXPECT_NE(refusal(cube({0.01, 0.01, 0.01}, {0.09, 0.09, 0.09})).find("no voxel"), std::string::npos);
+}
+
+TEST(MeshTopology, IsPlannedFromAnyMeshFile) {
+  const TemporaryFolder folder;
+  const TriangleMesh expected = cube({-1, 0, 2}, {1, 1, 3});
+  PolygonMesh mesh;
+  mesh.positions = expected.positions;
+  for (const Triangle& triangle : expected.triangles) mesh.add_face(triangle);
+  for (const char* name : {"cube.ply", "cube.OBJ", "cube.off", "cube.om"}) {
+    write_mesh(folder / name, mesh);
+    VolumeRecipe recipe;
+    recipe.shape = MeshShape{(folder / name).string()};
+    const VolumePlan plan = plan_volume(recipe);
+    ASSERT_TRUE(plan.mesh) << name;
+    EXPECT_EQ(plan.mesh->positions, expected.positions) << name;
+    EXPECT_EQ(plan.mesh->triangles, expected.triangles) << name;
+    EXPECT_EQ(plan.box.upper, Vec<3>(1, 1, 3));
+  }
 }
 
 TEST(MeshTopology, StopsWhenAsked) {
