@@ -1,0 +1,266 @@
+#include "solidnoise/mesh/refine.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
+
+#include "solidnoise/core/check.h"
+#include "solidnoise/geometry/scalar_type.h"
+#include "solidnoise/mesh/surface_mesh.h"
+
+namespace solidnoise {
+namespace {
+
+constexpr std::uint32_t kWhole = std::numeric_limits<std::uint32_t>::max();  // an edge that is not split
+
+// A triangle and the polygon that it is a part of.
+struct Piece {
+  Triangle corners;
+  std::uint32_t face;
+};
+
+class Refiner {
+ public:
+  Refiner(const PolygonMesh& mesh, std::vector<double> targets, const RefineOptions& options)
+      : mesh_(mesh), options_(options), targets_(std::move(targets)), result_(mesh) {
+    require_at_least("most_vertices", static_cast<double>(options.most_vertices), 1.0);
+    const SurfaceMesh surface(mesh);
+    normals_ = surface.to_vertices(surface.normals());
+    // Both sides of a seam must come to the same decisions.
+    std::vector<double> at_points(surface.point_count(), std::numeric_limits<double>::infinity());
+    for (std::size_t v = 0; v < targets_.size(); ++v) {
+      double& smallest = at_points[surface.point_of(v)];
+      smallest = std::min(smallest, targets_[v]);
+    }
+    targets_ = surface.to_vertices(at_points);
+  }
+
+  PolygonMesh split_long_edges() {
+    const auto too_long = [this](std::uint32_t a, std::uint32_t b) {
+      return glm::distance(result_.positions[a], result_.positions[b]) > std::min(targets_[a], targets_[b]);
+    };
+    cut_polygons(too_long);
+    while (split(too_long)) {
+    }
+    return assemble();
+  }
+
+  PolygonMesh halve_edges(int rounds) {
+    const auto every = [](std::uint32_t, std::uint32_t) { return true; };
+    if (rounds > 0) cut_polygons(every);
+    for (int round = 0; round < rounds; ++round) split(every);
+    return assemble();
+  }
+
+ private:
+  // Takes the polygons that have something to split as triangles; the others are never touched again.
+  template <typename Predicate>
+  void cut_polygons(const Predicate& to_split) {
+    is_cut_.assign(mesh_.face_count(), 0);
+    for (std::size_t f = 0; f < mesh_.face_count(); ++f) {
+      const auto face = mesh_.face(f);
+      const std::size_t first = pieces_.size();
+      for (std::size_t i = 2; i < face.size(); ++i) {
+        pieces_.push_back({{face[0], face[i - 1], face[i]}, static_cast<std::uint32_t>(f)});
+        for (std::size_t k = 0; k < 3; ++k) {
+          const Triangle& corners = pieces_.back().corners;
+          if (to_split(corners[k], corners[(k + 1) % 3])) is_cut_[f] = 1;
+        }
+      }
+      if (is_cut_[f] == 0) pieces_.resize(first);
+    }
+  }
+
+  // One round. Returns whether there was an edge to split.
+  template <typename Predicate>
+  bool split(const Predicate& to_split) {
+    // The edges to split, by their vertices, from each triangle that has them.
+    struct Edge {
+      std::uint64_t vertices;  // the smaller one in the upper half
+      std::uint32_t piece;
+      std::uint32_t corner;
+    };
+    std::vector<Edge> edges;
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        const std::uint32_t a = pieces_[i].corners[k];
+        const std::uint32_t b = pieces_[i].corners[(k + 1) % 3];
+        if (a == b || !to_split(a, b)) continue;
+        const std::uint64_t vertices = std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
+        edges.push_back({vertices, static_cast<std::uint32_t>(i), k});
+      }
+    }
+    if (edges.empty()) return false;
+    tbb::parallel_sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
+      return std::tie(a.vertices, a.piece, a.corner) < std::tie(b.vertices, b.piece, b.corner);
+    });
+    // A new vertex for each of them.
+    std::vector<std::array<std::uint32_t, 3>> middles(pieces_.size(), {kWhole, kWhole, kWhole});
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      if (i == 0 || edges[i].vertices != edges[i - 1].vertices) {
+        ends.emplace_back(static_cast<std::uint32_t>(edges[i].vertices >> 32),
+                          static_cast<std::uint32_t>(edges[i].vertices));
+      }
+      middles[edges[i].piece][edges[i].corner] =
+          static_cast<std::uint32_t>(result_.positions.size() + ends.size() - 1);
+    }
+    add_vertices(ends);
+    cut_pieces(middles);
+    return true;
+  }
+
+  void add_vertices(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& ends) {
+    const std::size_t old = result_.positions.size();
+    if (ends.size() > options_.most_vertices || old > options_.most_vertices - ends.size()) {
+      throw std::invalid_argument(
+          fmt::format("refining takes more than {} vertices: the edges that are asked for are too short",
+                      options_.most_vertices));
+    }
+    const std::size_t count = old + ends.size();
+    result_.positions.resize(count);
+    normals_.resize(count);
+    targets_.resize(count);
+    for (VertexProperty& property : result_.properties) property.values.resize(count);
+    tbb::parallel_for(std::size_t{0}, ends.size(), [&](std::size_t i) {
+      const auto [a, b] = ends[i];
+      result_.positions[old + i] = middle_of(a, b);
+      const Vec<3> normal = normals_[a] + normals_[b];
+      const double length = glm::length(normal);
+      normals_[old + i] = length > 0.0 ? normal / length : normals_[a];
+      targets_[old + i] = 0.5 * (targets_[a] + targets_[b]);
+      for (VertexProperty& property : result_.properties) {
+        const double mean = 0.5 * (property.values[a] + property.values[b]);
+        property.values[old + i] = is_float(property.type) ? mean : std::round(mean);
+      }
+    });
+    make_unit(old);
+  }
+
+  Vec<3> middle_of(std::uint32_t a, std::uint32_t b) const {
+    const Vec<3>& p = result_.positions[a];
+    const Vec<3>& q = result_.positions[b];
+    const Vec<3> middle = 0.5 * (p + q);
+    if (options_.placement == RefineOptions::Placement::on_edges) return middle;
+    const Vec<3> bend =
+        glm::dot(q - p, normals_[a]) * normals_[a] + glm::dot(p - q, normals_[b]) * normals_[b];
+    return middle - 0.125 * bend;
+  }
+
+  // Brings the means of normals that a file has, from vertex `first` on, back to length 1.
+  void make_unit(std::size_t first) {
+    std::array<VertexProperty*, 3> parts{};
+    for (VertexProperty& property : result_.properties) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (property.name == kNormalNames[axis] && is_float(property.type)) parts[axis] = &property;
+      }
+    }
+    if (parts[0] == nullptr || parts[1] == nullptr || parts[2] == nullptr) return;
+    for (std::size_t v = first; v < result_.positions.size(); ++v) {
+      const double length = std::hypot(parts[0]->values[v], parts[1]->values[v], parts[2]->values[v]);
+      if (!(length > 0.0)) continue;
+      for (VertexProperty* const part : parts) part->values[v] /= length;
+    }
+  }
+
+  // Replaces each triangle by its parts, in its place.
+  void cut_pieces(const std::vector<std::array<std::uint32_t, 3>>& middles) {
+    std::vector<std::size_t> starts(pieces_.size() + 1);
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+      starts[i + 1] =
+          starts[i] + 1 + (middles[i][0] != kWhole) + (middles[i][1] != kWhole) + (middles[i][2] != kWhole);
+    }
+    std::vector<Piece> parts(starts.back());
+    tbb::parallel_for(std::size_t{0}, pieces_.size(), [&](std::size_t i) {
+      Piece* part = &parts[starts[i]];
+      for (const Triangle& corners : cut(pieces_[i].corners, middles[i])) {
+        if (part == parts.data() + starts[i + 1]) break;
+        *part++ = {corners, pieces_[i].face};
+      }
+    });
+    pieces_ = std::move(parts);
+  }
+
+  // The parts of a triangle v0 v1 v2 whose edge from v_k on is split at m_k, or is whole: one more than there
+  // are new vertices, all wound as the triangle is.
+  std::array<Triangle, 4> cut(const Triangle& triangle, const std::array<std::uint32_t, 3>& middles) const {
+    const auto is_split = [&](std::size_t k) { return middles[k % 3] != kWhole; };
+    const auto count = is_split(0) + is_split(1) + is_split(2);
+    if (count == 0) return {triangle};
+    // Turn it so that the first of one, or of two in a row, is m0.
+    std::size_t turn = 0;
+    while (!is_split(turn) || (count == 2 && !is_split(turn + 1))) ++turn;
+    const auto corner = [&](std::size_t k) { return triangle[(k + turn) % 3]; };
+    const auto middle = [&](std::size_t k) { return middles[(k + turn) % 3]; };
+    const std::uint32_t v0 = corner(0);
+    const std::uint32_t v1 = corner(1);
+    const std::uint32_t v2 = corner(2);
+    const std::uint32_t m0 = middle(0);
+    const std::uint32_t m1 = middle(1);
+    const std::uint32_t m2 = middle(2);
+    if (count == 1) return {{{v0, m0, v2}, {m0, v1, v2}}};
+    if (count == 3) return {{{v0, m0, m2}, {m0, v1, m1}, {m2, m1, v2}, {m0, m1, m2}}};
+    const auto& p = result_.positions;
+    if (glm::distance(p[v0], p[m1]) <= glm::distance(p[m0], p[v2])) {
+      return {{{m0, v1, m1}, {v0, m0, m1}, {v0, m1, v2}}};
+    }
+    return {{{m0, v1, m1}, {v0, m0, v2}, {m0, m1, v2}}};
+  }
+
+  PolygonMesh assemble() {
+    result_.face_starts.assign(1, 0);
+    result_.corners.clear();
+    auto piece = pieces_.begin();
+    for (std::size_t f = 0; f < mesh_.face_count(); ++f) {
+      if (is_cut_.empty() || is_cut_[f] == 0) result_.add_face(mesh_.face(f));
+      for (; piece != pieces_.end() && piece->face == f; ++piece) result_.add_face(piece->corners);
+    }
+    return std::move(result_);
+  }
+
+  const PolygonMesh& mesh_;
+  const RefineOptions& options_;
+  std::vector<double> targets_;  // of the result's vertices
+  std::vector<Vec<3>> normals_;  // of the result's vertices, the surface's
+  PolygonMesh result_;           // its faces are those of the mesh until assemble()
+  std::vector<char> is_cut_;     // of the mesh's faces
+  std::vector<Piece> pieces_;    // of those that are cut, in their order
+};
+
+}  // namespace
+
+PolygonMesh refine(const PolygonMesh& mesh, std::span<const double> target, const RefineOptions& options) {
+  const std::size_t vertices = mesh.positions.size();
+  if (target.size() != 1 && target.size() != vertices) {
+    throw std::invalid_argument(
+        fmt::format("there are {} lengths of edges for {} vertices", target.size(), vertices));
+  }
+  for (std::size_t v = 0; v < target.size(); ++v) {
+    require_positive(target.size() == 1 ? std::string("the length of edges")
+                                        : fmt::format("the length of edges at vertex {}", v),
+                     target[v], "world units");
+  }
+  std::vector<double> targets(target.begin(), target.end());
+  if (target.size() == 1) targets.assign(vertices, target[0]);
+  return Refiner(mesh, std::move(targets), options).split_long_edges();
+}
+
+PolygonMesh subdivide(const PolygonMesh& mesh, int rounds, const RefineOptions& options) {
+  require_in_range("the rounds of refining", rounds, 0, 16);
+  return Refiner(mesh, std::vector<double>(mesh.positions.size(), 1.0), options).halve_edges(rounds);
+}
+
+}  // namespace solidnoise

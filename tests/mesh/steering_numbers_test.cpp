@@ -1,0 +1,80 @@
+#include "solidnoise/mesh/steering_numbers.h"
+
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "support/message_of.h"
+#include "support/surfaces.h"
+
+namespace solidnoise {
+namespace {
+
+// Two vertices: one on a ridge that also bends the other way, one in a crease.
+const Curvature kCurvature{{3.0, 1.0}, {-1.0, -5.0}, {}, {}};
+
+PolygonMesh two_vertices() {
+  PolygonMesh mesh;
+  mesh.positions = {{1, 2, 3}, {4, 5, 6}};
+  mesh.properties = {{"quality", ScalarType::float32, {0.25, 0.75}}, {"red", ScalarType::uint8, {7, 8}}};
+  return mesh;
+}
+
+std::vector<double> numbers(SteeringSource source) {
+  return steering_numbers({.source = source}, two_vertices(), kCurvature);
+}
+
+TEST(SteeringNumbers, AreTheSourceAtEachVertex) {
+  EXPECT_EQ(numbers(SteeringSource::mean_curvature), (std::vector{1.0, -2.0}));
+  EXPECT_EQ(numbers(SteeringSource::gaussian_curvature), (std::vector{-3.0, -5.0}));
+  EXPECT_EQ(numbers(SteeringSource::max_curvature), (std::vector{3.0, -5.0}));
+  EXPECT_EQ(numbers(SteeringSource::abs_curvature), (std::vector{std::sqrt(5.0), std::sqrt(13.0)}));
+  EXPECT_EQ(numbers(SteeringSource::height), (std::vector{2.0, 5.0}));
+  EXPECT_EQ(steering_numbers({.source = SteeringSource::height}, two_vertices(), {}, UpAxis::z),
+            (std::vector{3.0, 6.0}));
+  const Steering by_quality{.source = SteeringSource::attribute, .attribute = "quality"};
+  EXPECT_EQ(steering_numbers(by_quality, two_vertices(), {}), (std::vector{0.25, 0.75}));
+}
+
+TEST(SteeringNumbers, NeedCurvatureWhereTheyAreMadeOfIt) {
+  EXPECT_TRUE(is_curvature(SteeringSource::mean_curvature));
+  EXPECT_TRUE(is_curvature(SteeringSource::abs_curvature));
+  EXPECT_FALSE(is_curvature(SteeringSource::height));
+  EXPECT_FALSE(is_curvature(SteeringSource::attribute));
+  EXPECT_EQ(message_of<std::invalid_argument>([] { steering_numbers({}, two_vertices(), {}); }),
+            "there are 0 curvatures for 2 vertices");
+}
+
+TEST(SteeringNumbers, SayWhichAttributesThereAre) {
+  const Steering by_rust{.source = SteeringSource::attribute, .attribute = "rust"};
+  PolygonMesh mesh = two_vertices();
+  const auto message = [&] {
+    return message_of<std::invalid_argument>([&] { steering_numbers(by_rust, mesh, {}); });
+  };
+  EXPECT_EQ(message(), "the mesh's vertices have no attribute \"rust\"; they have quality, red");
+  mesh.properties.clear();
+  EXPECT_EQ(message(), "the mesh's vertices have no attribute \"rust\"; they have none");
+}
+
+// From creases to ridges, by the sign: the middle of a symmetric wave is in the middle of the range.
+TEST(SteeringNumbers, OfMeanCurvatureGoFromCreasesToRidges) {
+  const PolygonMesh mesh =
+      graph_mesh(1.0, {.n = 60}, [](double x, double) { return 0.1 * std::cos(6.0 * x); });
+  const Steering steering{.source = SteeringSource::mean_curvature};
+  const SteeringWeights weights =
+      make_weights(steering_numbers(steering, mesh, measure_curvature(SurfaceMesh(mesh))), steering);
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    const double height = mesh.positions[v].z / 0.1;
+    if (height > 0.95) {
+      EXPECT_GT(weights.weights[v], 0.9f);
+    } else if (height < -0.95) {
+      EXPECT_LT(weights.weights[v], 0.1f);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace solidnoise
