@@ -71,6 +71,14 @@ Estimate covariance_of_pairs(const std::vector<float>& values) {
   return estimate_mean(products, [](double x) { return x; });
 }
 
+TEST(SurfaceGaborStatistics, MomentsOfTheWindowAreItsIntegrals) {
+  for (const int power : {2, 4}) {
+    const double expected =
+        integrate([power](double u) { return std::pow(layer_window(u), power); }, -1.0, 1.0, 2);
+    EXPECT_NEAR(layer_window_moment(power), expected, 1e-14);  // polynomials of degree 16 at the most: exact
+  }
+}
+
 TEST(SurfaceGaborStatistics, MomentsAreTheSameForAllNormals) {
   for (const GaborWaves waves : {GaborWaves::isotropic, GaborWaves::oriented}) {
     for (const double layer : {0.2, 0.5, 1.0}) {

@@ -178,6 +178,19 @@ TEST(VaryingGaborNoise, APointDoesNotDependOnTheOthersTheirOrderOrTheThread) {
   });
 }
 
+TEST(VaryingGaborNoise, MayBeSharedByThreadsFromTheFirstPointOn) {
+  // Kernels are tabulated when they are first asked for: here by several threads at once.
+  const Scattered<2> scattered = scattered_points<2>(2000, 3.0);
+  const std::vector<float> expected =
+      values_of<2>(VaryingGaborNoise<2>(some_options<2>(GaborWaves::isotropic)), scattered);
+  const VaryingGaborNoise<2> shared(some_options<2>(GaborWaves::isotropic));
+  std::vector<std::vector<float>> results(4);
+  std::vector<std::thread> threads;
+  for (auto& result : results) threads.emplace_back([&] { result = values_of<2>(shared, scattered); });
+  for (std::thread& thread : threads) thread.join();
+  for (const auto& result : results) EXPECT_EQ(result, expected);
+}
+
 TEST(VaryingGaborNoise, InstructionSetsWithFusedMultiplyAddGiveTheSameBits) {
   for_each_kind([]<int Dim>(GaborWaves waves) {
     const VaryingGaborNoise<Dim> noise(some_options<Dim>(waves));

@@ -28,6 +28,14 @@ class ImpulseProcess {
   // `mean_per_cell` > 0; `key` from derive_seed.
   ImpulseProcess(const std::array<CellAxis, Dim>& axes, double mean_per_cell, std::uint64_t key);
 
+  // A process of as many impulses per cell in other cells and with another key; quicker to make than anew.
+  ImpulseProcess with(const std::array<CellAxis, Dim>& axes, std::uint64_t key) const {
+    ImpulseProcess other = *this;
+    other.axes_ = axes;
+    other.key_ = key;
+    return other;
+  }
+
   const std::array<CellAxis, Dim>& axes() const { return axes_; }
   double mean_per_cell() const { return mean_per_cell_; }
 

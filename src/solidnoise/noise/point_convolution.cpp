@@ -33,20 +33,38 @@ double layer_window(double u) {
 }
 
 double layer_window_moment(int power) {
-  return std::beta(0.5, 2.0 * power + 1.0);
+  // The integral of (1 - u^2)^m is 2 (2/3) (4/5) ... (2 m / (2 m + 1)).
+  double integral = 2.0;
+  for (int k = 1; k <= 2 * power; ++k) integral *= 2.0 * k / (2.0 * k + 1.0);
+  return integral;
 }
 
 template <int Dim>
 PointConvolution<Dim>::PointConvolution(const Settings& settings) : settings_(settings) {
   const double support =
       settings.layer > 0.0 ? 2.0 * std::numbers::pi * settings.layer : unit_ball_volume(Dim);
-  density_ = settings.impulses / support;
-  power_ = density_;
-  if (settings.radius == 0.0 && settings.transition == ScaleTransition::fade) {
+  // Mean impulses in a cube whose side is a kernel radius, and in a cell of a grid.
+  double density = settings.impulses / support;
+  power_ = density;
+  double mean_per_cell = density;
+  if (settings.radius > 0.0) {
+    // A cell's side is as long as the kernel reaches.
+    mean_per_cell = density * std::pow(std::hypot(1.0, settings.layer), Dim);
+  } else if (settings.transition == ScaleTransition::fade) {
     const ScaleFade fade(Dim);
-    density_ *= fade.impulses_per_effective_one;
-    power_ = density_ * fade.second_moment;
+    density *= fade.impulses_per_effective_one;
+    power_ = density * fade.second_moment;
+    mean_per_cell = density * (1.0 - fade.lowest);
   }
+  process_.emplace(std::array<CellAxis, Dim>{}, mean_per_cell, 0);
+}
+
+template <int Dim>
+ImpulseProcess<Dim> PointConvolution<Dim>::grid(int level, double cell_size) const {
+  std::array<CellAxis, Dim> axes;
+  axes.fill(CellAxis(cell_size));
+  const std::uint64_t stream = kLevelStream + static_cast<std::uint64_t>(static_cast<std::int64_t>(level));
+  return process_->with(axes, derive_seed(derive_seed(settings_.seed, kImpulseStream), stream));
 }
 
 // One call of evaluate().
@@ -109,18 +127,7 @@ class PointConvolution<Dim>::Evaluation {
 
   Level& level(int l, double size) {
     Level& found = levels_[l];
-    if (!found.cells) {
-      const Settings& settings = noise_.settings_;
-      std::array<CellAxis, Dim> axes;
-      axes.fill(CellAxis(size));
-      double mean = noise_.density_;
-      if (kernel_.fade) mean *= 1.0 - std::exp2(-Dim);
-      if (fixed_) mean *= std::pow(size / settings.radius, Dim);
-      const std::uint64_t key =
-          derive_seed(derive_seed(settings.seed, kImpulseStream),
-                      kLevelStream + static_cast<std::uint64_t>(static_cast<std::int64_t>(l)));
-      found.cells = std::make_unique<ImpulseCells<Dim>>(ImpulseProcess<Dim>(axes, mean, key));
-    }
+    if (!found.cells) found.cells = std::make_unique<ImpulseCells<Dim>>(noise_.grid(l, size));
     return found;
   }
 

@@ -4,9 +4,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 
 #include "solidnoise/core/points.h"
+#include "solidnoise/noise/impulse_process.h"
 #include "solidnoise/noise/kernel_family.h"
 #include "solidnoise/noise/scale_transition.h"
 
@@ -54,9 +56,11 @@ class PointConvolution {
  private:
   class Evaluation;
 
+  ImpulseProcess<Dim> grid(int level, double cell_size) const;
+
   Settings settings_;
-  double density_ = 0.0;  // mean impulses in a cube whose side is a kernel radius
   double power_ = 0.0;
+  std::optional<ImpulseProcess<Dim>> process_;  // of all grids, but for their cells and keys
 };
 
 // The window of a layer, as a function of the offset along the normal in half thicknesses, and the integrals
