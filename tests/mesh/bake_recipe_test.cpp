@@ -91,8 +91,8 @@ TEST(BakeRecipe, RefusesWhatIsOutOfRange) {
 }
 
 TEST(BakeRecipe, TheDefaultFrequencyShowsOnTheMesh) {
-  EXPECT_DOUBLE_EQ(default_frequency(2.0, 1e-4), 12.0);      // fine mesh: 24 features along it
-  EXPECT_DOUBLE_EQ(default_frequency(2.0, 0.1), 1.0 / 0.6);  // coarse one: 6 edges each
+  EXPECT_DOUBLE_EQ(default_frequency(2.0, 1e-4, 1.5), 12.0);        // fine mesh: 24 features along it
+  EXPECT_DOUBLE_EQ(default_frequency(2.0, 0.1, 1.5), 0.45 / 0.15);  // coarse one: half a cycle per edge
 }
 
 }  // namespace

@@ -29,11 +29,16 @@ void refuse_variation(std::string_view field, const ParameterRange& range) {
 void BakeRecipe::validate() const {
   noise.validate();
   if (frequency) require_range("frequency", *frequency, 1e-9, 1e9, "cycles per world unit");
+  require_range("detail", detail, 1e-3, 1e3);
+  if (frequency && detail != ParameterRange{}) {
+    throw std::invalid_argument("detail has no effect where there is a frequency; leave one of them out");
+  }
   require_range("bandwidth", bandwidth, 0.1, 4.0, "octaves");
   require_range("magnitude", magnitude, 0.0, 1e6);
   require_range("bias", bias, -1e6, 1e6);
   if (!may_vary(noise.kind)) {
     if (frequency) refuse_variation("frequency", *frequency);
+    refuse_variation("detail", detail);
     refuse_variation("bandwidth", bandwidth);
   }
   by.validate();
@@ -49,13 +54,14 @@ void BakeRecipe::validate() const {
 }
 
 bool BakeRecipe::steers() const {
-  return (frequency && frequency->varies()) || bandwidth.varies() || magnitude.varies() || bias.varies();
+  return (frequency && frequency->varies()) || detail.varies() || bandwidth.varies() || magnitude.varies() ||
+         bias.varies();
 }
 
-double default_frequency(double diagonal, double mean_edge) {
+double default_frequency(double diagonal, double mean_edge, double highest) {
   constexpr double kFeaturesAlongDiagonal = 24.0;
-  constexpr double kEdgesPerFeature = 6.0;
-  return std::min(kFeaturesAlongDiagonal / diagonal, 1.0 / (kEdgesPerFeature * mean_edge));
+  constexpr double kCyclesPerEdge = 0.45;  // below 0.5, above which noise aliases
+  return std::min(kFeaturesAlongDiagonal / diagonal, kCyclesPerEdge / (highest * mean_edge));
 }
 
 float place_on_ramp(double value, double contrast) {

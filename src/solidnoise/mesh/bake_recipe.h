@@ -40,7 +40,8 @@ struct BakeRecipe {
   std::string description;  // one line
   SurfaceNoiseRecipe noise;
   std::optional<ParameterRange>
-      frequency;  // cycles per world unit; unset: suits the mesh, see default_frequency()
+      frequency;                       // cycles per world unit; unset: suits the mesh, default_frequency()
+  ParameterRange detail{1.0, 1.0};     // of what suits the mesh, where frequency is unset; 0.001 to 1000
   ParameterRange bandwidth{1.0, 1.0};  // octaves; 0.1 to 4
   ParameterRange magnitude{1.0, 1.0};  // standard deviation; >= 0
   ParameterRange bias{0.0, 0.0};       // added to the noise, in standard deviations
@@ -61,9 +62,10 @@ struct BakeRecipe {
   friend bool operator==(const BakeRecipe&, const BakeRecipe&) = default;
 };
 
-// Of a mesh: 24 features along the diagonal of its box, or fewer where its edges are too long to show them: a
-// feature takes at least 6 edges. `diagonal` and `mean_edge` in world units, > 0.
-double default_frequency(double diagonal, double mean_edge);
+// A frequency that suits a mesh: 24 features along the diagonal of its box, or fewer where its edges are too
+// long to show them: `highest`, the noise's highest frequency over its principal one, then is 0.5 cycles per
+// edge. `diagonal` and `mean_edge` in world units, > 0.
+double default_frequency(double diagonal, double mean_edge, double highest);
 
 // Where a value (noise plus bias) is on the ramp, 0 to 1 within it.
 float place_on_ramp(double value, double contrast);

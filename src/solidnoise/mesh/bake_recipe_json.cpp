@@ -80,7 +80,11 @@ Json to_json(const BakeRecipe& recipe) {
   Json json = recipe_header();
   if (!recipe.description.empty()) json["description"] = recipe.description;
   json["surface"] = surface_to_json(recipe.noise);
-  if (recipe.frequency) json["frequency"] = range_to_json(*recipe.frequency);
+  if (recipe.frequency) {
+    json["frequency"] = range_to_json(*recipe.frequency);
+  } else {
+    json["detail"] = range_to_json(recipe.detail);
+  }
   json["bandwidth"] = range_to_json(recipe.bandwidth);
   json["magnitude"] = range_to_json(recipe.magnitude);
   json["bias"] = range_to_json(recipe.bias);
@@ -107,6 +111,7 @@ BakeRecipe bake_recipe_from_json(const Json& json) {
   ParameterRange frequency;
   read_range(reader, "frequency", frequency);
   if (reader.has("frequency")) recipe.frequency = frequency;
+  read_range(reader, "detail", recipe.detail);
   read_range(reader, "bandwidth", recipe.bandwidth);
   read_range(reader, "magnitude", recipe.magnitude);
   read_range(reader, "bias", recipe.bias);

@@ -46,7 +46,8 @@ inline constexpr Choices<RefineRecipe::Mode, 3> kRefineChoices{{
 //    "ramp": "rust", "contrast": 1, "refine": {"mode": "off", "rounds": 1}, "displace": 0, "up": "y"}
 // A parameter is one number, or two for what it is at both ends of what it follows. "by" has "attribute", the
 // name of a number of the vertices, in place of "source" where it follows that. Every key but "solidnoise"
-// may be left out; without "frequency" it suits the mesh. Reading back what was written gives an equal
+// may be left out; without "frequency" it is
+// what suits the mesh, times "detail" (1). Reading back what was written gives an equal
 // recipe, to the last bit.
 Json to_json(const BakeRecipe& recipe);
 

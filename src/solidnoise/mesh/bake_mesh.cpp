@@ -1,0 +1,204 @@
+#include "solidnoise/mesh/bake_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "solidnoise/image/color_ramp.h"
+#include "solidnoise/mesh/surface_mesh.h"
+#include "solidnoise/mesh/vertex_colors.h"
+
+namespace solidnoise {
+namespace {
+
+// Number `vertex` of a parameter.
+double at(const VertexNumber& number, std::size_t vertex) {
+  return number.varies() ? number.values[vertex] : number.constant;
+}
+
+double diagonal_of(const PolygonMesh& mesh) {
+  if (mesh.positions.empty()) return 0.0;
+  Vec<3> lower = mesh.positions.front();
+  Vec<3> upper = lower;
+  for (const Vec<3>& position : mesh.positions) {
+    lower = glm::min(lower, position);
+    upper = glm::max(upper, position);
+  }
+  return glm::length(upper - lower);
+}
+
+// The recipe's frequencies, or those that suit the mesh. `highest` is that of the noise over its principal
+// one. Where nothing has a size, any frequency will do.
+ParameterRange frequencies_for(const PolygonMesh& mesh, double mean_edge, const BakeRecipe& recipe,
+                               double highest) {
+  if (recipe.frequency) return *recipe.frequency;
+  const double diagonal = diagonal_of(mesh);
+  if (diagonal == 0.0) return {};
+  const bool any_edge = mean_edge == 0.0 || recipe.refine.mode == RefineRecipe::Mode::automatic;
+  const double suitable = default_frequency(diagonal, any_edge ? 1e-9 * diagonal : mean_edge, highest);
+  return {suitable * recipe.detail.from, suitable * recipe.detail.to};
+}
+
+// Cycles per edge of the highest frequency, mean over all edges.
+double mean_cycles_per_edge(const PolygonMesh& mesh, const VertexNumber& frequency, double highest) {
+  double sum = 0.0;
+  for (std::size_t index = 0; index < mesh.face_count(); ++index) {
+    const auto face = mesh.face(index);
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      const std::uint32_t a = face[i];
+      const std::uint32_t b = face[(i + 1) % face.size()];
+      const double length = glm::length(mesh.positions[a] - mesh.positions[b]);
+      sum += 0.5 * length * highest * (at(frequency, a) + at(frequency, b));
+    }
+  }
+  return mesh.corners.empty() ? 0.0 : sum / static_cast<double>(mesh.corners.size());
+}
+
+// What can be kept: a name, and the numbers of all vertices under one or more property names.
+struct Keepable {
+  std::string_view name;
+  std::function<std::vector<VertexProperty>(const BakePlan&)> properties;
+};
+
+VertexProperty property_of(std::string name, std::size_t count,
+                           const std::function<double(std::size_t)>& number) {
+  VertexProperty property{std::move(name), ScalarType::float32, std::vector<double>(count)};
+  for (std::size_t i = 0; i < count; ++i) property.values[i] = number(i);
+  return property;
+}
+
+Keepable parameter(std::string_view name, VertexNumber VertexParameters::*member) {
+  return {name, [=](const BakePlan& plan) {
+            const VertexNumber& number = plan.parameters.*member;
+            return std::vector{property_of(std::string(name), plan.mesh.positions.size(),
+                                           [&](std::size_t i) { return at(number, i); })};
+          }};
+}
+
+template <typename Numbers>
+void require_any(std::string_view name, const Numbers& numbers, std::string_view why) {
+  if (!numbers.empty()) return;
+  throw std::invalid_argument(fmt::format("{} cannot be kept: {}", name, why));
+}
+
+const std::vector<Keepable>& keepables() {
+  constexpr std::string_view kNothingSteers = "no parameter is a range";
+  static const std::vector<Keepable> all{
+      parameter("frequency", &VertexParameters::frequency),
+      parameter("bandwidth", &VertexParameters::bandwidth),
+      parameter("magnitude", &VertexParameters::magnitude),
+      parameter("bias", &VertexParameters::bias),
+      {"weight",
+       [=](const BakePlan& plan) {
+         const auto& weights = plan.guides.steering.weights;
+         require_any("weight", weights, kNothingSteers);
+         return std::vector{property_of("weight", weights.size(), [&](std::size_t i) { return weights[i]; })};
+       }},
+      {"steering",
+       [=](const BakePlan& plan) {
+         const auto& numbers = plan.guides.numbers;
+         require_any("steering", numbers, kNothingSteers);
+         return std::vector{
+             property_of("steering", numbers.size(), [&](std::size_t i) { return numbers[i]; })};
+       }},
+      {"direction",
+       [](const BakePlan& plan) {
+         const auto& directions = plan.guides.directions;
+         require_any("direction", directions, "the noise is not oriented");
+         std::vector<VertexProperty> properties;
+         for (int axis = 0; axis < 3; ++axis) {
+           properties.push_back(property_of(fmt::format("direction_{}", "xyz"[axis]), directions.size(),
+                                            [&](std::size_t i) { return directions[i][axis]; }));
+         }
+         return properties;
+       }},
+  };
+  return all;
+}
+
+void keep_property(const BakePlan& plan, const std::string& name, PolygonMesh& mesh) {
+  for (const Keepable& keepable : keepables()) {
+    if (keepable.name != name) continue;
+    for (VertexProperty& property : keepable.properties(plan)) mesh.set_property(std::move(property));
+    return;
+  }
+  throw std::invalid_argument(
+      fmt::format("keep is {}; it must be one of {}", name, fmt::join(keepable_names(), ", ")));
+}
+
+void displace(const std::vector<float>& values, double amount, BakedMesh& baked) {
+  for (std::size_t i = 0; i < values.size(); ++i)
+    baked.mesh.positions[i] += amount * values[i] * baked.normals[i];
+  const SurfaceMesh surface(baked.mesh);
+  baked.normals = surface.to_vertices(surface.normals());
+  if (!baked.mesh.property(kNormalNames[0])) return;
+  for (int axis = 0; axis < 3; ++axis) {
+    baked.mesh.set_property(property_of(std::string(kNormalNames[static_cast<std::size_t>(axis)]),
+                                        values.size(),
+                                        [&](std::size_t i) { return baked.normals[i][axis]; }));
+  }
+}
+
+}  // namespace
+
+BakePlan plan_bake(const PolygonMesh& mesh, const BakeRecipe& recipe) {
+  recipe.validate();
+  const SurfaceMesh surface(mesh);
+  BakePlan plan;
+  plan.mesh = mesh;
+  plan.original_vertices = mesh.positions.size();
+  plan.mean_edge = surface.mean_edge_length();
+  plan.guides = measure_guides(mesh, surface, recipe);
+  // The band is in proportion to the frequency.
+  const double highest = surface_band(recipe.noise, 1.0, recipe.bandwidth.from).upper;
+  const ParameterRange frequency = frequencies_for(mesh, plan.mean_edge, recipe, highest);
+  plan.parameters = make_parameters(recipe, frequency, plan.guides.steering.weights);
+  plan.highest_frequency = highest * std::max(frequency.from, frequency.to);
+  plan.mean_cycles_per_edge = mean_cycles_per_edge(plan.mesh, plan.parameters.frequency, highest);
+  return plan;
+}
+
+std::vector<std::string_view> keepable_names() {
+  std::vector<std::string_view> names;
+  for (const Keepable& keepable : keepables()) names.push_back(keepable.name);
+  return names;
+}
+
+BakedMesh bake(const BakePlan& plan, const BakeRecipe& recipe, const std::vector<std::string>& keep,
+               Progress* progress) {
+  BakedMesh baked;
+  baked.mesh = plan.mesh;
+  baked.normals = plan.guides.normals;
+  for (const std::string& name : keep) keep_property(plan, name, baked.mesh);
+
+  BakeVertices vertices;
+  vertices.positions = plan.mesh.positions;
+  vertices.normals = plan.guides.normals;
+  vertices.frequency = plan.parameters.frequency;
+  vertices.bandwidth = plan.parameters.bandwidth;
+  vertices.magnitude = plan.parameters.magnitude;
+  vertices.directions = plan.guides.directions;
+  std::vector<float> values = bake_noise(recipe.noise, vertices, progress);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] += static_cast<float>(at(plan.parameters.bias, i));
+
+  baked.moments = Moments::of(values);
+  const ColorRamp ramp = parse_color_ramp(recipe.ramp);
+  baked.colors.resize(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    baked.colors[i] = ramp.linear(place_on_ramp(values[i], recipe.contrast));
+  }
+  set_vertex_colors(baked.mesh, baked.colors);
+  baked.mesh.set_property({"noise", ScalarType::float32, {values.begin(), values.end()}});
+  if (recipe.displace != 0.0) displace(values, recipe.displace, baked);
+  return baked;
+}
+
+}  // namespace solidnoise

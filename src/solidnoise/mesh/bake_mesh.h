@@ -1,0 +1,53 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "solidnoise/core/moments.h"
+#include "solidnoise/core/progress.h"
+#include "solidnoise/core/vec.h"
+#include "solidnoise/geometry/polygon_mesh.h"
+#include "solidnoise/image/color.h"
+#include "solidnoise/mesh/bake_recipe.h"
+#include "solidnoise/mesh/steering.h"
+#include "solidnoise/mesh/vertex_parameters.h"
+
+namespace solidnoise {
+
+// A mesh that is ready to be baked: as densely sampled as the recipe says, with the parameters of every
+// vertex. Vertices of the original mesh come first, in their order; new ones follow.
+struct BakePlan {
+  PolygonMesh mesh;
+  VertexGuides guides;
+  VertexParameters parameters;
+  std::size_t original_vertices = 0;
+  double mean_edge = 0.0;             // of `mesh`, world units; 0 without edges
+  double highest_frequency = 0.0;     // of the noise's band, where it is highest, cycles per world unit
+  double mean_cycles_per_edge = 0.0;  // of the highest frequency: above 0.5 the noise aliases
+};
+
+// Measures, refines and steers. Throws std::invalid_argument: recipe.validate(), a mesh whose positions are
+// not finite, an attribute that is not there.
+BakePlan plan_bake(const PolygonMesh& mesh, const BakeRecipe& recipe);
+
+// A mesh with its noise.
+struct BakedMesh {
+  // The plan's mesh with 8-bit colours (red, green, blue, alpha, sRGB-encoded) and the value (`noise`,
+  // float32: noise times magnitude plus bias). Displaced along its normals if the recipe says so; nx, ny, nz
+  // are then made anew where there are any.
+  PolygonMesh mesh;
+  std::vector<Vec<3>> normals;  // of the mesh as it is now
+  std::vector<Color> colors;    // in linear light
+  Moments moments;              // of the values
+};
+
+// The numbers that bake() can keep in the mesh, by name: frequency, bandwidth, magnitude, bias, weight (what
+// steers, 0 to 1), steering (the number that it is made of), direction (as direction_x, _y, _z).
+std::vector<std::string_view> keepable_names();
+
+// Bakes the noise, at rest positions, in parallel. `keep` names what else the mesh shall have. Throws
+// std::invalid_argument for a name that cannot be kept or is not there; Cancelled.
+BakedMesh bake(const BakePlan& plan, const BakeRecipe& recipe, const std::vector<std::string>& keep = {},
+               Progress* progress = nullptr);
+
+}  // namespace solidnoise

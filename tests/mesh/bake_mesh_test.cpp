@@ -1,0 +1,163 @@
+#include "solidnoise/mesh/bake_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include "solidnoise/image/color_ramp.h"
+#include "support/message_of.h"
+#include "support/surfaces.h"
+
+namespace solidnoise {
+namespace {
+
+// Bent differently everywhere, with a number per vertex of its own.
+PolygonMesh test_mesh() {
+  PolygonMesh mesh = torus_mesh(1.0, 0.4, {.n = 24});
+  std::vector<double> heat(mesh.positions.size());
+  for (std::size_t i = 0; i < heat.size(); ++i) heat[i] = static_cast<double>(i);
+  mesh.properties.push_back({"heat", ScalarType::float64, heat});
+  mesh.properties.push_back({"nx", ScalarType::float32, std::vector<double>(heat.size(), 1.0)});
+  mesh.properties.push_back({"ny", ScalarType::float32, std::vector<double>(heat.size(), 0.0)});
+  mesh.properties.push_back({"nz", ScalarType::float32, std::vector<double>(heat.size(), 0.0)});
+  return mesh;
+}
+
+BakedMesh bake_all(const PolygonMesh& mesh, const BakeRecipe& recipe,
+                   const std::vector<std::string>& keep = {}) {
+  return bake(plan_bake(mesh, recipe), recipe, keep);
+}
+
+TEST(BakeMesh, KeepsTheMeshAndAddsColorsAndValues) {
+  const PolygonMesh mesh = test_mesh();
+  const BakedMesh baked = bake_all(mesh, {});
+  EXPECT_EQ(baked.mesh.positions, mesh.positions);
+  EXPECT_EQ(baked.mesh.corners, mesh.corners);
+  ASSERT_EQ(baked.mesh.properties.size(), 4u + 4u + 1u);
+  EXPECT_EQ(baked.mesh.properties[0].name, "heat");
+  EXPECT_EQ(baked.mesh.properties[0].values, mesh.properties[0].values);
+  EXPECT_EQ(baked.mesh.property("noise")->type, ScalarType::float32);
+  EXPECT_EQ(baked.mesh.property("red")->type, ScalarType::uint8);
+}
+
+TEST(BakeMesh, ColorsAreTheRampsAtTheValues) {
+  BakeRecipe recipe;
+  recipe.ramp = "viridis";
+  recipe.contrast = 1.5;
+  const BakedMesh baked = bake_all(test_mesh(), recipe);
+  const ColorRamp ramp = parse_color_ramp("viridis");
+  for (std::size_t i = 0; i < baked.mesh.positions.size(); ++i) {
+    const double value = baked.mesh.property("noise")->values[i];
+    const Color color = ramp.srgb(static_cast<float>(0.5 + 1.5 * value / 5.0));
+    EXPECT_EQ(baked.mesh.property("green")->values[i], std::round(255.0 * color.g));
+  }
+}
+
+TEST(BakeMesh, RangesFollowWhatTheyAreToldTo) {
+  BakeRecipe recipe;
+  recipe.frequency = ParameterRange{4.0, 16.0};
+  recipe.by.source = SteeringSource::attribute;
+  recipe.by.attribute = "heat";
+  recipe.by.low_percentile = 0.0;
+  recipe.by.high_percentile = 100.0;
+  const BakePlan plan = plan_bake(test_mesh(), recipe);
+  const std::size_t last = plan.mesh.positions.size() - 1;
+  EXPECT_FLOAT_EQ(plan.parameters.frequency.values[0], 4.0f);
+  EXPECT_FLOAT_EQ(plan.parameters.frequency.values[last], 16.0f);
+  EXPECT_NEAR(plan.parameters.frequency.values[last / 2], 8.0f, 0.01f);
+
+  recipe.by = Steering();
+  recipe.by.source = SteeringSource::height;
+  const BakePlan high = plan_bake(test_mesh(), recipe);
+  for (std::size_t i = 1; i <= last; ++i) {
+    if (high.mesh.positions[i].y <= high.mesh.positions[0].y) continue;
+    EXPECT_GE(high.parameters.frequency.values[i], high.parameters.frequency.values[0]);
+  }
+}
+
+// The inside of a torus bends both ways, its outside only outwards.
+TEST(BakeMesh, MeanCurvatureIsHighOutsideAndGaussianNegativeInside) {
+  BakeRecipe recipe;
+  recipe.bias = {0.0, 1.0};
+  recipe.magnitude = {0.0, 0.0};
+  for (const SteeringSource source : {SteeringSource::mean_curvature, SteeringSource::gaussian_curvature}) {
+    recipe.by.source = source;
+    const BakedMesh baked = bake_all(test_mesh(), recipe, {"steering"});
+    double inner = 0.0;
+    double outer = 0.0;
+    double least = 1e9;
+    double most = 0.0;
+    for (std::size_t i = 0; i < baked.mesh.positions.size(); ++i) {
+      const Vec<3>& p = baked.mesh.positions[i];
+      const double distance = std::hypot(p.x, p.z);
+      if (distance < least) inner = baked.mesh.property("noise")->values[i];
+      if (distance > most) outer = baked.mesh.property("noise")->values[i];
+      least = std::min(least, distance);
+      most = std::max(most, distance);
+    }
+    EXPECT_EQ(inner, 0.0);
+    EXPECT_EQ(outer, 1.0);
+  }
+}
+
+TEST(BakeMesh, DisplacesAlongTheNormalsBySamplesAtRest) {
+  BakeRecipe recipe;
+  const BakedMesh rest = bake_all(test_mesh(), recipe);
+  recipe.displace = 0.02;
+  const BakedMesh moved = bake_all(test_mesh(), recipe);
+  EXPECT_EQ(moved.mesh.property("noise")->values, rest.mesh.property("noise")->values);
+  for (std::size_t i = 0; i < rest.mesh.positions.size(); ++i) {
+    const Vec<3> step = moved.mesh.positions[i] - rest.mesh.positions[i];
+    const double value = rest.mesh.property("noise")->values[i];
+    EXPECT_NEAR(glm::length(step - 0.02 * value * rest.normals[i]), 0.0, 1e-12);
+    const Vec<3> stored(moved.mesh.property("nx")->values[i], moved.mesh.property("ny")->values[i],
+                        moved.mesh.property("nz")->values[i]);
+    EXPECT_NEAR(glm::length(stored), 1.0, 1e-9);
+  }
+}
+
+TEST(BakeMesh, KeepsWhatItIsAskedToKeep) {
+  BakeRecipe recipe;
+  recipe.frequency = ParameterRange{4.0, 16.0};
+  const BakedMesh baked = bake_all(test_mesh(), recipe, {"frequency", "weight", "steering"});
+  for (const char* name : {"frequency", "weight", "steering"})
+    EXPECT_NE(baked.mesh.property(name), nullptr) << name;
+  EXPECT_EQ(message_of<std::invalid_argument>([&] { bake_all(test_mesh(), recipe, {"weather"}); }),
+            "keep is weather; it must be one of frequency, bandwidth, magnitude, bias, weight, steering, "
+            "direction");
+  EXPECT_EQ(message_of<std::invalid_argument>([&] { bake_all(test_mesh(), BakeRecipe(), {"weight"}); }),
+            "weight cannot be kept: no parameter is a range");
+}
+
+TEST(BakeMesh, NamesTheAttributesThatThereAre) {
+  BakeRecipe recipe;
+  recipe.frequency = ParameterRange{4.0, 16.0};
+  recipe.by.source = SteeringSource::attribute;
+  recipe.by.attribute = "cold";
+  EXPECT_EQ(message_of<std::invalid_argument>([&] { plan_bake(test_mesh(), recipe); }),
+            "attribute is cold; the vertices have heat, nx, ny, nz");
+}
+
+TEST(BakeMesh, EveryFiniteVertexGetsAValue) {
+  PolygonMesh mesh;  // one triangle twice, one degenerate, an edge of length 0, a vertex by itself
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 1, 0}, {5, 5, 5}};
+  mesh.add_face(std::vector<std::uint32_t>{0, 1, 2});
+  mesh.add_face(std::vector<std::uint32_t>{0, 1, 2});
+  mesh.add_face(std::vector<std::uint32_t>{0, 0, 1});
+  mesh.add_face(std::vector<std::uint32_t>{1, 2, 3});
+  for (const SurfaceNoiseKind kind :
+       {SurfaceNoiseKind::surface, SurfaceNoiseKind::solid, SurfaceNoiseKind::kensler}) {
+    BakeRecipe recipe;
+    recipe.noise.kind = kind;
+    if (kind != SurfaceNoiseKind::kensler) recipe.frequency = ParameterRange{1.0, 4.0};
+    const BakedMesh baked = bake_all(mesh, recipe);
+    for (const double value : baked.mesh.property("noise")->values) EXPECT_TRUE(std::isfinite(value));
+  }
+}
+
+}  // namespace
+}  // namespace solidnoise
