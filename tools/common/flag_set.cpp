@@ -225,6 +225,10 @@ void FlagSet::argument(const std::string& name, const std::string& help, std::st
   parser_->app.add_option(name, value, help)->required()->type_name("");
 }
 
+void FlagSet::optional_argument(const std::string& name, const std::string& help, std::string& value) {
+  parser_->app.add_option(name, value, help)->type_name("");
+}
+
 void FlagSet::exclude(std::vector<std::string> flags) {
   parser_->exclusions.push_back(std::move(flags));
 }

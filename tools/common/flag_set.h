@@ -47,6 +47,9 @@ class FlagSet {
   // An argument without a flag, which must be there.
   void argument(const std::string& name, const std::string& help, std::string& value);
 
+  // The same, but it may be missing: `value` then stays.
+  void optional_argument(const std::string& name, const std::string& help, std::string& value);
+
   // Flags of which at most one may be given.
   void exclude(std::vector<std::string> flags);
   // The text after the flags in --help, and that of --version.

@@ -1,0 +1,214 @@
+#include <iostream>
+#include <memory>
+#include <stdexcept>
+#include <string_view>
+#include <unistd.h>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <tbb/global_control.h>
+
+#include "common/exit_status.h"
+#include "common/interrupt.h"
+#include "common/outputs.h"
+#include "common/presets.h"
+#include "common/task_progress.h"
+#include "common/text_file.h"
+#include "common/usage_error.h"
+#include "meshnoise/bake_options.h"
+#include "meshnoise/commands.h"
+#include "meshnoise/describe.h"
+#include "meshnoise/mesh_input.h"
+#include "meshnoise/mesh_preview.h"
+#include "meshnoise/recipe_source.h"
+#include "solidnoise/geometry/write_mesh.h"
+#include "solidnoise/mesh/bake_mesh.h"
+#include "solidnoise/mesh/bake_recipe_json.h"
+
+namespace solidnoise {
+namespace {
+
+constexpr std::string_view kDefaultPreset = "rust";
+constexpr char kDescription[] =
+    "meshnoise bake puts procedural noise onto a surface, as vertex colours, without texture coordinates.\n"
+    "  meshnoise bake in.ply --out out.ply                                  rust\n"
+    "  meshnoise bake in.ply --out out.ply --frequency 4..32                ... finer where the surface "
+    "bends out";
+
+void list_presets() {
+  for (const Preset& preset : presets()) {
+    std::cout << fmt::format("{:<10} {}\n", preset.name,
+                             load_bake_preset(std::string(preset.name)).description);
+  }
+}
+
+BakeRecipe choose_recipe(const FlagSet& flags) {
+  if (const auto file = flags.value_of("--recipe")) {
+    const LoadedBakeRecipe loaded = load_bake_recipe(*file);
+    if (!loaded.warning.empty() && !flags.given("--quiet")) {
+      std::cerr << "meshnoise: warning: " << loaded.warning << '\n';
+    }
+    return loaded.recipe;
+  }
+  return load_bake_preset(flags.value_of("--preset").value_or(std::string(kDefaultPreset)));
+}
+
+// What the flags leave without effect is refused rather than ignored.
+void check_consistency(const FlagSet& flags, const BakeRecipe& recipe) {
+  for (const char* flag : {"--by", "--percentiles", "--gamma"}) {
+    if (flags.given(flag) && !recipe.steers()) {
+      throw UsageError(
+          fmt::format("{} has no effect where no parameter is a range; give --frequency A..B, say", flag));
+    }
+  }
+  for (const char* flag : {"--follow", "--direction", "--direction-smooth"}) {
+    if (flags.given(flag) && recipe.noise.kind != SurfaceNoiseKind::oriented) {
+      throw UsageError(fmt::format("{} applies to --noise oriented only", flag));
+    }
+  }
+  for (const char* flag : {"--bandwidth", "--impulses", "--error"}) {
+    if (flags.given(flag) && !is_gabor(recipe.noise.kind)) {
+      throw UsageError(fmt::format("{} does not apply to --noise {}", flag,
+                                   name_of(kSurfaceNoiseChoices, recipe.noise.kind)));
+    }
+  }
+  const bool layered =
+      recipe.noise.kind == SurfaceNoiseKind::surface || recipe.noise.kind == SurfaceNoiseKind::oriented;
+  if (flags.given("--layer") && !layered)
+    throw UsageError("--layer applies to --noise surface and oriented only");
+}
+
+void check_outputs(const BakeOptions& options) {
+  if (options.out.empty() && options.preview.empty() && options.write_recipe.empty()) {
+    throw UsageError("--out is missing; say where the mesh goes: --out out.ply");
+  }
+  if (options.out == "-" && options.write_recipe == "-") {
+    throw UsageError("--out and --write-recipe cannot both be the standard output");
+  }
+  if (options.out == "-" && isatty(STDOUT_FILENO) != 0) {
+    throw UsageError("--out is -, and the standard output is a terminal; send it to a file or a program");
+  }
+  if (!options.out.empty() && options.out != "-" && mesh_format(options.out) == MeshFormat::stl) {
+    throw UsageError(
+        fmt::format("--out is {}; .stl holds no colours: use .ply, .obj, .off or .om", options.out));
+  }
+  if (!options.preview.empty()) require_preview(options.preview);
+  for (const std::string* path : {&options.out, &options.preview, &options.write_recipe}) {
+    if (!path->empty()) require_output(*path, options.existing);
+  }
+}
+
+void print_plan(const BakePlan& plan, const std::string& steered_by) {
+  constexpr double kHighestCyclesPerEdge = 0.5;
+  constexpr std::size_t kBarWidth = 50;
+  if (!plan.guides.numbers.empty()) {
+    std::cerr << fmt::format("{}: {:.4g} to {:.4g}, ranges from {:.4g} to {:.4g}\n", steered_by,
+                             plan.guides.steering.least, plan.guides.steering.most, plan.guides.steering.low,
+                             plan.guides.steering.high)
+              << draw_histogram(plan.guides.steering, kBarWidth);
+  }
+  if (plan.mean_cycles_per_edge > kHighestCyclesPerEdge) {
+    std::cerr << fmt::format(
+        "meshnoise: warning: the noise reaches {:.2f} cycles per edge, above 0.5, and will alias; use "
+        "--refine auto, or make "
+        "--frequency or --detail lower, or --octaves fewer\n",
+        plan.mean_cycles_per_edge);
+  }
+}
+
+void write_baked(const BakedMesh& baked, const BakeOptions& options, std::vector<std::string> comments,
+                 Progress* progress) {
+  MeshWriteOptions write;
+  for (std::string& comment : recipe_comments(options.recipe)) comments.push_back(std::move(comment));
+  write.comments = std::move(comments);
+  write.existing = options.existing;
+  write.progress = progress;
+  if (options.out == "-") {
+    write_output("-", {.progress = progress},
+                 [&](std::ostream& stream) { write_mesh(stream, MeshFormat::ply, baked.mesh, write); });
+  } else {
+    write_mesh(options.out, baked.mesh, write);
+  }
+}
+
+// Those of an earlier bake are replaced by ours.
+std::vector<std::string> foreign_comments(const std::vector<std::string>& comments) {
+  std::vector<std::string> foreign;
+  for (const std::string& comment : comments) {
+    const bool ours = recipe_in_comments({comment}) || comment.starts_with("meshnoise ");
+    if (!ours) foreign.push_back(comment);
+  }
+  return foreign;
+}
+
+std::string steering_name(const Steering& steering) {
+  return steering.source == SteeringSource::attribute
+             ? steering.attribute
+             : std::string(name_of(kSteeringChoices, steering.source));
+}
+
+void bake_file(const std::string& in, const BakeOptions& options) {
+  check_outputs(options);
+  catch_interrupts();
+  const MeshReading reading = read_input_mesh(in, options.quiet ? Notes::keep_quiet : Notes::print);
+  const BakePlan plan = plan_bake(reading.mesh, options.recipe);
+  if (!options.quiet) print_plan(plan, steering_name(options.recipe.by));
+
+  TaskProgress progress(options.quiet ? ProgressBar::Visibility::hidden
+                                      : ProgressBar::Visibility::if_terminal);
+  progress.begin("noise");
+  const BakedMesh baked = bake(plan, options.recipe, options.keep, &progress);
+  progress.begin("writing");
+  throw_if_cancelled(&progress);
+  if (!options.out.empty()) write_baked(baked, options, foreign_comments(reading.comments), &progress);
+  if (!options.preview.empty()) {
+    write_mesh_preview(options.preview, baked.mesh, baked.normals, baked.colors, options.recipe.up);
+  }
+  if (!options.write_recipe.empty()) {
+    write_text_file(options.write_recipe, format_json(to_json(options.recipe)));
+  }
+  if (options.quiet) return;
+  std::cerr << fmt::format("{}: {} vertices, {} faces\nmin {:.6g}  max {:.6g}  mean {:.6g}  sigma {:.6g}\n",
+                           options.out.empty() ? options.preview : options.out, baked.mesh.positions.size(),
+                           baked.mesh.face_count(), baked.moments.min(), baked.moments.max(),
+                           baked.moments.mean(), baked.moments.sigma());
+}
+
+}  // namespace
+
+int run_bake(const std::vector<std::string>& arguments) {
+  BakeOptions options;
+  std::string in;
+  FlagSet flags("meshnoise bake", kDescription);
+  flags.optional_argument("IN", "The mesh: .ply, .obj, .off, .stl or .om", in);
+  declare_bake_flags(flags, options);
+  flags.version(kMeshnoise);
+  flags.parse(arguments);
+  if (flags.given("--list-presets")) {
+    list_presets();
+    return kDone;
+  }
+  if (in.empty()) throw UsageError("IN is missing; say which mesh: meshnoise bake in.ply --out out.ply");
+  options.recipe = choose_recipe(flags);
+  try {
+    flags.apply();
+    check_consistency(flags, options.recipe);
+    options.recipe.validate();
+    std::unique_ptr<tbb::global_control> threads;
+    if (options.threads > 0) {
+      threads = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
+                                                      static_cast<std::size_t>(options.threads));
+    }
+    if (options.task == BakeOptions::Task::describe) {
+      const MeshReading reading = read_input_mesh(in, options.quiet ? Notes::keep_quiet : Notes::print);
+      std::cout << format_json(describe_bake(plan_bake(reading.mesh, options.recipe), options.recipe));
+    } else {
+      bake_file(in, options);
+    }
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(flags.name_flag(error.what()));
+  }
+  return kDone;
+}
+
+}  // namespace solidnoise

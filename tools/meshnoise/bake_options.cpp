@@ -1,0 +1,219 @@
+#include "meshnoise/bake_options.h"
+
+#include <sstream>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "common/flag_targets.h"
+#include "common/parse_value.h"
+#include "common/usage_error.h"
+#include "solidnoise/core/check.h"
+#include "solidnoise/image/color_ramp.h"
+#include "solidnoise/mesh/bake_mesh.h"
+#include "solidnoise/mesh/bake_recipe_json.h"
+
+namespace solidnoise {
+namespace {
+
+// "4" or "4..32".
+ParameterRange parse_range(const std::string& flag, const std::string& text) {
+  const std::size_t dots = text.find("..");
+  if (dots == std::string::npos) {
+    const double value = parse_number(flag, text);
+    return {value, value};
+  }
+  return {parse_number(flag, text.substr(0, dots)), parse_number(flag, text.substr(dots + 2))};
+}
+
+// An attribute is any other word.
+void set_source(Steering& steering, const std::string& text) {
+  steering.attribute.clear();
+  for (const auto& choice : kSteeringChoices) {
+    if (choice.name != text) continue;
+    steering.source = choice.value;
+    return;
+  }
+  if (text.empty()) throw UsageError("--by is empty; it must be a word");
+  steering.source = SteeringSource::attribute;
+  steering.attribute = text;
+}
+
+void set_refine(RefineRecipe& refine, const std::string& text) {
+  if (text == "off") {
+    refine.mode = RefineRecipe::Mode::off;
+  } else if (text == "auto") {
+    refine.mode = RefineRecipe::Mode::automatic;
+  } else {
+    refine.mode = RefineRecipe::Mode::rounds;
+    refine.rounds = parse_integer("--refine", text);
+  }
+}
+
+std::vector<std::string> split(const std::string& text) {
+  std::vector<std::string> words;
+  std::istringstream stream(text);
+  for (std::string word; std::getline(stream, word, ',');) words.push_back(word);
+  return words;
+}
+
+void declare_output(FlagSet& flags, BakeOptions& options) {
+  flags.group("Output");
+  keep(flags, "--out", "FILE",
+       "Where the mesh goes: .ply, .obj, .off or .om; - for a .ply on the standard output", options.out);
+  keep(flags, "--preview", "FILE.png", "A picture of the mesh in its colours, rendered by Embree",
+       options.preview);
+  flags.toggle("--force", "Replace files that exist", [&] { options.existing = Existing::replace; });
+  flags.text(
+      "--keep", "NAMES",
+      fmt::format("Numbers to put into a .ply, with commas between: {}", fmt::join(keepable_names(), ", ")),
+      [&](const std::string& text) { options.keep = split(text); });
+}
+
+void declare_recipes(FlagSet& flags, BakeOptions& options) {
+  flags.group("Recipes");
+  flags.text("--preset", "NAME", "Start from a recipe that comes with the program (default rust)",
+             [](const std::string&) {});
+  flags.text("--recipe", "FILE",
+             "Start from a recipe, .json, or from that of a .ply, .obj or .off made by meshnoise",
+             [](const std::string&) {});
+  keep(flags, "--write-recipe", "FILE.json",
+       "Write the recipe with all flags in it; - for the standard output", options.write_recipe);
+  flags.exclude({"--preset", "--recipe"});
+}
+
+void declare_range(FlagSet& flags, const std::string& flag, const std::string& unit, const std::string& help,
+                   const std::function<void(const ParameterRange&)>& set) {
+  flags.text(flag, unit, help, [=](const std::string& text) { set(parse_range(flag, text)); });
+}
+
+void declare_noise(FlagSet& flags, BakeRecipe& recipe) {
+  flags.group("Noise");
+  declare_choice(
+      flags, "--noise", kSurfaceNoiseChoices,
+      "surface: of the tangent plane; oriented: its waves follow a direction; solid: the field that volumes "
+      "have; kensler: gradient noise, projected or solid (default surface)",
+      recipe.noise.kind);
+  declare_range(flags, "--frequency", "A[..B]",
+                "Principal frequency, cycles per world unit; a range follows --by (default: suits the mesh)",
+                [&](const ParameterRange& range) {
+                  recipe.frequency = range;
+                  recipe.detail = {};
+                });
+  declare_range(flags, "--size", "A[..B]", "Instead: size of a feature, world units; 1 / frequency",
+                [&](const ParameterRange& range) {
+                  require_positive("size", range.from, "world units");
+                  require_positive("size", range.to, "world units");
+                  recipe.frequency = ParameterRange{1.0 / range.from, 1.0 / range.to};
+                  recipe.detail = {};
+                });
+  declare_range(flags, "--detail", "A[..B]", "Instead: frequency over what suits the mesh (default 1)",
+                [&](const ParameterRange& range) {
+                  recipe.frequency.reset();
+                  recipe.detail = range;
+                });
+  flags.exclude({"--frequency", "--size", "--detail"});
+  declare_range(flags, "--bandwidth", "A[..B]",
+                "Width of the band at half amplitude, octaves, 0.1 to 4 (default 1)",
+                [&](const ParameterRange& range) { recipe.bandwidth = range; });
+  declare_range(flags, "--magnitude", "A[..B]", "Standard deviation of the noise (default 1)",
+                [&](const ParameterRange& range) { recipe.magnitude = range; });
+  declare_range(flags, "--bias", "A[..B]", "Added to the noise, in standard deviations (default 0)",
+                [&](const ParameterRange& range) { recipe.bias = range; });
+  flags.number("--impulses", "N",
+               "Mean impulses under one kernel (default 0: the fewest with excess kurtosis under 0.5)",
+               [&](double value) { recipe.noise.impulses = value; });
+  flags.number("--error", "FRACTION", "Relative RMS error of the kernel, 0.0001 to 0.5 (default 0.02)",
+               [&](double value) { recipe.noise.error = value; });
+  flags.number("--layer", "RADII",
+               "surface, oriented: half the layer that impulses come from, in kernel radii (default 0.5)",
+               [&](double value) { recipe.noise.layer = value; });
+  flags.integer("--octaves", "COUNT", "Octaves, 1 to 16",
+                [&](int value) { recipe.noise.fractal.octaves = value; });
+  flags.number("--lacunarity", "RATIO", "Frequency of an octave over that of the one before it (default 2)",
+               [&](double value) { recipe.noise.fractal.lacunarity = value; });
+  flags.number("--gain", "RATIO", "Amplitude of an octave over that of the one before it (default 0.5)",
+               [&](double value) { recipe.noise.fractal.gain = value; });
+  flags.text("--seed", "SEED", "Another seed is another noise, 0 to 18446744073709551615",
+             [&](const std::string& text) { recipe.noise.seed = parse_unsigned("--seed", text); });
+}
+
+void declare_steering(FlagSet& flags, BakeRecipe& recipe) {
+  flags.group("What ranges follow");
+  flags.text("--by", "WORD",
+             fmt::format("{}, or the name of a number of the vertices (default mean-curvature)",
+                         fmt::join(names_of(kSteeringChoices), ", ")),
+             [&](const std::string& text) { set_source(recipe.by, text); });
+  flags.numbers("--percentiles", "LOW HIGH", 2, "The vertices that get the ends of a range (default 5 95)",
+                [&](const std::vector<double>& v) {
+                  recipe.by.low_percentile = v[0];
+                  recipe.by.high_percentile = v[1];
+                });
+  flags.number("--gamma", "EXPONENT", "Of the weight between the ends (default 1)",
+               [&](double value) { recipe.by.gamma = value; });
+  flags.integer("--smooth", "ROUNDS", "Smoothing of the curvature (default 2)",
+                [&](int value) { recipe.smooth = value; });
+  declare_choice(flags, "--up", kUpAxisChoices, "The up axis: of height, and of the preview (default y)",
+                 recipe.up);
+}
+
+void declare_direction(FlagSet& flags, BakeRecipe& recipe) {
+  flags.group("Direction of oriented noise");
+  declare_choice(flags, "--follow", kDirectionChoices,
+                 "Waves travel along --direction, or along a principal curvature (default axis)",
+                 recipe.direction.source);
+  flags.numbers("--direction", "X Y Z", 3, "An axis, laid into the tangent plane (default 0 1 0)",
+                [&](const std::vector<double>& v) {
+                  recipe.direction.axis = {v[0], v[1], v[2]};
+                });
+  flags.integer("--direction-smooth", "ROUNDS",
+                "Smoothing of a direction that follows the curvature (default 10)",
+                [&](int value) { recipe.direction.smooth = value; });
+}
+
+void declare_look(FlagSet& flags, BakeRecipe& recipe) {
+  flags.group("Look");
+  flags.text("--ramp", "RAMP",
+             fmt::format("{}, or stops such as 0:#000,1:#fff; sRGB, blended in linear light (default rust)",
+                         fmt::join(ramp_names(), ", ")),
+             [&](const std::string& text) {
+               parse_color_ramp(text);
+               recipe.ramp = text;
+             });
+  flags.number("--contrast", "FACTOR",
+               "The ramp spans 2.5 / FACTOR standard deviations to each side (default 1)",
+               [&](double value) { recipe.contrast = value; });
+  flags.text("--refine", "auto|N", "Split edges until the noise shows on the mesh, or N times (default off)",
+             [&](const std::string& text) { set_refine(recipe.refine, text); });
+  flags.number("--displace", "UNITS",
+               "Move vertices along their normals, by this for a value of 1 (default 0)",
+               [&](double value) { recipe.displace = value; });
+}
+
+void declare_run(FlagSet& flags, BakeOptions& options) {
+  flags.group("Run");
+  flags.toggle("--describe", "Print what would be made, as JSON, and write nothing",
+               [&] { options.task = BakeOptions::Task::describe; });
+  flags.toggle("--list-presets", "Print the presets",
+               [&] { options.task = BakeOptions::Task::list_presets; });
+  flags.integer("--threads", "COUNT", "Threads to use (default: all)", [&](int value) {
+    require_in_range("threads", value, 1, 4096);
+    options.threads = value;
+  });
+  flags.toggle("--quiet", "Print errors only", [&] { options.quiet = true; });
+}
+
+}  // namespace
+
+void declare_bake_flags(FlagSet& flags, BakeOptions& options) {
+  declare_output(flags, options);
+  declare_recipes(flags, options);
+  declare_noise(flags, options.recipe);
+  declare_steering(flags, options.recipe);
+  declare_direction(flags, options.recipe);
+  declare_look(flags, options.recipe);
+  declare_run(flags, options);
+}
+
+}  // namespace solidnoise

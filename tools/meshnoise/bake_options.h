@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "common/flag_set.h"
+#include "solidnoise/core/output_file.h"
+#include "solidnoise/mesh/bake_recipe.h"
+
+namespace solidnoise {
+
+// What the command line of `meshnoise bake` says, beside the recipe.
+struct BakeOptions {
+  enum class Task { bake, describe, list_presets };
+
+  Task task = Task::bake;
+  BakeRecipe recipe;
+  std::string out;           // .ply, .obj, .off or .om; "-" for a .ply on the standard output; empty: none
+  std::string preview;       // .png; empty: none
+  std::string write_recipe;  // .json, "-" for the standard output; empty: none
+  std::vector<std::string> keep;  // names of numbers that the mesh shall have
+  Existing existing = Existing::refuse;
+  int threads = 0;  // 0: as many as the machine has
+  bool quiet = false;
+};
+
+// Declares all flags. Before they are applied the caller puts the recipe that they override into `options`:
+// --preset and --recipe choose it.
+void declare_bake_flags(FlagSet& flags, BakeOptions& options);
+
+}  // namespace solidnoise

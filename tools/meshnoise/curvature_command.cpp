@@ -1,0 +1,82 @@
+#include <algorithm>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "common/exit_status.h"
+#include "common/flag_set.h"
+#include "common/flag_targets.h"
+#include "common/outputs.h"
+#include "common/usage_error.h"
+#include "meshnoise/commands.h"
+#include "meshnoise/mesh_input.h"
+#include "meshnoise/mesh_preview.h"
+#include "solidnoise/geometry/write_mesh.h"
+#include "solidnoise/mesh/bake_recipe_json.h"
+#include "solidnoise/mesh/show_curvature.h"
+
+namespace solidnoise {
+namespace {
+
+constexpr char kDescription[] =
+    "meshnoise curvature shows the curvature of a surface as vertex colours, and puts it into a .ply as "
+    "numbers:\n"
+    "mean_curvature, gaussian_curvature, k1, k2 (1 / world unit; positive where the surface bulges out).";
+
+}  // namespace
+
+int run_curvature(const std::vector<std::string>& arguments) {
+  std::string in;
+  std::string out;
+  std::string preview;
+  CurvatureRecipe recipe;
+  Existing existing = Existing::refuse;
+  bool quiet = false;
+  FlagSet flags("meshnoise curvature", kDescription);
+  flags.argument("IN", "The mesh: .ply, .obj, .off, .stl or .om", in);
+  flags.group("Flags");
+  keep(flags, "--out", "FILE", "Where the mesh goes: .ply, .obj, .off or .om", out);
+  keep(flags, "--preview", "FILE.png", "A picture of the mesh in its colours, rendered by Embree", preview);
+  flags.choice("--by", names_of(kSteeringChoices), "What the colours show (default mean-curvature)",
+               [&](std::size_t index) { recipe.by.source = kSteeringChoices[index].value; });
+  flags.numbers("--percentiles", "LOW HIGH", 2,
+                "The vertices that get the ends of the colours (default 5 95)",
+                [&](const std::vector<double>& v) {
+                  recipe.by.low_percentile = v[0];
+                  recipe.by.high_percentile = v[1];
+                });
+  flags.integer("--smooth", "ROUNDS", "Smoothing of the curvature (default 2)",
+                [&](int value) { recipe.smooth = value; });
+  keep(flags, "--ramp", "RAMP", "A name or stops, as for bake (default viridis)", recipe.ramp);
+  declare_choice(flags, "--up", kUpAxisChoices, "The up axis (default y)", recipe.up);
+  flags.toggle("--force", "Replace files that exist", [&] { existing = Existing::replace; });
+  flags.toggle("--quiet", "Print errors only", [&] { quiet = true; });
+  flags.parse(arguments);
+  try {
+    flags.apply();
+    recipe.validate();
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(flags.name_flag(error.what()));
+  }
+  if (out.empty() && preview.empty())
+    throw UsageError("--out is missing; say where the mesh goes: --out c.ply");
+  if (!preview.empty()) require_preview(preview);
+  for (const std::string* path : {&out, &preview}) {
+    if (!path->empty()) require_output(*path, existing);
+  }
+
+  const MeshReading reading = read_input_mesh(in, quiet ? Notes::keep_quiet : Notes::print);
+  const ShownCurvature shown = show_curvature(reading.mesh, recipe);
+  if (!out.empty()) write_mesh(out, shown.mesh, {.comments = {kMeshnoise}, .existing = existing});
+  if (!preview.empty()) write_mesh_preview(preview, shown.mesh, shown.normals, shown.colors, recipe.up);
+  if (!quiet) {
+    std::cerr << fmt::format("{}: {} vertices, {:.4g} to {:.4g}, colours from {:.4g} to {:.4g}\n",
+                             out.empty() ? preview : out, shown.mesh.positions.size(), shown.steering.least,
+                             shown.steering.most, shown.steering.low, shown.steering.high);
+  }
+  return kDone;
+}
+
+}  // namespace solidnoise

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+
+#include "solidnoise/core/up_axis.h"
+#include "solidnoise/core/vec.h"
+#include "solidnoise/geometry/polygon_mesh.h"
+#include "solidnoise/image/color.h"
+
+namespace solidnoise {
+
+// Refuses a preview before any work: throws UsageError if the file is no .png, or if this program was built
+// without Embree.
+void require_preview(const std::string& path);
+
+// Renders a mesh in its vertices' colours (linear light) into a .png.
+void write_mesh_preview(const std::filesystem::path& path, const PolygonMesh& mesh,
+                        std::span<const Vec<3>> normals, std::span<const Color> colors, UpAxis up);
+
+}  // namespace solidnoise

@@ -1,0 +1,20 @@
+#include "meshnoise/mesh_preview.h"
+
+#include <fmt/format.h>
+
+#include "common/usage_error.h"
+#include "solidnoise/image/image_file.h"
+#include "solidnoise/render/render_mesh.h"
+
+namespace solidnoise {
+
+void require_preview(const std::string& path) {
+  if (!path.ends_with(".png")) throw UsageError(fmt::format("--preview is {}; it must end in .png", path));
+}
+
+void write_mesh_preview(const std::filesystem::path& path, const PolygonMesh& mesh,
+                        std::span<const Vec<3>> normals, std::span<const Color> colors, UpAxis up) {
+  write_image(path, render_mesh(mesh, normals, colors, {.up = up}));
+}
+
+}  // namespace solidnoise

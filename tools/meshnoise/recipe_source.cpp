@@ -1,0 +1,52 @@
+#include "meshnoise/recipe_source.h"
+
+#include <stdexcept>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "common/presets.h"
+#include "common/recipe_file.h"
+#include "common/text_file.h"
+#include "meshnoise/commands.h"
+#include "solidnoise/geometry/read_mesh.h"
+#include "solidnoise/mesh/bake_recipe_json.h"
+
+namespace solidnoise {
+namespace {
+
+constexpr std::string_view kRecipeMark = "solidnoise recipe ";
+
+std::string text_of(const std::filesystem::path& path) {
+  if (path.extension() == ".json") return read_text_file(path);
+  if (auto text = recipe_in_comments(read_mesh(path).comments)) return *text;
+  throw std::runtime_error(fmt::format("{}: it carries no recipe of meshnoise", path.string()));
+}
+
+}  // namespace
+
+LoadedBakeRecipe load_bake_recipe(const std::filesystem::path& path) {
+  LoadedBakeRecipe loaded;
+  loaded.warning = read_recipe(path, text_of(path),
+                               [&](const Json& json) { loaded.recipe = bake_recipe_from_json(json); });
+  return loaded;
+}
+
+BakeRecipe load_bake_preset(const std::string& name) {
+  return bake_recipe_from_json(parse_json(find_preset(name).json));
+}
+
+std::vector<std::string> recipe_comments(const BakeRecipe& recipe) {
+  return {kMeshnoise, std::string(kRecipeMark) + to_json(recipe).dump()};
+}
+
+std::optional<std::string> recipe_in_comments(const std::vector<std::string>& comments) {
+  for (const std::string& comment : comments) {
+    const std::size_t mark = comment.find(kRecipeMark);
+    if (mark != std::string::npos) return comment.substr(mark + kRecipeMark.size());
+  }
+  return std::nullopt;
+}
+
+}  // namespace solidnoise
