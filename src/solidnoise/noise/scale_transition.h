@@ -12,22 +12,18 @@ enum class ScaleTransition {
   //   y = (r / 2^l)^n (2^-n + (1 - 2^-n) u),   u uniform on [0, 1),
   // and its kernel is multiplied by fade(y), which is 0 outside of 2^-n < y < 1, the range that the two grids
   // have between them. Impulses come and go one by one as r changes. All statistics, of every order, are the
-  // same
-  // for every r (Campbell's theorem, the process being one of uniform density in y), and only as many
-  // impulses
-  // are evaluated as are needed.
+  // same for every r (Campbell's theorem, the process being one of uniform density in y), and only as many
+  // impulses are evaluated as are needed.
   fade,
-  // All impulses of both grids, the sums weighted so that the powers add up to 1 (the amplitudes that eqs. 25
-  // and
-  // 26 would be, had they been meant as such, with a smoothed alpha):
+  // All impulses of both grids, the sums weighted so that their powers add up to 1: by the square roots of
+  // eqs. 25 and 26 in n dimensions, smoothed,
   //   w0 = cos(pi/2 s) (1 + alpha)^(-n/2),  w1 = 2^(n/2) sin(pi/2 s) (1 + alpha)^(-n/2),
   //   r = (1 + alpha) 2^l,  s = 3 alpha^2 - 2 alpha^3.
-  // The variance is the same for every r, the kurtosis is not; costs up to 2^n times as many impulses.
+  // The variance is the same for every r, the kurtosis is not; sums up to 2^n times as many impulses.
   power,
-  // The paper's own weights, eqs. 25 and 26 in n dimensions: w0 = (1 - alpha) (1 + alpha)^-n,
-  // w1 = 2^n alpha (1 + alpha)^-n. They keep the weighted number of impulses; the variance falls to a half
-  // between
-  // two grids. For comparison.
+  // The paper's own weights, eqs. 25 and 26 in n dimensions: w0 = (1 - alpha) (1 + alpha)^-n, w1 = 2^n alpha
+  // (1 + alpha)^-n. They keep the weighted number of impulses; the variance falls to a half between two
+  // grids. For comparison.
   paper,
 };
 
@@ -44,8 +40,7 @@ ScaleWeights scale_weights(ScaleTransition transition, int n, double alpha);
 double scale_variance(const ScaleWeights& weights, int n, double alpha);
 
 // The factor of an impulse, and its integrals over y:
-//   fade(y) = S(min((y - 2^-n) / rise, (1 - y) / fall)),  S(x) = 3 x^2 - 2 x^3 for x from 0 to 1, constant
-//   outside.
+//   fade(y) = S(min((y - 2^-n) / rise, (1 - y) / fall)),  S(x) = 3 x^2 - 2 x^3, x clamped to 0 to 1.
 struct ScaleFade {
   explicit ScaleFade(int n);
 
