@@ -21,7 +21,7 @@ namespace solidnoise {
 namespace {
 
 PolygonMesh refine_to(const PolygonMesh& mesh, double target, const RefineOptions& options = {}) {
-  return refine(mesh, std::array{target}, options);
+  return refine(mesh, std::array{target}, options).mesh;
 }
 
 constexpr RefineOptions kSmooth{.placement = RefineOptions::Placement::smooth};
@@ -92,7 +92,7 @@ TEST(Refine, FollowsTheTargetOfEachVertex) {
   const PolygonMesh mesh = graph_mesh(1.0, {.n = 2}, [](double, double) { return 0.0; });
   std::vector<double> target;
   for (const Vec<3>& p : mesh.positions) target.push_back(p.x < 0.0 ? 0.05 : 0.5);
-  const PolygonMesh refined = refine(mesh, target);
+  const PolygonMesh refined = refine(mesh, target).mesh;
   EXPECT_EQ(inspect_mesh(refined).non_manifold_edges, 0u);
   EXPECT_NEAR(vector_area(refined).z, 4.0, 1e-12);
   std::array<std::size_t, 2> counts{};
@@ -159,7 +159,7 @@ TEST(Refine, SplitsAnEdgeOfManyFacesForAllOfThem) {
   EXPECT_LE(longest_edge(refined), 0.3);
   // The edge is in four parts, each of three faces; the face without area adds itself to each.
   EXPECT_EQ(inspect_mesh(refined).non_manifold_edges, 4u);
-  EXPECT_EQ(inspect_mesh(subdivide(mesh, 2)).non_manifold_edges, 4u);
+  EXPECT_EQ(inspect_mesh(subdivide(mesh, 2).mesh).non_manifold_edges, 4u);
 }
 
 TEST(Refine, KeepsSeamsClosed) {
@@ -167,7 +167,7 @@ TEST(Refine, KeepsSeamsClosed) {
   std::vector<double> target(split.positions.size());
   for (std::size_t v = 0; v < target.size(); ++v) target[v] = detail::uniform(3, v, 0.05, 0.3);
   for (const RefineOptions& options : {RefineOptions{}, kSmooth}) {
-    const SurfaceMesh surface(refine(split, target, options));
+    const SurfaceMesh surface(refine(split, target, options).mesh);
     for (std::size_t p = 0; p < surface.point_count(); ++p) EXPECT_FALSE(surface.on_boundary(p));
   }
 }
@@ -175,14 +175,36 @@ TEST(Refine, KeepsSeamsClosed) {
 TEST(Subdivide, HalvesEveryEdge) {
   const PolygonMesh mesh = sphere_mesh(1.0, {.n = 3});
   const MeshReport before = inspect_mesh(mesh);
-  const PolygonMesh once = subdivide(mesh, 1);
+  const PolygonMesh once = subdivide(mesh, 1).mesh;
   expect_same_beginning(once, mesh);
   EXPECT_EQ(once.positions.size(), before.vertices + before.edges);
   EXPECT_EQ(once.face_count(), 4 * before.faces);
   EXPECT_TRUE(inspect_mesh(once).is_closed());
-  EXPECT_EQ(subdivide(mesh, 3).face_count(), 64 * before.faces);
-  EXPECT_EQ(subdivide(mesh, 0).corners, mesh.corners);
-  EXPECT_DOUBLE_EQ(longest_edge(subdivide(mesh, 2)), 0.25 * longest_edge(mesh));
+  EXPECT_EQ(subdivide(mesh, 3).mesh.face_count(), 64 * before.faces);
+  EXPECT_EQ(subdivide(mesh, 0).mesh.corners, mesh.corners);
+  EXPECT_DOUBLE_EQ(longest_edge(subdivide(mesh, 2).mesh), 0.25 * longest_edge(mesh));
+}
+
+TEST(RefinedMesh, CarriesWhatVerticesHad) {
+  const PolygonMesh mesh = torus_mesh(2.0, 0.7, {.n = 6, .jitter = 0.3});
+  const RefinedMesh refined = refine(mesh, std::array{0.2});
+  std::vector<float> numbers;
+  std::vector<Vec<3>> around;
+  for (const Vec<3>& p : mesh.positions) {
+    numbers.push_back(static_cast<float>(3.0 * p.x - p.y));
+    around.push_back(glm::normalize(Vec<3>(-p.z, 0.0, p.x)) * (numbers.size() % 2 == 0 ? 1.0 : -1.0));
+  }
+  const std::vector<float> carried = refined.carry(numbers);
+  const std::vector<Vec<3>> lines = refined.carry_lines(around);
+  ASSERT_EQ(carried.size(), refined.mesh.positions.size());
+  ASSERT_EQ(lines.size(), refined.mesh.positions.size());
+  for (std::size_t v = 0; v < lines.size(); ++v) {
+    const Vec<3>& p = refined.mesh.positions[v];
+    EXPECT_NEAR(carried[v], 3.0 * p.x - p.y, 1e-5);
+    EXPECT_NEAR(glm::length(lines[v]), 1.0, 1e-12);
+    // A quarter of the circle has 4 edges or more: the middle of a chord is along the circle.
+    EXPECT_LT(std::abs(glm::dot(lines[v], glm::normalize(Vec<3>(p.x, 0.0, p.z)))), 0.2);
+  }
 }
 
 TEST(Refine, IsTheSameForAnyNumberOfThreads) {

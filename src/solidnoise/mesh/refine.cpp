@@ -48,7 +48,7 @@ class Refiner {
     targets_ = surface.to_vertices(at_points);
   }
 
-  PolygonMesh split_long_edges() {
+  RefinedMesh split_long_edges() {
     const auto too_long = [this](std::uint32_t a, std::uint32_t b) {
       return glm::distance(result_.positions[a], result_.positions[b]) > std::min(targets_[a], targets_[b]);
     };
@@ -58,7 +58,7 @@ class Refiner {
     return assemble();
   }
 
-  PolygonMesh halve_edges(int rounds) {
+  RefinedMesh halve_edges(int rounds) {
     const auto every = [](std::uint32_t, std::uint32_t) { return true; };
     if (rounds > 0) cut_polygons(every);
     for (int round = 0; round < rounds; ++round) split(every);
@@ -109,11 +109,11 @@ class Refiner {
     });
     // A new vertex for each of them.
     std::vector<std::array<std::uint32_t, 3>> middles(pieces_.size(), {kWhole, kWhole, kWhole});
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;
+    std::vector<std::array<std::uint32_t, 2>> ends;
     for (std::size_t i = 0; i < edges.size(); ++i) {
       if (i == 0 || edges[i].vertices != edges[i - 1].vertices) {
-        ends.emplace_back(static_cast<std::uint32_t>(edges[i].vertices >> 32),
-                          static_cast<std::uint32_t>(edges[i].vertices));
+        ends.push_back({static_cast<std::uint32_t>(edges[i].vertices >> 32),
+                        static_cast<std::uint32_t>(edges[i].vertices)});
       }
       middles[edges[i].piece][edges[i].corner] =
           static_cast<std::uint32_t>(result_.positions.size() + ends.size() - 1);
@@ -123,7 +123,7 @@ class Refiner {
     return true;
   }
 
-  void add_vertices(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& ends) {
+  void add_vertices(const std::vector<std::array<std::uint32_t, 2>>& ends) {
     const std::size_t old = result_.positions.size();
     if (ends.size() > options_.most_vertices || old > options_.most_vertices - ends.size()) {
       throw std::invalid_argument(
@@ -148,6 +148,7 @@ class Refiner {
       }
     });
     make_unit(old);
+    edges_.insert(edges_.end(), ends.begin(), ends.end());
   }
 
   Vec<3> middle_of(std::uint32_t a, std::uint32_t b) const {
@@ -220,7 +221,7 @@ class Refiner {
     return {{{m0, v1, m1}, {v0, m0, v2}, {m0, m1, v2}}};
   }
 
-  PolygonMesh assemble() {
+  RefinedMesh assemble() {
     result_.face_starts.assign(1, 0);
     result_.corners.clear();
     auto piece = pieces_.begin();
@@ -228,21 +229,38 @@ class Refiner {
       if (is_cut_.empty() || is_cut_[f] == 0) result_.add_face(mesh_.face(f));
       for (; piece != pieces_.end() && piece->face == f; ++piece) result_.add_face(piece->corners);
     }
-    return std::move(result_);
+    return {std::move(result_), std::move(edges_)};
   }
 
   const PolygonMesh& mesh_;
   const RefineOptions& options_;
-  std::vector<double> targets_;  // of the result's vertices
-  std::vector<Vec<3>> normals_;  // of the result's vertices, the surface's
-  PolygonMesh result_;           // its faces are those of the mesh until assemble()
-  std::vector<char> is_cut_;     // of the mesh's faces
-  std::vector<Piece> pieces_;    // of those that are cut, in their order
+  std::vector<double> targets_;                      // of the result's vertices
+  std::vector<Vec<3>> normals_;                      // of the result's vertices, the surface's
+  PolygonMesh result_;                               // its faces are those of the mesh until assemble()
+  std::vector<std::array<std::uint32_t, 2>> edges_;  // of the new vertices
+  std::vector<char> is_cut_;                         // of the mesh's faces
+  std::vector<Piece> pieces_;                        // of those that are cut, in their order
 };
 
 }  // namespace
 
-PolygonMesh refine(const PolygonMesh& mesh, std::span<const double> target, const RefineOptions& options) {
+std::vector<float> RefinedMesh::carry(std::vector<float> numbers) const {
+  numbers.reserve(numbers.size() + edges.size());
+  for (const auto& [a, b] : edges) numbers.push_back(0.5f * (numbers[a] + numbers[b]));
+  return numbers;
+}
+
+std::vector<Vec<3>> RefinedMesh::carry_lines(std::vector<Vec<3>> directions) const {
+  directions.reserve(directions.size() + edges.size());
+  for (const auto& [a, b] : edges) {
+    // The one of the two signs makes an angle of at most a right one, and the sum at least sqrt(2) long.
+    const double sign = glm::dot(directions[a], directions[b]) < 0.0 ? -1.0 : 1.0;
+    directions.push_back(glm::normalize(directions[a] + sign * directions[b]));
+  }
+  return directions;
+}
+
+RefinedMesh refine(const PolygonMesh& mesh, std::span<const double> target, const RefineOptions& options) {
   const std::size_t vertices = mesh.positions.size();
   if (target.size() != 1 && target.size() != vertices) {
     throw std::invalid_argument(
@@ -258,7 +276,7 @@ PolygonMesh refine(const PolygonMesh& mesh, std::span<const double> target, cons
   return Refiner(mesh, std::move(targets), options).split_long_edges();
 }
 
-PolygonMesh subdivide(const PolygonMesh& mesh, int rounds, const RefineOptions& options) {
+RefinedMesh subdivide(const PolygonMesh& mesh, int rounds, const RefineOptions& options) {
   require_in_range("the rounds of refining", rounds, 0, 16);
   return Refiner(mesh, std::vector<double>(mesh.positions.size(), 1.0), options).halve_edges(rounds);
 }

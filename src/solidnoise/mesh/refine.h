@@ -1,8 +1,12 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
+#include <vector>
 
+#include "solidnoise/core/vec.h"
 #include "solidnoise/geometry/polygon_mesh.h"
 
 namespace solidnoise {
@@ -15,6 +19,21 @@ struct RefineOptions {
 
   Placement placement = Placement::on_edges;
   std::size_t most_vertices = 50'000'000;  // more is refused, >= 1
+};
+
+// A mesh with more vertices, and where these come from.
+struct RefinedMesh {
+  PolygonMesh mesh;
+  // For each new vertex, in order, the ends of the edge that it halves; these may be new vertices themselves,
+  // of smaller indices.
+  std::vector<std::array<std::uint32_t, 2>> edges;
+
+  // Numbers that the vertices had before, with the means of the ends' for the new ones. What is measured on
+  // the mesh as it was, such as curvature, is better carried over than measured again: edges stay where they
+  // were, and cutting them up makes them sharper.
+  std::vector<float> carry(std::vector<float> numbers) const;
+  // The same for lines, of either sign and length 1: a direction between those of the ends.
+  std::vector<Vec<3>> carry_lines(std::vector<Vec<3>> directions) const;
 };
 
 // Splits edges until none is longer than the target, world units. `target` has one length per vertex, and the
@@ -33,10 +52,10 @@ struct RefineOptions {
 //
 // Throws std::invalid_argument: a target that is not positive, naming the vertex; a number of targets that is
 // neither 1 nor that of the vertices; more vertices than allowed; what SurfaceMesh throws.
-PolygonMesh refine(const PolygonMesh& mesh, std::span<const double> target,
+RefinedMesh refine(const PolygonMesh& mesh, std::span<const double> target,
                    const RefineOptions& options = {});
 
 // Halves every edge, `rounds` times (0 to 16): each triangle becomes 4^rounds. The rest is as for refine().
-PolygonMesh subdivide(const PolygonMesh& mesh, int rounds, const RefineOptions& options = {});
+RefinedMesh subdivide(const PolygonMesh& mesh, int rounds, const RefineOptions& options = {});
 
 }  // namespace solidnoise
