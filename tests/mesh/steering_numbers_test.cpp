@@ -1,5 +1,3 @@
-#include "solidnoise/mesh/steering_numbers.h"
-
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
@@ -7,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "solidnoise/mesh/vertex_parameters.h"
 #include "support/message_of.h"
 #include "support/surfaces.h"
 
@@ -24,7 +23,7 @@ PolygonMesh two_vertices() {
 }
 
 std::vector<double> numbers(SteeringSource source) {
-  return steering_numbers({.source = source}, two_vertices(), kCurvature);
+  return steering_numbers(two_vertices(), kCurvature, {.source = source}, UpAxis::y);
 }
 
 TEST(SteeringNumbers, AreTheSourceAtEachVertex) {
@@ -33,30 +32,21 @@ TEST(SteeringNumbers, AreTheSourceAtEachVertex) {
   EXPECT_EQ(numbers(SteeringSource::max_curvature), (std::vector{3.0, -5.0}));
   EXPECT_EQ(numbers(SteeringSource::abs_curvature), (std::vector{std::sqrt(5.0), std::sqrt(13.0)}));
   EXPECT_EQ(numbers(SteeringSource::height), (std::vector{2.0, 5.0}));
-  EXPECT_EQ(steering_numbers({.source = SteeringSource::height}, two_vertices(), {}, UpAxis::z),
+  EXPECT_EQ(steering_numbers(two_vertices(), {}, {.source = SteeringSource::height}, UpAxis::z),
             (std::vector{3.0, 6.0}));
   const Steering by_quality{.source = SteeringSource::attribute, .attribute = "quality"};
-  EXPECT_EQ(steering_numbers(by_quality, two_vertices(), {}), (std::vector{0.25, 0.75}));
-}
-
-TEST(SteeringNumbers, NeedCurvatureWhereTheyAreMadeOfIt) {
-  EXPECT_TRUE(is_curvature(SteeringSource::mean_curvature));
-  EXPECT_TRUE(is_curvature(SteeringSource::abs_curvature));
-  EXPECT_FALSE(is_curvature(SteeringSource::height));
-  EXPECT_FALSE(is_curvature(SteeringSource::attribute));
-  EXPECT_EQ(message_of<std::invalid_argument>([] { steering_numbers({}, two_vertices(), {}); }),
-            "there are 0 curvatures for 2 vertices");
+  EXPECT_EQ(steering_numbers(two_vertices(), {}, by_quality, UpAxis::y), (std::vector{0.25, 0.75}));
 }
 
 TEST(SteeringNumbers, SayWhichAttributesThereAre) {
   const Steering by_rust{.source = SteeringSource::attribute, .attribute = "rust"};
   PolygonMesh mesh = two_vertices();
   const auto message = [&] {
-    return message_of<std::invalid_argument>([&] { steering_numbers(by_rust, mesh, {}); });
+    return message_of<std::invalid_argument>([&] { steering_numbers(mesh, {}, by_rust, UpAxis::y); });
   };
-  EXPECT_EQ(message(), "the mesh's vertices have no attribute \"rust\"; they have quality, red");
+  EXPECT_EQ(message(), "attribute is rust; the vertices have quality, red");
   mesh.properties.clear();
-  EXPECT_EQ(message(), "the mesh's vertices have no attribute \"rust\"; they have none");
+  EXPECT_EQ(message(), "attribute is rust; the vertices have none");
 }
 
 // From creases to ridges, by the sign: the middle of a symmetric wave is in the middle of the range.
@@ -64,8 +54,8 @@ TEST(SteeringNumbers, OfMeanCurvatureGoFromCreasesToRidges) {
   const PolygonMesh mesh =
       graph_mesh(1.0, {.n = 60}, [](double x, double) { return 0.1 * std::cos(6.0 * x); });
   const Steering steering{.source = SteeringSource::mean_curvature};
-  const SteeringWeights weights =
-      make_weights(steering_numbers(steering, mesh, measure_curvature(SurfaceMesh(mesh))), steering);
+  const SteeringWeights weights = make_weights(
+      steering_numbers(mesh, measure_curvature(SurfaceMesh(mesh)), steering, UpAxis::y), steering);
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     const double height = mesh.positions[v].z / 0.1;
     if (height > 0.95) {
