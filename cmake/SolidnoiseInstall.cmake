@@ -31,9 +31,11 @@ foreach(_library IN LISTS _libraries)
     FILES_MATCHING PATTERN "*.h" PATTERN "*-inl.h" EXCLUDE)
 endforeach()
 
-if(TARGET vdbnoise)
-  install(TARGETS vdbnoise RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-endif()
+foreach(_tool vdbnoise meshnoise)
+  if(TARGET ${_tool})
+    install(TARGETS ${_tool} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  endif()
+endforeach()
 
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/solidnoise-config.cmake.in
   ${PROJECT_BINARY_DIR}/solidnoise-config.cmake INSTALL_DESTINATION ${_package_folder})
