@@ -195,6 +195,7 @@ TEST(RefinedMesh, CarriesWhatVerticesHad) {
     around.push_back(glm::normalize(Vec<3>(-p.z, 0.0, p.x)) * (numbers.size() % 2 == 0 ? 1.0 : -1.0));
   }
   const std::vector<float> carried = refined.carry(numbers);
+  EXPECT_EQ(refined.carry(std::vector<double>(numbers.begin(), numbers.end())).size(), carried.size());
   const std::vector<Vec<3>> lines = refined.carry_lines(around);
   ASSERT_EQ(carried.size(), refined.mesh.positions.size());
   ASSERT_EQ(lines.size(), refined.mesh.positions.size());

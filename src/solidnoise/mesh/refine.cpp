@@ -242,12 +242,22 @@ class Refiner {
   std::vector<Piece> pieces_;                        // of those that are cut, in their order
 };
 
+template <typename Number>
+std::vector<Number> carry_means(std::vector<Number> numbers,
+                                const std::vector<std::array<std::uint32_t, 2>>& edges) {
+  numbers.reserve(numbers.size() + edges.size());
+  for (const auto& [a, b] : edges) numbers.push_back(Number{0.5} * (numbers[a] + numbers[b]));
+  return numbers;
+}
+
 }  // namespace
 
 std::vector<float> RefinedMesh::carry(std::vector<float> numbers) const {
-  numbers.reserve(numbers.size() + edges.size());
-  for (const auto& [a, b] : edges) numbers.push_back(0.5f * (numbers[a] + numbers[b]));
-  return numbers;
+  return carry_means(std::move(numbers), edges);
+}
+
+std::vector<double> RefinedMesh::carry(std::vector<double> numbers) const {
+  return carry_means(std::move(numbers), edges);
 }
 
 std::vector<Vec<3>> RefinedMesh::carry_lines(std::vector<Vec<3>> directions) const {
