@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <tuple>
 #include <vector>
 
 #include "solidnoise/noise/sparse_convolution.h"
@@ -8,20 +9,25 @@ namespace solidnoise {
 
 template <int Dim>
 void SparseConvolution<Dim>::evaluate(const Points<Dim>& points, const Samples<Dim>& samples) const {
-  // Sort the points by groups of cells, then by cell: points of one group share their impulses.
+  // Sort the points by groups of cells, then by cell and part of it: points of one group share their
+  // impulses, and those of one cluster are near each other.
   constexpr std::int64_t kGroupShift = 2;
+  constexpr int kParts = 4;
   struct Located {
     Index<Dim> cell;
+    int part;  // of the cell, of kParts along each axis
     std::array<float, Dim> fraction;
     std::size_t sample;
   };
   std::vector<Located> located(points.count);
   for (std::size_t i = 0; i < points.count; ++i) {
     located[i].sample = i;
+    located[i].part = 0;
     for (int axis = 0; axis < Dim; ++axis) {
       const CellPosition position = process_.axes()[axis].locate(points.coordinate(i, axis));
       located[i].cell[axis] = position.cell;
       located[i].fraction[axis] = position.fraction;
+      located[i].part = located[i].part * kParts + static_cast<int>(position.fraction * kParts);
     }
   }
   const auto group_differs = [](const Located& a, const Located& b) {
@@ -39,7 +45,7 @@ void SparseConvolution<Dim>::evaluate(const Points<Dim>& points, const Samples<D
     for (int axis = 0; axis < Dim; ++axis) {
       if (a.cell[axis] != b.cell[axis]) return a.cell[axis] < b.cell[axis];
     }
-    return a.sample < b.sample;
+    return std::tie(a.part, a.sample) < std::tie(b.part, b.sample);
   });
 
   const auto bounds = [](auto begin, auto end) {
