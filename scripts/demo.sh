@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # demo.sh [ARGUMENT...]: makes cloud.vdb and its picture cloud.png in the current folder, on a machine that may have nothing yet.
-# The arguments go to vdbnoise.
+# The arguments go to vdbnoise. The two files are replaced where they exist.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 "$root/scripts/setup.sh"
 "$root/scripts/build.sh" release -DSOLIDNOISE_BUILD_TESTS=OFF
-"$root/build/release/tools/vdbnoise" --out cloud.vdb --preview cloud.png "$@"
+"$root/build/release/tools/vdbnoise" --out cloud.vdb --preview cloud.png --force "$@"
 
 echo "The cloud:   $PWD/cloud.vdb"
 echo "Its picture: $PWD/cloud.png"
