@@ -56,7 +56,8 @@ void declare_output(FlagSet& flags, MakeOptions& options) {
   flags.toggle("--force", "Replace files that exist", [&] { options.existing = Existing::replace; });
   keep(flags, "--grid", "NAME", "Name of the grid (default density)", options.recipe.grid);
   flags.toggle("--half", "Store 16-bit floats: half the size, 3 digits", [&] { options.recipe.half = true; });
-  declare_choice(flags, "--codec", kCodecChoices, "Compression of the file (default blosc)",
+  declare_choice(flags, "--codec", kCodecChoices,
+                 "Compression of the file; zip gains nothing on fog volumes (default blosc)",
                  options.recipe.codec);
 }
 
@@ -78,6 +79,10 @@ void declare_noise(FlagSet& flags, VolumeRecipe& recipe) {
                 [&](int value) { recipe.dims = value; });
   flags.number("--time", "TIME", "With --dims 4: the moment to make, in the noise's units (default 0)",
                [&](double value) { recipe.time = value; });
+  flags.numbers("--offset", "X Y Z", 3, "Moves the noise, world units (default 0 0 0)",
+                [&](const std::vector<double>& v) {
+                  recipe.offset = {v[0], v[1], v[2]};
+                });
 }
 
 void declare_shaping(FlagSet& flags, VolumeRecipe& recipe) {

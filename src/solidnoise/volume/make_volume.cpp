@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "solidnoise/geometry/read_mesh.h"
+#include "solidnoise/noise/moved_noise.h"
 #include "solidnoise/noise/slice_noise.h"
 #include "solidnoise/recipe/json.h"
 #include "solidnoise/volume/cloud_field.h"
@@ -132,8 +133,13 @@ VolumePlan plan_volume(const VolumeRecipe& recipe) {
 }
 
 std::shared_ptr<const Noise<3>> make_volume_noise(const VolumeRecipe& recipe) {
-  if (recipe.dims == 3) return make_noise<3>(recipe.noise);
-  return slice(make_noise<4>(recipe.noise), recipe.time);
+  std::shared_ptr<const Noise<3>> noise;
+  if (recipe.dims == 3) {
+    noise = make_noise<3>(recipe.noise);
+  } else {
+    noise = slice(make_noise<4>(recipe.noise), recipe.time);
+  }
+  return recipe.offset == Vec<3>(0.0) ? noise : move_noise<3>(noise, recipe.offset);
 }
 
 Volume make_volume(const VolumeRecipe& recipe, const VolumePlan& plan, const std::string& creator,

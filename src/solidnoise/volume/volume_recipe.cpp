@@ -43,6 +43,7 @@ void VolumeRecipe::validate() const {
   noise.validate();
   require_in_range("dims", dims, 3, 4);
   require_finite("time", time);
+  for (int axis = 0; axis < 3; ++axis) require_finite("offset", offset[axis]);
   if (dims == 3 && time != 0.0) {
     throw std::invalid_argument(fmt::format("time is {}; it must be 0 where dims is 3", time));
   }

@@ -50,8 +50,9 @@ struct VolumeRecipe {
   std::string description;  // for people; changes nothing
 
   NoiseRecipe noise;
-  int dims = 3;       // 3, or 4: a frame of a noise that changes in time
-  double time = 0.0;  // of the frame, in the noise's fourth axis; 0 unless dims is 4
+  int dims = 3;        // 3, or 4: a frame of a noise that changes in time
+  double time = 0.0;   // of the frame, in the noise's fourth axis; 0 unless dims is 4
+  Vec<3> offset{0.0};  // moves the noise, world units
 
   Shaping shaping;
   DensityScale density;

@@ -130,6 +130,7 @@ Json to_json(const VolumeRecipe& recipe) {
   json["noise"] = to_json(recipe.noise);
   json["dims"] = recipe.dims;
   json["time"] = recipe.time;
+  json["offset"] = {recipe.offset.x, recipe.offset.y, recipe.offset.z};
   json["shaping"] = shaping_to_json(recipe.shaping);
   if (recipe.density.peak) {
     json["density"] = *recipe.density.peak;
@@ -163,6 +164,7 @@ VolumeRecipe volume_recipe_from_json(const Json& json) {
   if (auto noise = reader.object("noise")) recipe.noise = noise_recipe_from_json(*noise);
   reader.read("dims", recipe.dims);
   reader.read("time", recipe.time);
+  reader.read("offset", recipe.offset);
   if (auto shaping = reader.object("shaping")) recipe.shaping = shaping_from_json(*shaping);
   reader.read("optical_depth", recipe.density.optical_depth);
   reader.read("density", recipe.density.peak);

@@ -28,7 +28,8 @@ inline constexpr Choices<RemapShaping::Fold, 3> kFoldChoices{{
 }};
 
 // The JSON form of a volume:
-//   {"solidnoise": 1, "algorithm": 1, "noise": {"type": "gabor", ...}, "dims": 3, "time": 0,
+//   {"solidnoise": 1, "algorithm": 1, "noise": {"type": "gabor", ...}, "dims": 3, "time": 0, "offset": [0, 0,
+//   0],
 //    "shaping": {"type": "remap", ...}, "optical_depth": 60, "shape": {"type": "box"}, "box": [x0, ..., z1],
 //    "dim": 256, "up": "y", "grid": "density", "half": false, "codec": "blosc"}
 // "density" may take the place of "optical_depth", "voxel" that of "dim". "algorithm" is kAlgorithmVersion
