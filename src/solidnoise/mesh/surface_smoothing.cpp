@@ -201,7 +201,7 @@ const std::vector<float>& SurfaceSmoothing::edge_weights() {
   const auto& positions = surface_.positions();
   tbb::parallel_for(std::size_t{0}, surface_.point_count(), [&](std::size_t p) {
     const auto around = neighbours[p];
-    float* const weights = &edge_weights_[neighbours.starts[p]];
+    float* const weights = edge_weights_.data() + neighbours.starts[p];
     for (const std::uint32_t t : surface_.triangles_at(p)) {
       for (int corner = 0; corner < 3; ++corner) {
         const Triangle& triangle = surface_.triangles()[t];
