@@ -126,11 +126,11 @@ TEST(CloudVolume, StandsUprightWithEitherAxisUp) {
   std::uint64_t below = 0;
   std::uint64_t above = 0;
   for (auto voxel = grid->cbeginValueOn(); voxel; ++voxel) ++(voxel.getCoord().z() < middle ? below : above);
-  EXPECT_GT(below, above + above / 4);
+  EXPECT_GT(below, 2 * above);  // it is 3 times; upside down it would be a third
 }
 
 TEST(CloudVolume, SeedsDiffer) {
-  std::set<std::uint64_t> counts;
+  std::set<std::uint64_t> counts;  // equal ones could only be of equal shapes
   for (std::uint64_t seed = 0; seed < 5; ++seed) counts.insert(make(cumulus(seed))->activeVoxelCount());
   EXPECT_EQ(counts.size(), 5u);
 }
@@ -164,7 +164,8 @@ TEST(CloudVolume, HasAFlatterBaseThanTop) {
       return v[v.size() * 9 / 10] - v[v.size() / 10];
     };
     ASSERT_GT(bottoms.size(), 500u);
-    EXPECT_LT(spread(bottoms), 0.35 * spread(tops)) << "seed " << seed;
+    // Seeds 0 to 19 have 0.11 to 0.23 (base's 2 to 3 voxels); a pile of whole balls would have about 1.
+    EXPECT_LT(spread(bottoms), 0.3 * spread(tops)) << "seed " << seed;
   }
 }
 
@@ -176,10 +177,11 @@ TEST(CloudVolume, ChangesWithTime) {
   recipe.time = 0.05;
   const auto second = make(recipe);
   EXPECT_FALSE(equal(*first, *second));
-  // The puffs stay: only lobes move.
+  // The puffs stay: only lobes move, and on the mean over the surface they gain what they lose. Other puffs
+  // (another seed) change the count by a fifth and more.
   const double change =
       static_cast<double>(second->activeVoxelCount()) / static_cast<double>(first->activeVoxelCount());
-  EXPECT_NEAR(change, 1.0, 0.2);
+  EXPECT_NEAR(change, 1.0, 0.05);
 }
 
 TEST(CloudShaping, RefusesWhatMakesNoCloud) {
