@@ -53,7 +53,7 @@ struct VeinShaping {
   Vec<3> direction{1.0, 0.0, 0.0};  // across the veins; any length but 0
   double spacing = 0.5;             // from vein to vein, world units; > 0
   double turbulence = 0.5;          // shift by one sigma of the noise, in spacings; at least 0
-  double sharpness = 4.0;           // the higher, the thinner the veins; > 0
+  double sharpness = 4.0;           // above 1 thin dense veins, below 1 thin gaps in a dense body; > 0
   double floor = 0.0;               // density between veins; 0 to 1
 
   // Throws std::invalid_argument naming the field, its value and what is allowed.
