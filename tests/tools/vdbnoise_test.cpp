@@ -139,6 +139,25 @@ TEST(Vdbnoise, GridsAreWhatReadersExpect) {
   EXPECT_TRUE(half.saved_as_half);
 }
 
+TEST(Vdbnoise, RefusesARecipeWhoseFileChanged) {
+  const TemporaryFolder folder;
+  run_well({"--raw", "--dim", "12", "--out", folder.file("shape.vdb")});
+  const std::string shape = folder.file("shape.vdb");
+  run_well({"--raw", "--shape", shape, "--seed", "1", "--out", folder.file("a.vdb"), "--write-recipe",
+            folder.file("a.json")});
+  run_well({"--recipe", folder.file("a.vdb"), "--out", folder.file("b.vdb")});
+  expect_same_grid(folder.file("a.vdb"), folder.file("b.vdb"));
+
+  run_well({"--raw", "--dim", "13", "--force", "--out", shape});
+  for (const std::string recipe : {"a.vdb", "a.json"}) {
+    const ToolResult refused = run_vdbnoise({"--recipe", folder.file(recipe), "--out", folder.file("c.vdb")});
+    EXPECT_EQ(refused.status, 1);
+    EXPECT_NE(refused.err.find("shape.vdb: is not the file that the recipe was made with"), std::string::npos)
+        << refused.err;
+  }
+  run_well({"--recipe", folder.file("a.vdb"), "--shape", shape, "--out", folder.file("c.vdb")});
+}
+
 TEST(Vdbnoise, EveryPresetIsListedAndMakesAVolume) {
   const ToolResult list = run_vdbnoise({"--list-presets"});
   EXPECT_EQ(list.status, 0);

@@ -27,8 +27,10 @@ void expect_round_trip(const VolumeRecipe& recipe) {
 }
 
 TEST(VolumeRecipeJson, RoundTripsEveryShapeAndShaping) {
-  for (const Shape& shape : {Shape(BoxShape{}), Shape(SphereShape{}), Shape(EllipsoidShape{}),
-                             Shape(MeshShape{"a \"b\".obj"}), Shape(GridShape{"in.vdb", "heat"})}) {
+  for (const Shape& shape :
+       {Shape(BoxShape{}), Shape(SphereShape{}), Shape(EllipsoidShape{}), Shape(MeshShape{"a \"b\".obj"}),
+        Shape(MeshShape{"a.obj", "0123456789abcdef"}), Shape(GridShape{"in.vdb", "heat"}),
+        Shape(GridShape{"in.vdb", {}, "0123456789abcdef"})}) {
     VolumeRecipe recipe;
     recipe.shape = shape;
     recipe.voxel = 0.1 + 0.2;

@@ -157,7 +157,9 @@ void make(const MakeOptions& options) {
     if (preview) write_image(options.preview, *preview);
   }
   if (!options.write_recipe.empty()) {
-    write_text_file(options.write_recipe, format_json(to_json(options.recipe)));
+    VolumeRecipe recipe = options.recipe;
+    recipe.shape = plan.shape;
+    write_text_file(options.write_recipe, format_json(to_json(recipe)));
   }
   if (!options.quiet) print_statistics(volume, options.out.empty() ? options.preview : options.out);
 }

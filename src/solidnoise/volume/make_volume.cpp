@@ -13,6 +13,7 @@
 #include "solidnoise/noise/slice_noise.h"
 #include "solidnoise/recipe/json.h"
 #include "solidnoise/volume/cloud_field.h"
+#include "solidnoise/volume/file_digest.h"
 #include "solidnoise/volume/fill.h"
 #include "solidnoise/volume/shaped_noise_field.h"
 #include "solidnoise/volume/topology.h"
@@ -89,7 +90,21 @@ void scale_density(const VolumeRecipe& recipe, FilledGrid& filled) {
   filled.moments = measure(*filled.grid);
 }
 
-Metadata describe(const VolumeRecipe& recipe, const Moments& moments) {
+// Notes the digest of the shape's file, or refuses a file of another one.
+template <typename FileShape>
+void note_digest(FileShape& shape) {
+  const std::string found = file_digest(shape.file);
+  if (!shape.digest.empty() && shape.digest != found) {
+    throw std::runtime_error(
+        fmt::format("{}: is not the file that the recipe was made with (its digest is {}, the recipe's {}); "
+                    "name it as --shape to use it as it is",
+                    shape.file, found, shape.digest));
+  }
+  shape.digest = found;
+}
+
+Metadata describe(VolumeRecipe recipe, const VolumePlan& plan, const Moments& moments) {
+  recipe.shape = plan.shape;
   return {
       {kRecipeKey, format_json(to_json(recipe))},
       {"solidnoise:algorithm", std::int64_t{kAlgorithmVersion}},
@@ -108,15 +123,17 @@ VolumePlan plan_volume(const VolumeRecipe& recipe) {
   recipe.validate();
   VolumePlan plan;
   plan.box = recipe.box;
-  if (const auto* shape = std::get_if<GridShape>(&recipe.shape)) {
+  plan.shape = recipe.shape;
+  if (auto* shape = std::get_if<GridShape>(&plan.shape)) {
     plan.grid = read_grid(shape->file, shape->grid);
     plan.frame = GridFrame(plan.grid->transform());
     plan.voxels = plan.grid->evalActiveVoxelBoundingBox();
     plan.box = plan.frame.bounds(plan.voxels);
     plan.memory = estimate_memory(*plan.grid);
+    note_digest(*shape);
     return plan;
   }
-  if (const auto* shape = std::get_if<MeshShape>(&recipe.shape)) {
+  if (auto* shape = std::get_if<MeshShape>(&plan.shape)) {
     PolygonMesh mesh = read_mesh(shape->file).mesh;
     plan.mesh = TriangleMesh{std::move(mesh.positions), triangulate(mesh)};
     try {
@@ -125,6 +142,7 @@ VolumePlan plan_volume(const VolumeRecipe& recipe) {
       throw std::runtime_error(fmt::format("{}: {}", shape->file, error.what()));
     }
     plan.box = plan.mesh->bounds();
+    note_digest(*shape);
   }
   plan.frame = GridFrame(recipe.voxel ? *recipe.voxel : voxel_size_for_dim(plan.box, recipe.dim));
   plan.voxels = plan.frame.voxels_in(plan.box);
@@ -155,7 +173,7 @@ Volume make_volume(const VolumeRecipe& recipe, const VolumePlan& plan, const std
     set_fog_volume(*filled.grid, recipe.grid, creator);
   }
   filled.grid->setSaveFloatAsHalf(recipe.half);
-  set_metadata(*filled.grid, describe(recipe, filled.moments));
+  set_metadata(*filled.grid, describe(recipe, plan, filled.moments));
   return {filled.grid, filled.moments};
 }
 

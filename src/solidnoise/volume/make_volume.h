@@ -17,6 +17,7 @@ namespace solidnoise {
 
 // Where a recipe's voxels will lie, before any of them is made. Holds what the recipe's shape was read from.
 struct VolumePlan {
+  Shape shape;  // the recipe's, with the digest of its file
   GridFrame frame{1.0};
   Box<3> box;                        // that of the recipe, the mesh or the grid
   openvdb::CoordBBox voxels;         // every voxel of the volume is among these
@@ -26,7 +27,7 @@ struct VolumePlan {
 };
 
 // Validates the recipe and reads the file that its shape names. Throws std::invalid_argument (options) and
-// std::runtime_error (files).
+// std::runtime_error (files, also one that is not the file that the recipe's digest is of).
 VolumePlan plan_volume(const VolumeRecipe& recipe);
 
 struct Volume {
@@ -35,8 +36,8 @@ struct Volume {
 };
 
 // Makes the volume, in parallel, from the plan of the same recipe. `creator` such as "vdbnoise 0.1.0" goes
-// into the grid's metadata, and so do the whole recipe (kRecipeKey), seed, up axis, algorithm version and
-// statistics. Throws std::invalid_argument, Cancelled.
+// into the grid's metadata, and so do the whole recipe (kRecipeKey, with the digest of its file), seed, up
+// axis, algorithm version and statistics. Throws std::invalid_argument, Cancelled.
 Volume make_volume(const VolumeRecipe& recipe, const VolumePlan& plan, const std::string& creator,
                    Progress* progress = nullptr);
 

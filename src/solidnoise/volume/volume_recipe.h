@@ -24,12 +24,14 @@ struct EllipsoidShape {
   friend bool operator==(const EllipsoidShape&, const EllipsoidShape&) = default;
 };
 struct MeshShape {
-  std::string file;  // .ply .obj .off .stl .om, a closed mesh; its own bounds take the place of the box
+  std::string file;      // .ply .obj .off .stl .om, a closed mesh; its own bounds take the place of the box
+  std::string digest{};  // file_digest() of it, where the volume exists already; empty: any file will do
   friend bool operator==(const MeshShape&, const MeshShape&) = default;
 };
 struct GridShape {
-  std::string file;  // .vdb; the grid's own frame takes the place of box and voxel size
-  std::string grid;  // name in the file; empty: the first one
+  std::string file;      // .vdb; the grid's own frame takes the place of box and voxel size
+  std::string grid;      // name in the file; empty: the first one
+  std::string digest{};  // as in MeshShape
   friend bool operator==(const GridShape&, const GridShape&) = default;
 };
 using Shape = std::variant<BoxShape, SphereShape, EllipsoidShape, MeshShape, GridShape>;

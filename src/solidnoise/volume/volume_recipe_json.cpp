@@ -35,20 +35,28 @@ Variant default_alternative(std::size_t index) {
 Json shape_to_json(const Shape& shape) {
   Json json = Json::object();
   json["type"] = kShapeTypes[shape.index()];
-  if (const auto* mesh = std::get_if<MeshShape>(&shape)) json["file"] = mesh->file;
+  if (const auto* mesh = std::get_if<MeshShape>(&shape)) {
+    json["file"] = mesh->file;
+    if (!mesh->digest.empty()) json["digest"] = mesh->digest;
+  }
   if (const auto* grid = std::get_if<GridShape>(&shape)) {
     json["file"] = grid->file;
     json["grid"] = grid->grid;
+    if (!grid->digest.empty()) json["digest"] = grid->digest;
   }
   return json;
 }
 
 Shape shape_from_json(JsonReader& reader) {
   Shape shape = default_alternative<Shape>(reader.read_choice("type", kShapeTypes));
-  if (auto* mesh = std::get_if<MeshShape>(&shape)) reader.read("file", mesh->file);
+  if (auto* mesh = std::get_if<MeshShape>(&shape)) {
+    reader.read("file", mesh->file);
+    reader.read("digest", mesh->digest);
+  }
   if (auto* grid = std::get_if<GridShape>(&shape)) {
     reader.read("file", grid->file);
     reader.read("grid", grid->grid);
+    reader.read("digest", grid->digest);
   }
   reader.finish();
   return shape;
