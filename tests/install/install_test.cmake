@@ -8,15 +8,21 @@ execute_process(COMMAND ${CMAKE_COMMAND} -S ${CONSUMER} -B ${WORK}/consumer -D C
   -D CMAKE_BUILD_TYPE=Release COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK}/consumer COMMAND_ERROR_IS_FATAL ANY)
 
-# Every program of the consumer runs.
-foreach(program variance write_volume)
+# Every program of the consumer runs. What draws needs the image module, which is not beside it.
+file(GLOB_RECURSE image_module ${prefix}/*/solidnoise_image_io.so)
+set(programs variance write_volume)
+if(image_module)
+  list(APPEND programs draw_spectrum)
+  set(ENV{SOLIDNOISE_IMAGE_MODULE} ${image_module})
+endif()
+foreach(program IN LISTS programs)
   if(EXISTS ${WORK}/consumer/${program})
     execute_process(COMMAND ${WORK}/consumer/${program} WORKING_DIRECTORY ${WORK} COMMAND_ERROR_IS_FATAL ANY)
   endif()
 endforeach()
 
 # The installed vdbnoise runs, and finds the image module, without the build tree.
-file(GLOB_RECURSE image_module ${prefix}/*/solidnoise_image_io.so)
+unset(ENV{SOLIDNOISE_IMAGE_MODULE})
 if(EXISTS ${prefix}/bin/vdbnoise AND image_module)
   file(RENAME ${prefix} ${WORK}/moved)
   execute_process(COMMAND ${WORK}/moved/bin/vdbnoise --out cloud.vdb --preview cloud.png --dim 16 --quiet
