@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,7 @@ TEST_P(BadInput, IsRefusedInOneLineAndLeavesNothing) {
   folder.write("bandwidth.json", R"({"solidnoise": 1, "noise": {"type": "gabor", "bandwidth": -1}})");
   folder.write("unknown.json", R"({"solidnoise": 1, "nose": {}})");
   folder.write("future.json", R"({"solidnoise": 99})");
+  std::filesystem::create_directory(folder.path() / "folder.vdb");
   const std::set<std::string> before = folder.names();
 
   const ToolResult result = run_vdbnoise(refusal.arguments, {.folder = folder.path()});
@@ -161,7 +163,8 @@ const Refusal kRefusals[] = {
     {"NoFolder", 1, {"--out", "nowhere/x.vdb", "--dim", "8"}, {"nowhere"}},
     {"FolderIsAFile", 1, {"--out", "open.obj/x.vdb", "--dim", "8"}, {"open.obj"}},
     {"UnwritableFolder", 1, {"--quiet", "--out", "/proc/x.vdb", "--dim", "8"}, {"/proc"}},
-    {"OutputIsAFolder", 1, {"--out", ".", "--force", "--dim", "8"}, {"."}},
+    {"OutputIsAPicture", 2, {"--out", "a.png", "--dim", "8"}, {"--out", "a.png", ".vdb"}},
+    {"OutputIsAFolder", 1, {"--out", "folder.vdb", "--force", "--dim", "8"}, {"folder.vdb"}},
     // Memory
     {"MaxMemory",
      1,

@@ -69,6 +69,10 @@ void check_consistency(const FlagSet& flags, const MakeOptions& options) {
   for (const char* flag : {"--optical-depth", "--density"}) {
     if (raw && flags.given(flag)) throw UsageError(fmt::format("{} has no effect on raw noise", flag));
   }
+  if (!options.out.empty() && options.out != "-" && !options.out.ends_with(".vdb")) {
+    throw UsageError(
+        fmt::format("--out is {}; it must end in .vdb, or be - for the standard output", options.out));
+  }
   if (!options.preview.empty() && !options.preview.ends_with(".png")) {
     throw UsageError(fmt::format("--preview is {}; it must end in .png", options.preview));
   }

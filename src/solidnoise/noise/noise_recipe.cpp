@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "solidnoise/core/random.h"
 #include "solidnoise/noise/gabor_noise.h"
 #include "solidnoise/noise/gradient_noise.h"
@@ -37,8 +39,9 @@ void NoiseRecipe::validate() const {
         options.validate();
         const bool whole = fractal.lacunarity == std::floor(fractal.lacunarity);
         if (options.period != Vec<4>(0.0) && fractal.octaves > 1 && !whole) {
-          throw std::invalid_argument(
-              "lacunarity must be a whole number where there is a period and several octaves");
+          throw std::invalid_argument(fmt::format(
+              "lacunarity is {}; it must be a whole number where there is a period and several octaves",
+              fractal.lacunarity));
         }
       },
       noise);
