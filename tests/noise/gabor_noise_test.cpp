@@ -103,6 +103,33 @@ TEST(GaborNoise, AgreesWithTheReferenceForTheOtherOptions) {
   });
 }
 
+// Where a component of the direction is 0, so is a factor of each wave.
+TEST(GaborNoise, AgreesWithTheReferenceForDirectionsAlongEachAxisOfEitherSign) {
+  for_each_dimension([]<int Dim>() {
+    for (int axis = 0; axis < Dim; ++axis) {
+      for (const double sign : {1.0, -1.0}) {
+        OrientedGaborNoiseOptions options;
+        options.frequency = 1.0;
+        options.anisotropy = 1.0;
+        options.impulses = 8.0;
+        options.direction = Vec<4>(0.0);
+        options.direction[axis] = sign;
+        const OrientedGaborNoise<Dim> noise(options);
+        SCOPED_TRACE(testing::Message() << "axis " << axis << ", sign " << sign);
+        expect_agreement<Dim>(noise, some_lattice<Dim>(support_of(noise)), bound(1.0));
+
+        Vec<Dim> peak(0.0);
+        peak[axis] = 1.0;
+        Vec<Dim> beside(0.0);
+        beside[(axis + 1) % Dim] = 1.0;
+        if (Dim > 1) {
+          EXPECT_GT(noise.power_spectrum(peak), 10.0 * noise.power_spectrum(beside));
+        }
+      }
+    }
+  });
+}
+
 TEST(GaborNoise, AgreesWithTheReferenceFarFromTheOriginAndAtNegativeCoordinates) {
   for_each_dimension([]<int Dim>() {
     for_each_gabor_noise<Dim>([](const auto& noise) {
