@@ -139,6 +139,37 @@ TEST(Vdbnoise, GridsAreWhatReadersExpect) {
   EXPECT_TRUE(half.saved_as_half);
 }
 
+// Two voxels along x and minus one along z: what was at a voxel is there now. All lengths are exact in
+// binary, and so are the values.
+TEST(Vdbnoise, OffsetMovesTheNoiseAndIsInTheRecipe) {
+  for (const std::vector<std::string>& dims :
+       {std::vector<std::string>{"--dims", "3"}, {"--dims", "4", "--time", "0.25"}}) {
+    const TemporaryFolder folder;
+    std::vector<std::string> flags{"--raw", "--frequency", "2", "--voxel", "0.125"};
+    flags.insert(flags.end(), dims.begin(), dims.end());
+    const auto make = [&](const std::string& name, const std::vector<std::string>& more) {
+      std::vector<std::string> arguments = flags;
+      arguments.insert(arguments.end(), more.begin(), more.end());
+      arguments.insert(arguments.end(), {"--out", folder.file(name)});
+      run_well(arguments);
+      return read_float_grid(folder.file(name));
+    };
+    const auto still = make("still.vdb", {});
+    const auto moved = make("moved.vdb", {"--offset", "0.25", "0", "-0.125"});
+    int compared = 0;
+    for (auto value = moved->cbeginValueOn(); value; ++value) {
+      const openvdb::Coord from = value.getCoord() - openvdb::Coord(2, 0, -1);
+      if (!still->tree().isValueOn(from)) continue;
+      ASSERT_EQ(*value, still->tree().getValue(from)) << value.getCoord();
+      ++compared;
+    }
+    EXPECT_GT(compared, 1000);
+    EXPECT_EQ(recipe_in(folder.file("moved.vdb")).offset, Vec<3>(0.25, 0.0, -0.125));
+    run_well({"--recipe", folder.file("moved.vdb"), "--out", folder.file("again.vdb")});
+    expect_same_grid(folder.file("moved.vdb"), folder.file("again.vdb"));
+  }
+}
+
 TEST(Vdbnoise, RefusesARecipeWhoseFileChanged) {
   const TemporaryFolder folder;
   run_well({"--raw", "--dim", "12", "--out", folder.file("shape.vdb")});
