@@ -8,11 +8,6 @@
 namespace solidnoise {
 namespace {
 
-struct Keyed {
-  std::uint64_t key;
-  std::size_t point;
-};
-
 // The first `bits` bits of a number, with Dim - 1 zeros between each two.
 template <int Dim>
 std::uint64_t spread(std::uint64_t number, int bits) {
@@ -36,31 +31,35 @@ class Spreader {
   std::array<std::uint64_t, 256> bytes_;
 };
 
-// Stable, by the key's lowest 12 bits first.
-void radix_sort(std::vector<Keyed>& items, int key_bits) {
+}  // namespace
+
+void sort_by_key(std::vector<KeyedPoint>& points, int bits) {
+  constexpr std::size_t kWorthRadixSort = 2000;
+  if (points.size() <= kWorthRadixSort) {
+    std::stable_sort(points.begin(), points.end(),
+                     [](const KeyedPoint& a, const KeyedPoint& b) { return a.key < b.key; });
+    return;
+  }
   constexpr int kDigit = 12;
-  std::vector<Keyed> other(items.size());
+  std::vector<KeyedPoint> other(points.size());
   std::vector<std::size_t> starts(std::size_t{1} << kDigit);
-  for (int shift = 0; shift < key_bits; shift += kDigit) {
-    const auto digit = [shift](const Keyed& item) { return item.key >> shift & ((1u << kDigit) - 1); };
+  for (int shift = 0; shift < bits; shift += kDigit) {
+    const auto digit = [shift](const KeyedPoint& point) { return point.key >> shift & ((1u << kDigit) - 1); };
     std::fill(starts.begin(), starts.end(), 0);
-    for (const Keyed& item : items) ++starts[digit(item)];
+    for (const KeyedPoint& point : points) ++starts[digit(point)];
     std::size_t next = 0;
     for (std::size_t& start : starts) next += std::exchange(start, next);
-    for (const Keyed& item : items) other[starts[digit(item)]++] = item;
-    items.swap(other);
+    for (const KeyedPoint& point : points) other[starts[digit(point)]++] = point;
+    points.swap(other);
   }
 }
-
-}  // namespace
 
 template <int Dim>
 std::vector<std::size_t> spatial_order(const Points<Dim>& points) {
   constexpr int kBits = Dim == 4 ? 12 : 16;
-  constexpr std::size_t kWorthRadixSort = 2000;
   static const Spreader<Dim> spreader;
 
-  std::vector<Keyed> keyed(points.count, Keyed{0, 0});
+  std::vector<KeyedPoint> keyed(points.count);
   for (std::size_t i = 0; i < points.count; ++i) keyed[i].point = i;
   for (int axis = 0; points.count > 0 && axis < Dim; ++axis) {
     const float* const offset = points.offset[static_cast<std::size_t>(axis)];
@@ -73,11 +72,7 @@ std::vector<std::size_t> spatial_order(const Points<Dim>& points) {
       keyed[i].key |= spreader(quantised) << axis;
     }
   }
-  if (points.count > kWorthRadixSort) {
-    radix_sort(keyed, kBits * Dim);
-  } else {
-    std::sort(keyed.begin(), keyed.end(), [](const Keyed& a, const Keyed& b) { return a.key < b.key; });
-  }
+  sort_by_key(keyed, kBits * Dim);
   std::vector<std::size_t> order(points.count);
   for (std::size_t i = 0; i < points.count; ++i) order[i] = keyed[i].point;
   return order;

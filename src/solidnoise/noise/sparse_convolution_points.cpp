@@ -1,7 +1,8 @@
 #include <algorithm>
-#include <tuple>
 #include <vector>
 
+#include "solidnoise/core/random.h"
+#include "solidnoise/noise/point_order.h"
 #include "solidnoise/noise/sparse_convolution.h"
 #include "solidnoise/noise/sparse_convolution_source.h"
 
@@ -10,44 +11,44 @@ namespace solidnoise {
 template <int Dim>
 void SparseConvolution<Dim>::evaluate(const Points<Dim>& points, const Samples<Dim>& samples) const {
   // Sort the points by groups of cells, then by cell and part of it: points of one group share their
-  // impulses, and those of one cluster are near each other.
-  constexpr std::int64_t kGroupShift = 2;
-  constexpr int kParts = 4;
+  // impulses, and those of one cluster are near each other. Groups are in the order of their hashes; two that
+  // share one are only slower.
+  constexpr int kGroupBits = 2;  // cells of a group along each axis, and parts of a cell
+  constexpr int kHashBits = 32;
   struct Located {
     Index<Dim> cell;
-    int part;  // of the cell, of kParts along each axis
     std::array<float, Dim> fraction;
     std::size_t sample;
   };
-  std::vector<Located> located(points.count);
+  std::vector<KeyedPoint> order(points.count);
+  std::vector<Located> unsorted(points.count);
   for (std::size_t i = 0; i < points.count; ++i) {
-    located[i].sample = i;
-    located[i].part = 0;
+    Located& point = unsorted[i];
+    point.sample = i;
+    Index<Dim> group;
+    std::uint64_t cell = 0;
+    std::uint64_t part = 0;
     for (int axis = 0; axis < Dim; ++axis) {
       const CellPosition position = process_.axes()[axis].locate(points.coordinate(i, axis));
-      located[i].cell[axis] = position.cell;
-      located[i].fraction[axis] = position.fraction;
-      located[i].part = located[i].part * kParts + static_cast<int>(position.fraction * kParts);
+      point.cell[axis] = position.cell;
+      point.fraction[axis] = position.fraction;
+      group[axis] = position.cell >> kGroupBits;
+      cell = cell << kGroupBits | (static_cast<std::uint64_t>(position.cell) & ((1u << kGroupBits) - 1));
+      part = part << kGroupBits | static_cast<std::uint64_t>(position.fraction * (1 << kGroupBits));
     }
+    const std::uint64_t hash = hash_cell<Dim>(group, 0) >> (64 - kHashBits);
+    order[i] = {(hash << (Dim * kGroupBits) | cell) << (Dim * kGroupBits) | part, i};
   }
+  sort_by_key(order, kHashBits + 2 * Dim * kGroupBits);
+  std::vector<Located> located;
+  located.reserve(points.count);
+  for (const KeyedPoint& point : order) located.push_back(unsorted[point.point]);
   const auto group_differs = [](const Located& a, const Located& b) {
     for (int axis = 0; axis < Dim; ++axis) {
-      if (a.cell[axis] >> kGroupShift != b.cell[axis] >> kGroupShift) return true;
+      if (a.cell[axis] >> kGroupBits != b.cell[axis] >> kGroupBits) return true;
     }
     return false;
   };
-  std::sort(located.begin(), located.end(), [](const Located& a, const Located& b) {
-    for (int axis = 0; axis < Dim; ++axis) {
-      const std::int64_t group_a = a.cell[axis] >> kGroupShift;
-      const std::int64_t group_b = b.cell[axis] >> kGroupShift;
-      if (group_a != group_b) return group_a < group_b;
-    }
-    for (int axis = 0; axis < Dim; ++axis) {
-      if (a.cell[axis] != b.cell[axis]) return a.cell[axis] < b.cell[axis];
-    }
-    return std::tie(a.part, a.sample) < std::tie(b.part, b.sample);
-  });
-
   const auto bounds = [](auto begin, auto end) {
     typename ImpulseBlock<Dim>::Reach range{begin->cell, begin->cell, {}, {}};
     range.into_last.fill(1.0f);
