@@ -154,6 +154,9 @@ void declare_steering(FlagSet& flags, BakeRecipe& recipe) {
                [&](double value) { recipe.by.gamma = value; });
   flags.integer("--smooth", "ROUNDS", "Smoothing of the curvature (default 2)",
                 [&](int value) { recipe.smooth = value; });
+  flags.number("--smooth-radius", "UNITS",
+               "More of it, over a distance that does not depend on the mesh (default 0)",
+               [&](double value) { recipe.smooth_radius = value; });
   declare_choice(flags, "--up", kUpAxisChoices, "The up axis: of height, and of the preview (default y)",
                  recipe.up);
 }

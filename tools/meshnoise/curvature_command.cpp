@@ -49,6 +49,9 @@ int run_curvature(const std::vector<std::string>& arguments) {
                 });
   flags.integer("--smooth", "ROUNDS", "Smoothing of the curvature (default 2)",
                 [&](int value) { recipe.smooth = value; });
+  flags.number("--smooth-radius", "UNITS",
+               "More of it, over a distance that does not depend on the mesh (default 0)",
+               [&](double value) { recipe.smooth_radius = value; });
   keep(flags, "--ramp", "RAMP", "A name or stops, as for bake (default viridis)", recipe.ramp);
   declare_choice(flags, "--up", kUpAxisChoices, "The up axis (default y)", recipe.up);
   flags.toggle("--force", "Replace files that exist", [&] { existing = Existing::replace; });

@@ -12,6 +12,8 @@
 #include <glm/geometric.hpp>
 
 #include "solidnoise/image/color_ramp.h"
+#include "solidnoise/mesh/displace.h"
+#include "solidnoise/mesh/refine.h"
 #include "solidnoise/mesh/surface_mesh.h"
 #include "solidnoise/mesh/vertex_colors.h"
 
@@ -133,17 +135,27 @@ void keep_property(const BakePlan& plan, const std::string& name, PolygonMesh& m
       fmt::format("keep is {}; it must be one of {}", name, fmt::join(keepable_names(), ", ")));
 }
 
-void displace(const std::vector<float>& values, double amount, BakedMesh& baked) {
-  for (std::size_t i = 0; i < values.size(); ++i)
-    baked.mesh.positions[i] += amount * values[i] * baked.normals[i];
-  const SurfaceMesh surface(baked.mesh);
-  baked.normals = surface.to_vertices(surface.normals());
-  if (!baked.mesh.property(kNormalNames[0])) return;
-  for (int axis = 0; axis < 3; ++axis) {
-    baked.mesh.set_property(property_of(std::string(kNormalNames[static_cast<std::size_t>(axis)]),
-                                        values.size(),
-                                        [&](std::size_t i) { return baked.normals[i][axis]; }));
-  }
+// What is measured on a mesh, for the mesh that is made of it by halving edges.
+VertexGuides carry(const RefinedMesh& refined, VertexGuides guides) {
+  const SurfaceMesh surface(refined.mesh);
+  guides.normals = surface.to_vertices(surface.normals());
+  if (!guides.directions.empty()) guides.directions = refined.carry_lines(std::move(guides.directions));
+  if (guides.numbers.empty()) return guides;
+  guides.steering.weights = refined.carry(std::move(guides.steering.weights));
+  const std::vector<float> numbers =
+      refined.carry(std::vector<float>(guides.numbers.begin(), guides.numbers.end()));
+  guides.numbers.assign(numbers.begin(), numbers.end());
+  return guides;
+}
+
+// The mesh with edges that are short enough for frequencies up to `highest` times the principal one.
+RefinedMesh refine_mesh(const PolygonMesh& mesh, const RefineRecipe& recipe, const VertexNumber& frequency,
+                        double highest) {
+  if (recipe.mode == RefineRecipe::Mode::rounds) return subdivide(mesh, recipe.rounds);
+  constexpr double kCyclesPerEdge = 0.5;
+  std::vector<double> target(mesh.positions.size());
+  for (std::size_t i = 0; i < target.size(); ++i) target[i] = kCyclesPerEdge / (highest * at(frequency, i));
+  return refine(mesh, target);
 }
 
 }  // namespace
@@ -160,6 +172,13 @@ BakePlan plan_bake(const PolygonMesh& mesh, const BakeRecipe& recipe) {
   const double highest = surface_band(recipe.noise, 1.0, recipe.bandwidth.from).upper;
   const ParameterRange frequency = frequencies_for(mesh, plan.mean_edge, recipe, highest);
   plan.parameters = make_parameters(recipe, frequency, plan.guides.steering.weights);
+  if (recipe.refine.mode != RefineRecipe::Mode::off) {
+    RefinedMesh refined = refine_mesh(mesh, recipe.refine, plan.parameters.frequency, highest);
+    plan.guides = carry(refined, std::move(plan.guides));
+    plan.mesh = std::move(refined.mesh);
+    plan.mean_edge = SurfaceMesh(plan.mesh).mean_edge_length();
+    plan.parameters = make_parameters(recipe, frequency, plan.guides.steering.weights);
+  }
   plan.highest_frequency = highest * std::max(frequency.from, frequency.to);
   plan.mean_cycles_per_edge = mean_cycles_per_edge(plan.mesh, plan.parameters.frequency, highest);
   return plan;
@@ -197,7 +216,12 @@ BakedMesh bake(const BakePlan& plan, const BakeRecipe& recipe, const std::vector
   }
   set_vertex_colors(baked.mesh, baked.colors);
   baked.mesh.set_property({"noise", ScalarType::float32, {values.begin(), values.end()}});
-  if (recipe.displace != 0.0) displace(values, recipe.displace, baked);
+  if (recipe.displace != 0.0) {
+    for (float& value : values) value *= static_cast<float>(recipe.displace);
+    displace(baked.mesh, values);
+    const SurfaceMesh surface(baked.mesh);
+    baked.normals = surface.to_vertices(surface.normals());
+  }
   return baked;
 }
 

@@ -43,6 +43,7 @@ void BakeRecipe::validate() const {
   }
   by.validate();
   require_in_range("smooth", smooth, 0, 10000, "rounds");
+  require_at_least("smooth_radius", smooth_radius, 0.0, "world units");
   require_in_range("direction_smooth", direction.smooth, 0, 10000, "rounds");
   for (int axis = 0; axis < 3; ++axis) require_finite("direction", direction.axis[axis]);
   if (glm::length(direction.axis) == 0.0)

@@ -47,6 +47,7 @@ struct BakeRecipe {
   ParameterRange bias{0.0, 0.0};       // added to the noise, in standard deviations
   Steering by;                         // what ranges follow
   int smooth = 2;                      // rounds of smoothing of the curvature, 0 to 10000
+  double smooth_radius = 0.0;          // of smoothing that does not depend on the mesh, world units; >= 0
   DirectionRecipe direction;
   std::string ramp = "rust";  // a name or stops, see parse_color_ramp()
   double contrast = 1.0;      // the ramp spans -2.5 to 2.5 standard deviations over this; > 0

@@ -90,6 +90,7 @@ Json to_json(const BakeRecipe& recipe) {
   json["bias"] = range_to_json(recipe.bias);
   json["by"] = steering_to_json(recipe.by);
   json["smooth"] = recipe.smooth;
+  json["smooth_radius"] = recipe.smooth_radius;
   const Vec<3>& axis = recipe.direction.axis;
   json["direction"] = {{"source", name_of(kDirectionChoices, recipe.direction.source)},
                        {"axis", {axis.x, axis.y, axis.z}},
@@ -117,6 +118,7 @@ BakeRecipe bake_recipe_from_json(const Json& json) {
   read_range(reader, "bias", recipe.bias);
   if (auto by = reader.object("by")) read_steering(*by, recipe.by);
   reader.read("smooth", recipe.smooth);
+  reader.read("smooth_radius", recipe.smooth_radius);
   if (auto direction = reader.object("direction")) {
     direction->read("source", kDirectionChoices, recipe.direction.source);
     direction->read("axis", recipe.direction.axis);

@@ -41,7 +41,7 @@ inline constexpr Choices<RefineRecipe::Mode, 3> kRefineChoices{{
 //    "lacunarity": 2,
 //                "gain": 0.5, "renormalize": true},
 //    "frequency": [4, 32], "bandwidth": 1, "magnitude": 1, "bias": 0,
-//    "by": {"source": "mean-curvature", "percentiles": [5, 95], "gamma": 1}, "smooth": 2,
+//    "by": {"source": "mean-curvature", "percentiles": [5, 95], "gamma": 1}, "smooth": 2, "smooth_radius": 0,
 //    "direction": {"source": "axis", "axis": [0, 1, 0], "smooth": 10},
 //    "ramp": "rust", "contrast": 1, "refine": {"mode": "off", "rounds": 1}, "displace": 0, "up": "y"}
 // A parameter is one number, or two for what it is at both ends of what it follows. "by" has "attribute", the

@@ -13,14 +13,15 @@ namespace solidnoise {
 
 void CurvatureRecipe::validate() const {
   by.validate();
-  CurvatureOptions{.rounds = smooth}.validate();
+  CurvatureOptions{.rounds = smooth, .radius = smooth_radius}.validate();
   parse_color_ramp(ramp);
 }
 
 ShownCurvature show_curvature(const PolygonMesh& mesh, const CurvatureRecipe& recipe) {
   recipe.validate();
   const SurfaceMesh surface(mesh);
-  const Curvature curvature = measure_curvature(surface, {.rounds = recipe.smooth});
+  const Curvature curvature =
+      measure_curvature(surface, {.rounds = recipe.smooth, .radius = recipe.smooth_radius});
   ShownCurvature shown;
   shown.mesh = mesh;
   shown.normals = surface.to_vertices(surface.normals());

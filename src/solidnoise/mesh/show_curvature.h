@@ -13,8 +13,9 @@ namespace solidnoise {
 
 // How the curvature of a mesh is to be shown.
 struct CurvatureRecipe {
-  Steering by;     // what the colours show; not an attribute
-  int smooth = 2;  // rounds, 0 to 10000
+  Steering by;                 // what the colours show; not an attribute
+  int smooth = 2;              // rounds, 0 to 10000
+  double smooth_radius = 0.0;  // world units, >= 0
   std::string ramp = "viridis";
   UpAxis up = UpAxis::y;
 

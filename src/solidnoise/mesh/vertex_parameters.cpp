@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "solidnoise/mesh/direction_field.h"
+
 namespace solidnoise {
 namespace {
 
@@ -20,6 +22,15 @@ const std::vector<double>& attribute_of(const PolygonMesh& mesh, const std::stri
 
 double larger(double k1, double k2) {
   return std::abs(k1) >= std::abs(k2) ? k1 : k2;
+}
+
+std::vector<Vec<3>> make_directions(const SurfaceMesh& surface, const Curvature& curvature,
+                                    const DirectionRecipe& recipe) {
+  if (recipe.source == DirectionRecipe::Source::axis) return axis_directions(surface, recipe.axis);
+  const PrincipalDirection which = recipe.source == DirectionRecipe::Source::max_curvature
+                                       ? PrincipalDirection::larger
+                                       : PrincipalDirection::smaller;
+  return curvature_directions(surface, curvature, which, recipe.smooth);
 }
 
 }  // namespace
@@ -48,10 +59,15 @@ std::vector<double> steering_numbers(const PolygonMesh& mesh, const Curvature& c
 VertexGuides measure_guides(const PolygonMesh& mesh, const SurfaceMesh& surface, const BakeRecipe& recipe) {
   VertexGuides guides;
   guides.normals = surface.to_vertices(surface.normals());
-  const bool follows_curvature = recipe.steers() && recipe.by.source != SteeringSource::attribute &&
-                                 recipe.by.source != SteeringSource::height;
-  const Curvature curvature =
-      follows_curvature ? measure_curvature(surface, {.rounds = recipe.smooth}) : Curvature();
+  const bool oriented = recipe.noise.kind == SurfaceNoiseKind::oriented;
+  const bool steered_by_curvature = recipe.steers() && recipe.by.source != SteeringSource::attribute &&
+                                    recipe.by.source != SteeringSource::height;
+  const bool directed_by_curvature = oriented && recipe.direction.source != DirectionRecipe::Source::axis;
+  Curvature curvature;
+  if (steered_by_curvature || directed_by_curvature) {
+    curvature = measure_curvature(surface, {.rounds = recipe.smooth, .radius = recipe.smooth_radius});
+  }
+  if (oriented) guides.directions = make_directions(surface, curvature, recipe.direction);
   if (recipe.steers()) {
     guides.numbers = steering_numbers(mesh, curvature, recipe.by, recipe.up);
     guides.steering = make_weights(guides.numbers, recipe.by);
