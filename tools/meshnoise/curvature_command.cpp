@@ -8,7 +8,9 @@
 #include "common/exit_status.h"
 #include "common/flag_set.h"
 #include "common/flag_targets.h"
+#include "common/interrupt.h"
 #include "common/outputs.h"
+#include "common/task_progress.h"
 #include "common/usage_error.h"
 #include "meshnoise/commands.h"
 #include "meshnoise/mesh_input.h"
@@ -70,9 +72,12 @@ int run_curvature(const std::vector<std::string>& arguments) {
     if (!path->empty()) require_output(*path, existing);
   }
 
+  catch_interrupts();
   const MeshReading reading = read_input_mesh(in, quiet ? Notes::keep_quiet : Notes::print);
+  TaskProgress progress(ProgressBar::Visibility::hidden);
   const ShownCurvature shown = show_curvature(reading.mesh, recipe);
-  if (!out.empty()) write_mesh(out, shown.mesh, {.comments = {kMeshnoise}, .existing = existing});
+  if (!out.empty())
+    write_mesh(out, shown.mesh, {.comments = {kMeshnoise}, .existing = existing, .progress = &progress});
   if (!preview.empty()) write_mesh_preview(preview, shown.mesh, shown.normals, shown.colors, recipe.up);
   if (!quiet) {
     std::cerr << fmt::format("{}: {} vertices, {:.4g} to {:.4g}, colours from {:.4g} to {:.4g}\n",
