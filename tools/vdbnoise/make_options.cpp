@@ -13,6 +13,7 @@
 #include "solidnoise/core/check.h"
 #include "solidnoise/geometry/mesh_format.h"
 #include "solidnoise/volume/volume_recipe_json.h"
+#include "vdbnoise/grid_flags.h"
 
 namespace solidnoise {
 namespace {
@@ -23,13 +24,8 @@ Shape parse_shape(const std::string& text) {
   if (text == "box") return BoxShape{};
   if (text == "sphere") return SphereShape{};
   if (text == "ellipsoid") return EllipsoidShape{};
-  const auto whole = [](const std::string& file) { return std::filesystem::absolute(file).string(); };
-  if (is_mesh_path(text)) return MeshShape{whole(text)};
-  if (text.ends_with(".vdb")) return GridShape{whole(text), {}};
-  const std::size_t end_of_file = text.rfind(".vdb:");
-  if (end_of_file != std::string::npos && end_of_file + 5 < text.size()) {
-    return GridShape{whole(text.substr(0, end_of_file + 4)), text.substr(end_of_file + 5)};
-  }
+  if (is_mesh_path(text)) return MeshShape{std::filesystem::absolute(text).string()};
+  if (parse_grid_file(text)) return parse_grid_flag("--shape", text);
   throw UsageError(
       fmt::format("--shape is {}; it must be box, sphere, ellipsoid, FILE.obj (or .ply, .off, .stl, .om), "
                   "FILE.vdb or FILE.vdb:GRID",

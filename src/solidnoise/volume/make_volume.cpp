@@ -13,11 +13,9 @@
 #include "solidnoise/noise/slice_noise.h"
 #include "solidnoise/recipe/json.h"
 #include "solidnoise/volume/cloud_field.h"
-#include "solidnoise/volume/file_digest.h"
 #include "solidnoise/volume/fill.h"
 #include "solidnoise/volume/shaped_noise_field.h"
 #include "solidnoise/volume/topology.h"
-#include "solidnoise/volume/vdb_read.h"
 #include "solidnoise/volume/volume_recipe_json.h"
 
 namespace solidnoise {
@@ -90,19 +88,6 @@ void scale_density(const VolumeRecipe& recipe, FilledGrid& filled) {
   filled.moments = measure(*filled.grid);
 }
 
-// Notes the digest of the shape's file, or refuses a file of another one.
-template <typename FileShape>
-void note_digest(FileShape& shape) {
-  const std::string found = file_digest(shape.file);
-  if (!shape.digest.empty() && shape.digest != found) {
-    throw std::runtime_error(
-        fmt::format("{}: is not the file that the recipe was made with (its digest is {}, the recipe's {}); "
-                    "name it as --shape to use it as it is",
-                    shape.file, found, shape.digest));
-  }
-  shape.digest = found;
-}
-
 Metadata describe(VolumeRecipe recipe, const VolumePlan& plan, const Moments& moments) {
   recipe.shape = plan.shape;
   return {
@@ -125,12 +110,11 @@ VolumePlan plan_volume(const VolumeRecipe& recipe) {
   plan.box = recipe.box;
   plan.shape = recipe.shape;
   if (auto* shape = std::get_if<GridShape>(&plan.shape)) {
-    plan.grid = read_grid(shape->file, shape->grid);
+    plan.grid = read_grid(*shape, "--shape");
     plan.frame = GridFrame(plan.grid->transform());
     plan.voxels = plan.grid->evalActiveVoxelBoundingBox();
     plan.box = plan.frame.bounds(plan.voxels);
     plan.memory = estimate_memory(*plan.grid);
-    note_digest(*shape);
     return plan;
   }
   if (auto* shape = std::get_if<MeshShape>(&plan.shape)) {
@@ -142,7 +126,7 @@ VolumePlan plan_volume(const VolumeRecipe& recipe) {
       throw std::runtime_error(fmt::format("{}: {}", shape->file, error.what()));
     }
     plan.box = plan.mesh->bounds();
-    note_digest(*shape);
+    note_digest(shape->file, "--shape", shape->digest);
   }
   plan.frame = GridFrame(recipe.voxel ? *recipe.voxel : voxel_size_for_dim(plan.box, recipe.dim));
   plan.voxels = plan.frame.voxels_in(plan.box);

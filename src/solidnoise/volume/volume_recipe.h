@@ -6,6 +6,7 @@
 
 #include "solidnoise/core/box.h"
 #include "solidnoise/noise/noise_recipe.h"
+#include "solidnoise/volume/grid_file.h"
 #include "solidnoise/volume/preview.h"
 #include "solidnoise/volume/shaping.h"
 #include "solidnoise/volume/vdb_write.h"
@@ -28,12 +29,7 @@ struct MeshShape {
   std::string digest{};  // file_digest() of it, where the volume exists already; empty: any file will do
   friend bool operator==(const MeshShape&, const MeshShape&) = default;
 };
-struct GridShape {
-  std::string file;      // .vdb; the grid's own frame takes the place of box and voxel size
-  std::string grid;      // name in the file; empty: the first one
-  std::string digest{};  // as in MeshShape
-  friend bool operator==(const GridShape&, const GridShape&) = default;
-};
+using GridShape = GridFile;  // the grid's own frame takes the place of box and voxel size
 using Shape = std::variant<BoxShape, SphereShape, EllipsoidShape, MeshShape, GridShape>;
 
 // What the densities are scaled to. Noise that is not shaped (RawShaping) is never scaled.

@@ -11,6 +11,7 @@
 #include "solidnoise/recipe/json_reader.h"
 #include "solidnoise/recipe/noise_recipe_json.h"
 #include "solidnoise/recipe/recipe_header.h"
+#include "solidnoise/volume/grid_file_json.h"
 
 namespace solidnoise {
 namespace {
@@ -39,11 +40,7 @@ Json shape_to_json(const Shape& shape) {
     json["file"] = mesh->file;
     if (!mesh->digest.empty()) json["digest"] = mesh->digest;
   }
-  if (const auto* grid = std::get_if<GridShape>(&shape)) {
-    json["file"] = grid->file;
-    json["grid"] = grid->grid;
-    if (!grid->digest.empty()) json["digest"] = grid->digest;
-  }
+  if (const auto* grid = std::get_if<GridShape>(&shape)) add_grid_file(json, *grid);
   return json;
 }
 
@@ -53,11 +50,7 @@ Shape shape_from_json(JsonReader& reader) {
     reader.read("file", mesh->file);
     reader.read("digest", mesh->digest);
   }
-  if (auto* grid = std::get_if<GridShape>(&shape)) {
-    reader.read("file", grid->file);
-    reader.read("grid", grid->grid);
-    reader.read("digest", grid->digest);
-  }
+  if (auto* grid = std::get_if<GridShape>(&shape)) read_grid_file(reader, *grid);
   reader.finish();
   return shape;
 }
