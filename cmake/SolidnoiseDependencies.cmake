@@ -20,13 +20,6 @@ if(SOLIDNOISE_BUILD_VOLUME)
   set(BUILD_SHARED_LIBS ${_shared})
 endif()
 
-if(SOLIDNOISE_BUILD_MESH)
-  # Debian's package has no version file: asking for a version would always fail. Its targets have no namespace.
-  find_package(OpenMesh CONFIG REQUIRED)
-  add_library(OpenMesh::OpenMesh INTERFACE IMPORTED)
-  target_link_libraries(OpenMesh::OpenMesh INTERFACE OpenMeshCore OpenMeshTools)
-endif()
-
 # Casts the rays of meshes' previews; without it there are none.
 find_package(embree 3 CONFIG QUIET)
 if(embree_FOUND)
@@ -52,6 +45,13 @@ if(SOLIDNOISE_BUILD_TOOLS)
 endif()
 if(SOLIDNOISE_BUILD_TESTS)
   find_package(GTest CONFIG REQUIRED)
+  if(SOLIDNOISE_BUILD_MESH)
+    # A second opinion on meshes and their files. Debian's package has no version file: asking for a version would always
+    # fail. Its targets have no namespace.
+    find_package(OpenMesh CONFIG REQUIRED)
+    add_library(OpenMesh::OpenMesh INTERFACE IMPORTED)
+    target_link_libraries(OpenMesh::OpenMesh INTERFACE OpenMeshCore OpenMeshTools)
+  endif()
 endif()
 if(SOLIDNOISE_BUILD_BENCH)
   find_package(benchmark CONFIG REQUIRED)
