@@ -29,7 +29,8 @@ VolumeRecipe cumulus(std::uint64_t seed = 0) {
 }
 
 openvdb::FloatGrid::Ptr make(const VolumeRecipe& recipe) {
-  return make_volume(recipe, plan_volume(recipe), "test").grid;
+  const Volume volume = make_volume(recipe, plan_volume(recipe), "test");
+  return openvdb::gridPtrCast<openvdb::FloatGrid>(volume.grids.front().grid);
 }
 
 bool equal(const openvdb::FloatGrid& a, const openvdb::FloatGrid& b) {

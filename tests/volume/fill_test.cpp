@@ -1,10 +1,13 @@
 #include "solidnoise/volume/fill.h"
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstring>
 #include <memory>
 #include <mutex>
 #include <stdexcept>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -64,6 +67,38 @@ class PositiveHalf final : public Field {
 
  private:
   WaveField wave_ = wave();
+};
+
+// Four waves as the channels of one field, each the positive part of a wave.
+class FourWaves final : public Field {
+ public:
+  int channels() const override { return 4; }
+
+  std::unique_ptr<FieldBlock> block(const Box<3>&) const override { return std::make_unique<Block>(*this); }
+
+  float at(int channel, const Vec<3>& p) const { return std::max(0.0f, waves_[channel].at(p)); }
+
+ private:
+  class Block final : public FieldBlock {
+   public:
+    explicit Block(const FourWaves& field) : field_(field) {}
+
+    void evaluate(const Lattice<3>& lattice, std::span<float> values) const override {
+      const std::size_t size = lattice.size();
+      ASSERT_EQ(values.size(), 4 * size);
+      for (std::size_t channel = 0; channel < 4; ++channel) {
+        const auto part = values.subspan(channel * size, size);
+        field_.waves_[channel].block({})->evaluate(lattice, part);
+        for (float& value : part) value = std::max(0.0f, value);
+      }
+    }
+
+   private:
+    const FourWaves& field_;
+  };
+
+  std::array<WaveField, 4> waves_{WaveField(kFrequency), WaveField({1, 0, 0}), WaveField({0, 1, 0}),
+                                  WaveField({0.3, 0.2, 0.1})};
 };
 
 class Counter final : public Progress {
@@ -183,6 +218,55 @@ TEST(FillGrid, LetsTheFieldsExceptionThrough) {
   };
   const Topology topology = box_topology(GridFrame(0.1), {{-3, -3, -3}, {3, 3, 3}});
   EXPECT_THROW(fill_grid(topology, Failing(), Sparsity::keep), std::runtime_error);
+}
+
+TEST(FillGrids, GivesEachGridItsChannelsAndTheirMoments) {
+  const Topology topology = sphere_topology(GridFrame(0.1), {0.3, 0.1, -0.2}, 1.0);
+  const FourWaves field;
+  const auto filled = fill_grids(topology, field, {1, 3}, Sparsity::keep);
+  ASSERT_EQ(filled.size(), 2u);
+  const auto floats = openvdb::gridPtrCast<openvdb::FloatGrid>(filled[0].grid);
+  const auto vectors = openvdb::gridPtrCast<openvdb::Vec3SGrid>(filled[1].grid);
+  ASSERT_TRUE(floats && vectors);
+  EXPECT_EQ(floats->activeVoxelCount(), topology.voxel_count());
+  EXPECT_EQ(vectors->activeVoxelCount(), topology.voxel_count());
+  EXPECT_EQ(vectors->background(), openvdb::Vec3s(0.0f));
+  for (auto voxel = vectors->cbeginValueOn(); voxel; ++voxel) {
+    const openvdb::Vec3d p = vectors->indexToWorld(voxel.getCoord());
+    EXPECT_EQ(floats->tree().getValue(voxel.getCoord()), field.at(0, {p.x(), p.y(), p.z()}));
+    for (int axis = 0; axis < 3; ++axis) EXPECT_EQ((*voxel)[axis], field.at(1 + axis, {p.x(), p.y(), p.z()}));
+  }
+  EXPECT_TRUE(identical(filled[0].moments.at(0), measure(*floats)));
+  const std::array<Moments, 3> measured = measure(*vectors);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    EXPECT_TRUE(identical(filled[1].moments.at(axis), measured[axis])) << axis;
+  }
+}
+
+TEST(FillGrids, DropsAVectorOnlyWhereAllOfItIsZero) {
+  const Topology topology = box_topology(GridFrame(0.1), {{-1, -1, -1}, {1, 1, 1}});
+  const FourWaves field;
+  const auto filled = fill_grids(topology, field, {3, 1}, Sparsity::drop);
+  std::uint64_t vectors = 0;
+  std::uint64_t floats = 0;
+  for (auto voxel = openvdb::CoordBBox::createCube(openvdb::Coord(-10), 20).begin(); voxel; ++voxel) {
+    const openvdb::Vec3d p = filled[0].grid->indexToWorld(*voxel);
+    const auto positive = [&](int channel) { return field.at(channel, {p.x(), p.y(), p.z()}) > 0.0f; };
+    vectors += positive(0) || positive(1) || positive(2);
+    floats += positive(3);
+  }
+  EXPECT_EQ(filled[0].grid->activeVoxelCount(), vectors);
+  EXPECT_EQ(filled[1].grid->activeVoxelCount(), floats);
+  EXPECT_LT(vectors, topology.voxel_count());
+  EXPECT_LT(floats, vectors);
+}
+
+TEST(FillGrids, RefusesGridsThatDoNotFitTheField) {
+  const Topology topology = box_topology(GridFrame(0.1), {{-1, -1, -1}, {1, 1, 1}});
+  for (const std::vector<int>& components : {std::vector<int>{1}, {3}, {1, 1, 1}, {2, 2}, {}}) {
+    EXPECT_THROW(fill_grids(topology, FourWaves(), components, Sparsity::keep), std::invalid_argument);
+  }
+  EXPECT_THROW(fill_grid(topology, FourWaves(), Sparsity::keep), std::invalid_argument);
 }
 
 TEST(ScaleValues, MultipliesLeavesAndTilesAndKeepsTheTopology) {

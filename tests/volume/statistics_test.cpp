@@ -1,5 +1,6 @@
 #include "solidnoise/volume/statistics.h"
 
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
@@ -111,6 +112,24 @@ TEST(Measure, IsTheSameToTheBitForAnyNumberOfThreads) {
     return measure(*grid).sigma();
   };
   EXPECT_EQ(sigma_with(1), sigma_with(4));
+}
+
+TEST(Measure, OfVectorsIsThatOfEachComponent) {
+  const auto floats = sample_grid();
+  const auto vectors = openvdb::Vec3SGrid::create(openvdb::Vec3s(0.0f));
+  vectors->topologyUnion(*floats);
+  for (auto value = vectors->beginValueOn(); value; ++value) {
+    const float v = floats->tree().getValue(value.getCoord());
+    value.setValue({v, -2.0f * v, 1.0f});
+  }
+  const Moments expected = measure(*floats);
+  const std::array<Moments, 3> moments = measure(*vectors);
+  EXPECT_EQ(moments[0].mean(), expected.mean());
+  EXPECT_EQ(moments[0].sigma(), expected.sigma());
+  EXPECT_EQ(moments[1].max(), -2.0 * expected.min());
+  EXPECT_EQ(moments[1].mean(), -2.0 * expected.mean());  // a power of two changes no digit
+  EXPECT_EQ(moments[2].sigma(), 0.0);
+  for (const Moments& component : moments) EXPECT_EQ(component.count(), expected.count());
 }
 
 TEST(Histogram, CountsEachActiveVoxelOnce) {

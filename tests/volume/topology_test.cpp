@@ -94,6 +94,9 @@ TEST(EstimateMemory, IsALittleMoreThanTheValuesOfTheLeaves) {
   EXPECT_LT(estimate, 1.20 * values);
   EXPECT_EQ(estimate_memory(topology), estimate_memory(topology.voxel_bounds()));
   EXPECT_EQ(estimate_memory(topology), estimate_memory(*filled.grid));
+  const auto of_vectors = static_cast<double>(estimate_memory(topology, 3));
+  EXPECT_GT(of_vectors, 1.05 * 3.0 * values);
+  EXPECT_LT(of_vectors, 1.20 * 3.0 * values);
 }
 
 TEST(EstimateMemory, DoesNotOverflow) {

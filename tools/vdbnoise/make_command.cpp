@@ -117,15 +117,16 @@ void warn_of_aliasing(const VolumeRecipe& recipe, const VolumePlan& plan) {
       highest);
 }
 
-void print_statistics(const Volume& volume, const std::string& where) {
-  const openvdb::Vec3d size = volume.grid->voxelSize();
-  const openvdb::Coord dim = volume.grid->evalActiveVoxelDim();
-  const Moments& moments = volume.moments;
-  std::cerr << fmt::format(
-      "{}: grid {}, {} active voxels in {} x {} x {}, voxel size {:.6g}\n"
-      "min {:.6g}  max {:.6g}  mean {:.6g}  sigma {:.6g}\n",
-      where, volume.grid->getName(), moments.count(), dim.x(), dim.y(), dim.z(), size.x(), moments.min(),
-      moments.max(), moments.mean(), moments.sigma());
+void print_statistics(const MeasuredGrid& measured, const std::string& where) {
+  const openvdb::Vec3d size = measured.grid->voxelSize();
+  const openvdb::Coord dim = measured.grid->evalActiveVoxelDim();
+  std::cerr << fmt::format("{}: grid {}, {} active voxels in {} x {} x {}, voxel size {:.6g}\n", where,
+                           measured.grid->getName(), measured.moments.front().count(), dim.x(), dim.y(),
+                           dim.z(), size.x());
+  for (const Moments& moments : measured.moments) {
+    std::cerr << fmt::format("min {:.6g}  max {:.6g}  mean {:.6g}  sigma {:.6g}\n", moments.min(),
+                             moments.max(), moments.mean(), moments.sigma());
+  }
 }
 
 void make(const MakeOptions& options) {
@@ -148,7 +149,10 @@ void make(const MakeOptions& options) {
     volume = make_volume(options.recipe, plan, kVdbnoise, &progress);
     progress.begin("writing");
     std::optional<Image> preview;
-    if (!options.preview.empty()) preview = render_preview(*volume.grid, {.up = options.recipe.up});
+    if (!options.preview.empty()) {
+      const auto density = openvdb::gridPtrCast<openvdb::FloatGrid>(volume.grids.front().grid);
+      preview = render_preview(*density, {.up = options.recipe.up});
+    }
     throw_if_cancelled(&progress);
     if (!options.out.empty()) {
       VdbWriteOptions write;
@@ -156,7 +160,9 @@ void make(const MakeOptions& options) {
       write.existing = options.existing;
       write.creator = kVdbnoise;
       write.progress = &progress;
-      write_vdb(options.out, {volume.grid}, write);
+      openvdb::GridCPtrVec grids;
+      for (const MeasuredGrid& measured : volume.grids) grids.push_back(measured.grid);
+      write_vdb(options.out, grids, write);
     }
     if (preview) write_image(options.preview, *preview);
   }
@@ -165,7 +171,10 @@ void make(const MakeOptions& options) {
     recipe.shape = plan.shape;
     write_text_file(options.write_recipe, format_json(to_json(recipe)));
   }
-  if (!options.quiet) print_statistics(volume, options.out.empty() ? options.preview : options.out);
+  if (options.quiet) return;
+  for (const MeasuredGrid& measured : volume.grids) {
+    print_statistics(measured, options.out.empty() ? options.preview : options.out);
+  }
 }
 
 }  // namespace

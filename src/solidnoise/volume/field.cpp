@@ -24,6 +24,10 @@ class NoiseFieldBlock final : public FieldBlock {
 
 }  // namespace
 
+int Field::channels() const {
+  return 1;
+}
+
 bool Field::empty(const Box<3>&) const {
   return false;
 }

@@ -14,17 +14,21 @@ class FieldBlock {
  public:
   virtual ~FieldBlock() = default;
 
-  // Overwrites `values`, one per sample, in the lattice's order. Precondition: the lattice lies in the
-  // block's box.
+  // Overwrites `values`: for each of the field's channels one value per sample, in the lattice's order, one
+  // channel after the other. Precondition: the lattice lies in the block's box.
   virtual void evaluate(const Lattice<3>& lattice, std::span<float> values) const = 0;
 };
 
-// Whatever a grid can be filled with: a noise, or a density shaped from several noises and distances.
+// Whatever grids can be filled with: a noise, a density shaped from several noises and distances, a velocity.
 // Immutable; may be shared between threads. A sample's value depends on the field and the sample's position
 // only, never on the block.
 class Field {
  public:
   virtual ~Field() = default;
+
+  // Values at a sample: 1 for a density, 3 for a velocity. They are made in one evaluation, for what costs
+  // most, random impulses and kernels, serves all of them.
+  virtual int channels() const;
 
   // Called once for a group of voxels; the place to make what is costly, such as random impulses.
   virtual std::unique_ptr<FieldBlock> block(const Box<3>& box) const = 0;

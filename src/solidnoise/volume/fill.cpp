@@ -4,19 +4,22 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <numeric>
 #include <span>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
 #include <openvdb/tree/LeafManager.h>
 #include <tbb/parallel_for.h>
+
+#include "solidnoise/volume/grid_sink.h"
 
 namespace solidnoise {
 namespace {
 
-using Leaf = openvdb::FloatTree::LeafNodeType;
 using MaskLeaf = openvdb::MaskTree::LeafNodeType;
-using LeafMask = MaskLeaf::NodeMaskType;
 
 constexpr int kGroupLog2 = 5;  // a group is 4 x 4 x 4 leaves, 32^3 voxels
 
@@ -60,17 +63,20 @@ class Filler {
         field_(field),
         sparsity_(sparsity),
         progress_(progress),
-        grouped_(group_leaves(*topology.mask)),
-        leaves_(grouped_.leaves.size()),
-        moments_(grouped_.leaves.size()) {}
+        grouped_(group_leaves(*topology.mask)) {}
 
-  FilledGrid run() {
+  std::vector<MeasuredGrid> run(const std::vector<int>& components) {
+    for (const int count : components) {
+      sinks_.push_back(make_grid_sink(count, grouped_.leaves.size(), sparsity_));
+    }
     tbb::parallel_for(std::size_t{0}, grouped_.groups.size(), [&](std::size_t group) {
       throw_if_cancelled(progress_);
       fill_group(grouped_.groups[group]);
     });
     throw_if_cancelled(progress_);
-    return collect();
+    std::vector<MeasuredGrid> grids;
+    for (const auto& sink : sinks_) grids.push_back(sink->collect(frame_));
+    return grids;
   }
 
  private:
@@ -82,7 +88,7 @@ class Filler {
       const std::size_t leaf = grouped_.order[i];
       const openvdb::CoordBBox voxels = grouped_.leaves[leaf]->getNodeBoundingBox();
       if (field_.empty(frame_.bounds(voxels))) {
-        if (sparsity_ == Sparsity::keep) store_zeros(leaf);
+        for (const auto& sink : sinks_) sink->store_zeros(leaf, *grouped_.leaves[leaf]);
       } else {
         wanted.push_back(leaf);
         box.expand(voxels);
@@ -91,61 +97,22 @@ class Filler {
     // Evaluate them.
     if (!wanted.empty()) {
       const std::unique_ptr<FieldBlock> block = field_.block(frame_.bounds(box));
+      std::vector<float> values(static_cast<std::size_t>(field_.channels()) * MaskLeaf::SIZE);
       for (const std::size_t leaf : wanted) {
         throw_if_cancelled(progress_);
-        auto values = make_leaf(leaf);
-        block->evaluate(frame_.lattice(values->getNodeBoundingBox()), {values->buffer().data(), Leaf::SIZE});
-        store(leaf, std::move(values));
+        block->evaluate(frame_.lattice(grouped_.leaves[leaf]->getNodeBoundingBox()), values);
+        store(leaf, values);
       }
     }
-    if (progress_ != nullptr) progress_->advance(done_ += group.end - group.begin, leaves_.size());
+    if (progress_ != nullptr) progress_->advance(done_ += group.end - group.begin, grouped_.leaves.size());
   }
 
-  void store_zeros(std::size_t index) {
-    auto leaf = make_leaf(index);
-    leaf->buffer().fill(0.0f);
-    store(index, std::move(leaf));
-  }
-
-  // A leaf with its memory, inactive; its values are to be written yet.
-  std::unique_ptr<Leaf> make_leaf(std::size_t index) const {
-    auto leaf =
-        std::make_unique<Leaf>(openvdb::PartialCreate(), grouped_.leaves[index]->origin(), 0.0f, false);
-    leaf->buffer().allocate();
-    return leaf;
-  }
-
-  // Activates the voxels that are to stay, sets the others to the background and keeps the leaf's moments.
-  void store(std::size_t index, std::unique_ptr<Leaf> leaf) {
-    float* const values = leaf->buffer().data();
-    LeafMask mask = grouped_.leaves[index]->valueMask();
-    if (sparsity_ == Sparsity::drop) drop_zeros(mask, values);
-    if (mask.isOff()) return;
-    leaf->setValueMask(mask);
-    for (auto voxel = mask.beginOff(); voxel; ++voxel) values[voxel.pos()] = 0.0f;
-    moments_[index] = measure(*leaf);
-    leaves_[index] = std::move(leaf);
-  }
-
-  static void drop_zeros(LeafMask& mask, const float* values) {
-    for (unsigned word = 0; word < LeafMask::WORD_COUNT; ++word) {
-      std::uint64_t not_zero = 0;
-      for (unsigned bit = 0; bit < 64; ++bit) {
-        not_zero |= static_cast<std::uint64_t>(values[64 * word + bit] != 0.0f) << bit;
-      }
-      mask.getWord<std::uint64_t>(word) &= not_zero;
+  void store(std::size_t leaf, std::span<const float> values) {
+    for (const auto& sink : sinks_) {
+      const std::size_t size = sink->components() * MaskLeaf::SIZE;
+      sink->store(leaf, *grouped_.leaves[leaf], values.first(size));
+      values = values.subspan(size);
     }
-  }
-
-  FilledGrid collect() {
-    FilledGrid result{openvdb::FloatGrid::create(0.0f), {}};
-    result.grid->setTransform(frame_.transform());
-    for (std::size_t i = 0; i < leaves_.size(); ++i) {
-      if (leaves_[i] == nullptr) continue;
-      result.grid->tree().addLeaf(leaves_[i].release());
-      result.moments.merge(moments_[i]);
-    }
-    return result;
   }
 
   const GridFrame& frame_;
@@ -153,18 +120,30 @@ class Filler {
   const Sparsity sparsity_;
   Progress* const progress_;
   const GroupedLeaves grouped_;
-  std::vector<std::unique_ptr<Leaf>> leaves_;  // in tree order; null where there is none
-  std::vector<Moments> moments_;
+  std::vector<std::unique_ptr<GridSink>> sinks_;
   std::atomic<std::uint64_t> done_{0};
 };
 
 }  // namespace
 
+std::vector<MeasuredGrid> fill_grids(const Topology& topology, const Field& field,
+                                     const std::vector<int>& components, Sparsity sparsity,
+                                     Progress* progress) {
+  const int channels = std::accumulate(components.begin(), components.end(), 0);
+  if (channels != field.channels()) {
+    throw std::invalid_argument(
+        fmt::format("a field of {} channels for grids of {} components", field.channels(), channels));
+  }
+  return Filler(topology, field, sparsity, progress).run(components);
+}
+
 FilledGrid fill_grid(const Topology& topology, const Field& field, Sparsity sparsity, Progress* progress) {
-  return Filler(topology, field, sparsity, progress).run();
+  const MeasuredGrid filled = fill_grids(topology, field, {1}, sparsity, progress).front();
+  return {openvdb::gridPtrCast<openvdb::FloatGrid>(filled.grid), filled.moments.front()};
 }
 
 void scale_values(openvdb::FloatGrid& grid, float factor) {
+  using Leaf = openvdb::FloatTree::LeafNodeType;
   openvdb::tree::LeafManager<openvdb::FloatTree> leaves(grid.tree());
   leaves.foreach ([factor](Leaf& leaf, std::size_t) {
     float* const values = leaf.buffer().data();

@@ -1,20 +1,15 @@
 #pragma once
 
-#include <string>
+#include <vector>
 
 #include "solidnoise/core/progress.h"
 #include "solidnoise/volume/field.h"
+#include "solidnoise/volume/grid_sink.h"
 #include "solidnoise/volume/openvdb.h"
 #include "solidnoise/volume/statistics.h"
 #include "solidnoise/volume/topology.h"
 
 namespace solidnoise {
-
-// What becomes of voxels where the field is 0, the background.
-enum class Sparsity {
-  keep,  // the grid's active voxels are the topology's
-  drop,  // voxels that are exactly 0 are inactive, and leaves of nothing else are not kept
-};
 
 struct FilledGrid {
   openvdb::FloatGrid::Ptr grid;  // background 0, in the topology's frame, class unknown, without a name
@@ -24,9 +19,16 @@ struct FilledGrid {
 // Evaluates a field at every voxel of a topology, in parallel: one block for each group of 4 x 4 x 4 leaves,
 // one evaluation for each leaf. Values, active voxels and moments are the same to the last bit for any number
 // of threads (tbb::global_control sets it) and any topology that holds the voxel. Progress counts leaves.
-// Throws Cancelled, and what the field throws.
+// Throws Cancelled, what the field throws, and std::invalid_argument if the field has several channels.
 FilledGrid fill_grid(const Topology& topology, const Field& field, Sparsity sparsity,
                      Progress* progress = nullptr);
+
+// The same for a field of several channels: they become, in their order, grids of so many components each, 1
+// for floats and 3 for vectors; each evaluation serves all grids. Voxels are dropped of each grid by its own
+// values. Throws std::invalid_argument also if the components do not add up to the field's channels.
+std::vector<MeasuredGrid> fill_grids(const Topology& topology, const Field& field,
+                                     const std::vector<int>& components, Sparsity sparsity,
+                                     Progress* progress = nullptr);
 
 // Multiplies every value; the background, 0, stays. Moments are then to be measured anew.
 void scale_values(openvdb::FloatGrid& grid, float factor);

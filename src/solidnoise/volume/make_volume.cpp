@@ -148,17 +148,21 @@ Volume make_volume(const VolumeRecipe& recipe, const VolumePlan& plan, const std
                    Progress* progress) {
   const std::unique_ptr<Field> field = make_volume_field(recipe, plan);
   const Topology topology = make_topology(recipe, plan, progress);
-  FilledGrid filled = fill_grid(topology, *field, is_raw(recipe) ? Sparsity::keep : Sparsity::drop, progress);
   if (is_raw(recipe)) {
-    filled.grid->setName(recipe.grid);
-    filled.grid->setCreator(creator);
-  } else {
-    scale_density(recipe, filled);
-    set_fog_volume(*filled.grid, recipe.grid, creator);
+    Volume volume{fill_grids(topology, *field, {1}, Sparsity::keep, progress)};
+    openvdb::GridBase& grid = *volume.grids.front().grid;
+    grid.setName(recipe.grid);
+    grid.setCreator(creator);
+    grid.setSaveFloatAsHalf(recipe.half);
+    set_metadata(grid, describe(recipe, plan, volume.grids.front().moments.front()));
+    return volume;
   }
+  FilledGrid filled = fill_grid(topology, *field, Sparsity::drop, progress);
+  scale_density(recipe, filled);
+  set_fog_volume(*filled.grid, recipe.grid, creator);
   filled.grid->setSaveFloatAsHalf(recipe.half);
   set_metadata(*filled.grid, describe(recipe, plan, filled.moments));
-  return {filled.grid, filled.moments};
+  return {{{filled.grid, {filled.moments}}}};
 }
 
 }  // namespace solidnoise

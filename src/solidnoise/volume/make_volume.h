@@ -3,12 +3,13 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "solidnoise/core/box.h"
 #include "solidnoise/core/progress.h"
+#include "solidnoise/volume/fill.h"
 #include "solidnoise/volume/grid_frame.h"
 #include "solidnoise/volume/openvdb.h"
-#include "solidnoise/volume/statistics.h"
 #include "solidnoise/volume/triangle_mesh.h"
 #include "solidnoise/volume/vdb_write.h"
 #include "solidnoise/volume/volume_recipe.h"
@@ -30,13 +31,13 @@ struct VolumePlan {
 // std::runtime_error (files, also one that is not the file that the recipe's digest is of).
 VolumePlan plan_volume(const VolumeRecipe& recipe);
 
+// Grids of the same active voxels, named, with their classes and metadata.
 struct Volume {
-  openvdb::FloatGrid::Ptr grid;  // named, with its class and metadata
-  Moments moments;               // of its active voxels
+  std::vector<MeasuredGrid> grids;  // at least one
 };
 
 // Makes the volume, in parallel, from the plan of the same recipe. `creator` such as "vdbnoise 0.1.0" goes
-// into the grid's metadata, and so do the whole recipe (kRecipeKey, with the digest of its file), seed, up
+// into each grid's metadata, and so do the whole recipe (kRecipeKey, with the digest of its file), seed, up
 // axis, algorithm version and statistics. Throws std::invalid_argument, Cancelled.
 Volume make_volume(const VolumeRecipe& recipe, const VolumePlan& plan, const std::string& creator,
                    Progress* progress = nullptr);

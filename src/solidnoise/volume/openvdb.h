@@ -11,6 +11,8 @@ namespace openvdb {
 namespace OPENVDB_VERSION_NAME {
 extern template class Grid<FloatTree>;
 extern template class tree::Tree<FloatTree::RootNodeType>;
+extern template class Grid<Vec3STree>;
+extern template class tree::Tree<Vec3STree::RootNodeType>;
 extern template class Grid<MaskTree>;
 extern template class tree::Tree<MaskTree::RootNodeType>;
 }  // namespace OPENVDB_VERSION_NAME

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 #include <openvdb/tree/LeafManager.h>
@@ -14,13 +15,11 @@
 namespace solidnoise {
 namespace {
 
-using Leaf = openvdb::FloatTree::LeafNodeType;
-
 // Calls `visit(value, box of voxels)` for every active tile.
-template <typename Visit>
-void visit_active_tiles(const openvdb::FloatGrid& grid, const Visit& visit) {
+template <typename Grid, typename Visit>
+void visit_active_tiles(const Grid& grid, const Visit& visit) {
   auto tile = grid.tree().cbeginValueOn();
-  tile.setMaxDepth(openvdb::FloatTree::ValueOnCIter::LEAF_DEPTH - 1);
+  tile.setMaxDepth(Grid::TreeType::ValueOnCIter::LEAF_DEPTH - 1);
   for (; tile; ++tile) {
     openvdb::CoordBBox box;
     tile.getBoundingBox(box);
@@ -28,25 +27,59 @@ void visit_active_tiles(const openvdb::FloatGrid& grid, const Visit& visit) {
   }
 }
 
+// What measure() finds for each leaf of a grid, in tree order.
+template <typename Grid>
+auto measure_leaves(const Grid& grid) {
+  using Leaf = typename Grid::TreeType::LeafNodeType;
+  openvdb::tree::LeafManager<const typename Grid::TreeType> leaves(grid.tree());
+  std::vector<decltype(measure(std::declval<const Leaf&>()))> parts(leaves.leafCount());
+  leaves.foreach ([&](const Leaf& leaf, std::size_t index) { parts[index] = measure(leaf); });
+  return parts;
+}
+
 }  // namespace
 
 Moments measure(const openvdb::FloatTree::LeafNodeType& leaf) {
+  constexpr std::size_t kSize = openvdb::FloatTree::LeafNodeType::SIZE;
   const float* const values = leaf.buffer().data();
-  if (leaf.isValueMaskOn()) return Moments::of({values, Leaf::SIZE});
-  std::array<float, Leaf::SIZE> active;
+  if (leaf.isValueMaskOn()) return Moments::of({values, kSize});
+  std::array<float, kSize> active;
   std::size_t count = 0;
   for (auto voxel = leaf.valueMask().beginOn(); voxel; ++voxel) active[count++] = values[voxel.pos()];
   return Moments::of({active.data(), count});
 }
 
+std::array<Moments, 3> measure(const openvdb::Vec3STree::LeafNodeType& leaf) {
+  constexpr std::size_t kSize = openvdb::Vec3STree::LeafNodeType::SIZE;
+  const openvdb::Vec3s* const values = leaf.buffer().data();
+  std::array<std::array<float, kSize>, 3> active;
+  std::size_t count = 0;
+  for (auto voxel = leaf.valueMask().beginOn(); voxel; ++voxel, ++count) {
+    for (int axis = 0; axis < 3; ++axis) active[axis][count] = values[voxel.pos()][axis];
+  }
+  std::array<Moments, 3> moments;
+  for (int axis = 0; axis < 3; ++axis) moments[axis] = Moments::of({active[axis].data(), count});
+  return moments;
+}
+
 Moments measure(const openvdb::FloatGrid& grid) {
-  openvdb::tree::LeafManager<const openvdb::FloatTree> leaves(grid.tree());
-  std::vector<Moments> parts(leaves.leafCount());
-  leaves.foreach ([&](const Leaf& leaf, std::size_t index) { parts[index] = measure(leaf); });
   Moments total;
-  for (const Moments& part : parts) total.merge(part);
+  for (const Moments& part : measure_leaves(grid)) total.merge(part);
   visit_active_tiles(grid, [&](float value, const openvdb::CoordBBox& box) {
     total.merge(Moments::of_constant(value, box.volume()));
+  });
+  return total;
+}
+
+std::array<Moments, 3> measure(const openvdb::Vec3SGrid& grid) {
+  std::array<Moments, 3> total;
+  for (const auto& part : measure_leaves(grid)) {
+    for (int axis = 0; axis < 3; ++axis) total[axis].merge(part[axis]);
+  }
+  visit_active_tiles(grid, [&](const openvdb::Vec3s& value, const openvdb::CoordBBox& box) {
+    for (int axis = 0; axis < 3; ++axis) {
+      total[axis].merge(Moments::of_constant(value[axis], box.volume()));
+    }
   });
   return total;
 }

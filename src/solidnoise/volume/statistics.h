@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -8,12 +9,14 @@
 
 namespace solidnoise {
 
-// Moments of a leaf's active voxels.
+// Moments of a leaf's active voxels, of each component.
 Moments measure(const openvdb::FloatTree::LeafNodeType& leaf);
+std::array<Moments, 3> measure(const openvdb::Vec3STree::LeafNodeType& leaf);
 
 // Moments of a grid's active voxels, leaf by leaf in tree order, in parallel: the same to the last bit for
 // any number of threads. Active tiles count with all their voxels.
 Moments measure(const openvdb::FloatGrid& grid);
+std::array<Moments, 3> measure(const openvdb::Vec3SGrid& grid);
 
 // Counts in bins of equal width; bin k holds lower + k w <= v < lower + (k + 1) w, the last one `upper` too.
 struct Histogram {

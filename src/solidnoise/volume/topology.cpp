@@ -20,15 +20,16 @@ using MaskLeaf = openvdb::MaskTree::LeafNodeType;
 constexpr int kLeafDim = static_cast<int>(MaskLeaf::DIM);
 constexpr int kLeafLog2 = static_cast<int>(MaskLeaf::LOG2DIM);
 
-// What a leaf of floats costs, with what accompanies it during a fill: its mask, its moments, its places in
-// lists and its share of the tree's inner nodes, and malloc's own bytes for three allocations.
+// What a leaf of floats costs, with what accompanies it during a fill: its moments, its places in lists and
+// its share of the tree's inner nodes, and malloc's own bytes for two allocations. Beside it there is the
+// leaf of the mask. (A leaf of vectors costs less than one for each component.)
 using FloatLeaf = openvdb::FloatTree::LeafNodeType;
+constexpr std::uint64_t kBytesPerMaskLeaf = sizeof(MaskLeaf) + 16;
 constexpr std::uint64_t kBytesPerLeaf =
-    sizeof(FloatLeaf) + FloatLeaf::SIZE * sizeof(float) + sizeof(MaskLeaf) + sizeof(Moments) +
-    4 * sizeof(void*) +
+    sizeof(FloatLeaf) + FloatLeaf::SIZE * sizeof(float) + sizeof(Moments) + 4 * sizeof(void*) +
     2 * sizeof(openvdb::FloatTree::RootNodeType::ChildNodeType::ChildNodeType) /
         openvdb::FloatTree::RootNodeType::ChildNodeType::ChildNodeType::NUM_VALUES +
-    3 * 16;
+    2 * 16;
 
 // Makes the leaves that touch `voxels`; `shape` switches on the voxels of an empty leaf. Leaves are made slab
 // by slab in parallel and added to the tree in order.
@@ -70,8 +71,9 @@ using MaskableGrids = openvdb::TypeList<openvdb::FloatGrid, openvdb::DoubleGrid,
                                         openvdb::Int64Grid, openvdb::BoolGrid, openvdb::MaskGrid,
                                         openvdb::Vec3SGrid, openvdb::Vec3DGrid, openvdb::Vec3IGrid>;
 
-std::uint64_t bytes_for(double leaves) {
-  const double bytes = leaves * static_cast<double>(kBytesPerLeaf);
+std::uint64_t bytes_for(double leaves, int channels) {
+  const double bytes =
+      leaves * (static_cast<double>(kBytesPerMaskLeaf) + channels * static_cast<double>(kBytesPerLeaf));
   constexpr double kLargest = 0x1.0p63;
   return static_cast<std::uint64_t>(std::min(bytes, kLargest));
 }
@@ -152,7 +154,7 @@ Topology grid_topology(const openvdb::GridBase& grid) {
   return {GridFrame(grid.transform()), mask};
 }
 
-std::uint64_t estimate_memory(const openvdb::CoordBBox& voxels) {
+std::uint64_t estimate_memory(const openvdb::CoordBBox& voxels, int channels) {
   if (voxels.empty()) return 0;
   double leaves = 1.0;
   for (int axis = 0; axis < 3; ++axis) {
@@ -160,18 +162,19 @@ std::uint64_t estimate_memory(const openvdb::CoordBBox& voxels) {
     const std::int64_t last = voxels.max()[axis] >> kLeafLog2;
     leaves *= static_cast<double>(last - first + 1);
   }
-  return bytes_for(leaves);
+  return bytes_for(leaves, channels);
 }
 
-std::uint64_t estimate_memory(const Topology& topology) {
-  return bytes_for(static_cast<double>(topology.leaf_count()));
+std::uint64_t estimate_memory(const Topology& topology, int channels) {
+  return bytes_for(static_cast<double>(topology.leaf_count()), channels);
 }
 
-std::uint64_t estimate_memory(const openvdb::GridBase& grid) {
+std::uint64_t estimate_memory(const openvdb::GridBase& grid, int channels) {
   const openvdb::TreeBase& tree = grid.baseTree();
   const std::uint64_t in_tiles = tree.activeVoxelCount() - tree.activeLeafVoxelCount();
   return bytes_for(static_cast<double>(tree.leafCount()) +
-                   static_cast<double>(in_tiles) / static_cast<double>(MaskLeaf::SIZE));
+                       static_cast<double>(in_tiles) / static_cast<double>(MaskLeaf::SIZE),
+                   channels);
 }
 
 }  // namespace solidnoise

@@ -38,10 +38,11 @@ Topology mesh_topology(const GridFrame& frame, const TriangleMesh& mesh, Progres
 // none, or as GridFrame does.
 Topology grid_topology(const openvdb::GridBase& grid);
 
-// Bytes of memory that filling these voxels takes at most, when nothing is empty: leaves of floats, the mask,
-// and what accompanies them. Known before the topology is made. For a mesh, take the voxels of its bounds.
-std::uint64_t estimate_memory(const openvdb::CoordBBox& voxels);
-std::uint64_t estimate_memory(const Topology& topology);
-std::uint64_t estimate_memory(const openvdb::GridBase& grid);  // for its active voxels
+// Bytes of memory that filling these voxels takes at most, when nothing is empty: leaves of floats for each
+// channel, the mask, and what accompanies them. Known before the topology is made. For a mesh, take the
+// voxels of its bounds.
+std::uint64_t estimate_memory(const openvdb::CoordBBox& voxels, int channels = 1);
+std::uint64_t estimate_memory(const Topology& topology, int channels = 1);
+std::uint64_t estimate_memory(const openvdb::GridBase& grid, int channels = 1);  // for its active voxels
 
 }  // namespace solidnoise
