@@ -130,7 +130,7 @@ TEST(BakeMesh, KeepsWhatItIsAskedToKeep) {
             "keep is weather; it must be one of frequency, bandwidth, magnitude, bias, weight, steering, "
             "direction");
   EXPECT_EQ(message_of<std::invalid_argument>([&] { bake_all(test_mesh(), BakeRecipe(), {"weight"}); }),
-            "weight cannot be kept: no parameter is a range");
+            "keep is weight; there is none where no parameter is a range");
 }
 
 TEST(BakeMesh, NamesTheAttributesThatThereAre) {

@@ -83,7 +83,7 @@ TEST(BakeRecipe, RefusesWhatIsOutOfRange) {
               r.noise.kind = SurfaceNoiseKind::kensler;
               r.frequency = ParameterRange{4.0, 8.0};
             }),
-            "frequency is a range; this noise has one frequency for all vertices");
+            "frequency is 4..8; this noise has one frequency for all vertices");
   EXPECT_EQ(refused([](BakeRecipe& r) { r.direction.axis = Vec<3>(0.0); }),
             "direction is 0 0 0; it must point somewhere");
   EXPECT_NE(refused([](BakeRecipe& r) { r.ramp = "rusty"; }).find("rusty"), std::string::npos);

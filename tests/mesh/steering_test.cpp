@@ -84,7 +84,7 @@ TEST(Steering, TheHistogramHasEveryNumber) {
 TEST(Steering, RefusesWhatMakesNoSense) {
   EXPECT_EQ(message_of<std::invalid_argument>(
                 [] { make_weights({}, {.low_percentile = 60.0, .high_percentile = 40.0}); }),
-            "low_percentile is 60; it must be less than high_percentile, 40");
+            "percentiles is 60 40; the first must be less than the second");
   EXPECT_THROW(make_weights({}, {.gamma = 0.0}), std::invalid_argument);
   EXPECT_THROW(make_weights({}, {.source = SteeringSource::attribute}), std::invalid_argument);
   EXPECT_THROW(make_weights({}, {.attribute = "heat"}), std::invalid_argument);

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tools/run_tool.h"
+#include "tools/run_vdbnoise.h"
 
 namespace solidnoise {
 namespace {
@@ -18,7 +18,7 @@ const std::vector<std::string> kLongRun{"--raw", "--dim", "320", "--codec", "non
 TEST(Interrupt, WhileMakingLeavesNothing) {
   for (const int signal : {SIGINT, SIGTERM}) {
     const TemporaryFolder folder;
-    RunningTool tool(kLongRun, {.folder = folder.path()});
+    RunningTool tool(SOLIDNOISE_VDBNOISE, kLongRun, {.folder = folder.path()});
     tool.wait_until_it_catches(signal);
     std::this_thread::sleep_for(100ms);  // into the making of the volume
     tool.send(signal);
@@ -31,7 +31,7 @@ TEST(Interrupt, WhileMakingLeavesNothing) {
 
 TEST(Interrupt, WhileWritingLeavesNothing) {
   const TemporaryFolder folder;
-  RunningTool tool(kLongRun, {.folder = folder.path()});
+  RunningTool tool(SOLIDNOISE_VDBNOISE, kLongRun, {.folder = folder.path()});
   const auto give_up = std::chrono::steady_clock::now() + 60s;
   while (folder.names().empty() && std::chrono::steady_clock::now() < give_up)
     std::this_thread::sleep_for(1ms);

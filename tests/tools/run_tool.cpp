@@ -57,11 +57,13 @@ void redirect(const fs::path& path, int descriptor) {
 
 }  // namespace
 
-RunningTool::RunningTool(const std::vector<std::string>& arguments, const RunOptions& options)
-    : out_(options.standard_output.empty() ? make_temporary("vdbnoise-out") : options.standard_output),
-      err_(options.on_terminal ? fs::path() : make_temporary("vdbnoise-err")) {
+RunningTool::RunningTool(const std::string& program, const std::vector<std::string>& arguments,
+                         const RunOptions& options)
+    : keeps_output_(!options.standard_output.empty()),
+      out_(keeps_output_ ? options.standard_output : make_temporary("solidnoise-out")),
+      err_(options.on_terminal ? fs::path() : make_temporary("solidnoise-err")) {
   if (options.on_terminal) terminal_ = open_terminal(err_);
-  std::vector<std::string> words{SOLIDNOISE_VDBNOISE};
+  std::vector<std::string> words{program};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
@@ -118,19 +120,15 @@ ToolResult RunningTool::wait() {
     result.err = read_file(err_);
     fs::remove(err_);
   }
-  if (out_.string().find("vdbnoise-out-") != std::string::npos) {
+  if (!keeps_output_) {
     result.out = read_file(out_);
     fs::remove(out_);
   }
   return result;
 }
 
-ToolResult run_vdbnoise(const std::vector<std::string>& arguments, const RunOptions& options) {
-  return RunningTool(arguments, options).wait();
-}
-
 TemporaryFolder::TemporaryFolder() {
-  std::string path = (fs::temp_directory_path() / "vdbnoise-test-XXXXXX").string();
+  std::string path = (fs::temp_directory_path() / "solidnoise-test-XXXXXX").string();
   if (mkdtemp(path.data()) == nullptr) throw std::runtime_error("no temporary folder");
   path_ = path;
 }

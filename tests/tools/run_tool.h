@@ -8,7 +8,7 @@
 
 namespace solidnoise {
 
-// How a run of the real vdbnoise ended.
+// How a run of a real program ended.
 struct ToolResult {
   int status = -1;  // exit status; -1 if a signal ended it
   int signal = 0;   // which one, or 0
@@ -27,7 +27,8 @@ struct RunOptions {
 // A run that has begun. Wait for it once.
 class RunningTool {
  public:
-  RunningTool(const std::vector<std::string>& arguments, const RunOptions& options);
+  RunningTool(const std::string& program, const std::vector<std::string>& arguments,
+              const RunOptions& options);
 
   // Waits until the program has set itself up to catch the signal, or has ended; at most a minute.
   void wait_until_it_catches(int signal) const;
@@ -36,12 +37,11 @@ class RunningTool {
 
  private:
   pid_t pid_ = 0;
-  int terminal_ = -1;  // our end of it
+  int terminal_ = -1;          // our end of it
+  bool keeps_output_ = false;  // where it was sent, rather than in ToolResult::out
   std::filesystem::path out_;
   std::filesystem::path err_;
 };
-
-ToolResult run_vdbnoise(const std::vector<std::string>& arguments, const RunOptions& options = {});
 
 // A folder that is empty at first and goes with the object.
 class TemporaryFolder {

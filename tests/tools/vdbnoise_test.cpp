@@ -8,7 +8,7 @@
 #include "solidnoise/volume/make_volume.h"
 #include "solidnoise/volume/vdb_read.h"
 #include "solidnoise/volume/volume_recipe_json.h"
-#include "tools/run_tool.h"
+#include "tools/run_vdbnoise.h"
 
 namespace solidnoise {
 namespace {
@@ -187,6 +187,15 @@ TEST(Vdbnoise, RefusesARecipeWhoseFileChanged) {
         << refused.err;
   }
   run_well({"--recipe", folder.file("a.vdb"), "--shape", shape, "--out", folder.file("c.vdb")});
+}
+
+TEST(Vdbnoise, WritesARecipeWithoutMakingItsVolume) {
+  const TemporaryFolder folder;
+  const ToolResult result =
+      run_vdbnoise({"--raw", "--dim", "100000", "--write-recipe", folder.file("a.json")});
+  EXPECT_EQ(result.status, 0) << "more voxels than fit into memory: " << result.err;
+  EXPECT_EQ(result.err, "");
+  EXPECT_EQ(volume_recipe_from_json(parse_json(folder.read("a.json"))).dim, 100000);
 }
 
 TEST(Vdbnoise, EveryPresetIsListedAndMakesAVolume) {

@@ -30,7 +30,8 @@ int run_tool(const char* tool, const std::function<int()>& run) {
     std::cout << requested.text << std::flush;
     return kDone;
   } catch (const UsageError& error) {
-    std::cerr << tool << ": " << one_line(error.what()) << "\nTry " << tool << " --help\n";
+    const std::string command = error.command().empty() ? tool : error.command();
+    std::cerr << tool << ": " << one_line(error.what()) << "\nTry " << command << " --help\n";
     return kWrongUsage;
   } catch (const Cancelled&) {
     std::cerr << tool << ": interrupted; nothing is written\n";
@@ -41,6 +42,14 @@ int run_tool(const char* tool, const std::function<int()>& run) {
   } catch (const std::exception& error) {
     std::cerr << tool << ": " << one_line(error.what()) << '\n';
     return kFailed;
+  }
+}
+
+int run_command(const std::string& command, const std::function<int()>& run) {
+  try {
+    return run();
+  } catch (const UsageError& error) {
+    throw UsageError(error.what(), command);
   }
 }
 

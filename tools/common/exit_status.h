@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
 namespace solidnoise {
 
@@ -13,5 +14,8 @@ inline constexpr int kInterrupted = 128;  // plus the signal's number, as a shel
 // Runs a tool and maps what it throws to an exit status and one line on the standard error: TextRequested
 // (printed to the standard output), UsageError, Cancelled, any other std::exception.
 int run_tool(const char* tool, const std::function<int()>& run);
+
+// Runs a command of a tool, such as "meshnoise bake", so that a UsageError leads to the command's own --help.
+int run_command(const std::string& command, const std::function<int()>& run);
 
 }  // namespace solidnoise

@@ -1,10 +1,11 @@
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string_view>
-#include <unistd.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 #include <tbb/global_control.h>
 
@@ -19,9 +20,10 @@
 #include "meshnoise/commands.h"
 #include "meshnoise/describe.h"
 #include "meshnoise/mesh_input.h"
+#include "meshnoise/mesh_output.h"
 #include "meshnoise/mesh_preview.h"
 #include "meshnoise/recipe_source.h"
-#include "solidnoise/geometry/write_mesh.h"
+#include "solidnoise/image/image_file.h"
 #include "solidnoise/mesh/bake_mesh.h"
 #include "solidnoise/mesh/bake_recipe_json.h"
 
@@ -85,17 +87,12 @@ void check_outputs(const BakeOptions& options) {
   if (options.out == "-" && options.write_recipe == "-") {
     throw UsageError("--out and --write-recipe cannot both be the standard output");
   }
-  if (options.out == "-" && isatty(STDOUT_FILENO) != 0) {
-    throw UsageError("--out is -, and the standard output is a terminal; send it to a file or a program");
-  }
-  if (!options.out.empty() && options.out != "-" && mesh_format(options.out) == MeshFormat::stl) {
-    throw UsageError(
-        fmt::format("--out is {}; .stl holds no colours: use .ply, .obj, .off or .om", options.out));
+  if (!options.out.empty()) require_mesh_name(options.out);
+  if (!options.keep.empty() && !holds_numbers(options.out)) {
+    throw UsageError("--keep has no effect where --out is no .ply, which alone holds such numbers");
   }
   if (!options.preview.empty()) require_preview(options.preview);
-  for (const std::string* path : {&options.out, &options.preview, &options.write_recipe}) {
-    if (!path->empty()) require_output(*path, options.existing);
-  }
+  require_outputs({options.out, options.preview, options.write_recipe}, options.existing);
 }
 
 void print_plan(const BakePlan& plan, const std::string& steered_by) {
@@ -123,12 +120,7 @@ void write_baked(const BakedMesh& baked, const BakeOptions& options, std::vector
   write.comments = std::move(comments);
   write.existing = options.existing;
   write.progress = progress;
-  if (options.out == "-") {
-    write_output("-", {.progress = progress},
-                 [&](std::ostream& stream) { write_mesh(stream, MeshFormat::ply, baked.mesh, write); });
-  } else {
-    write_mesh(options.out, baked.mesh, write);
-  }
+  write_output_mesh(options.out, baked.mesh, write);
 }
 
 // Those of an earlier bake are replaced by ours.
@@ -147,10 +139,29 @@ std::string steering_name(const Steering& steering) {
              : std::string(name_of(kSteeringChoices, steering.source));
 }
 
+MeshReading read_mesh_to_bake(const std::string& in, const BakeOptions& options) {
+  MeshReading reading = read_input_mesh(in, options.quiet ? Notes::keep_quiet : Notes::print);
+  const Steering& by = options.recipe.by;
+  const bool by_attribute = options.recipe.steers() && by.source == SteeringSource::attribute;
+  if (!by_attribute || reading.mesh.property(by.attribute)) return reading;
+  std::vector<std::string> names;
+  for (const VertexProperty& property : reading.mesh.properties) names.push_back(property.name);
+  throw std::runtime_error(
+      fmt::format("{}: --by is {}; its vertices have {}", in, by.attribute,
+                  names.empty() ? "no numbers" : fmt::format("{}", fmt::join(names, ", "))));
+}
+
+void write_recipe(const BakeOptions& options) {
+  if (!options.write_recipe.empty()) {
+    write_text_file(options.write_recipe, format_json(to_json(options.recipe)));
+  }
+}
+
 void bake_file(const std::string& in, const BakeOptions& options) {
   check_outputs(options);
   catch_interrupts();
-  const MeshReading reading = read_input_mesh(in, options.quiet ? Notes::keep_quiet : Notes::print);
+  const MeshReading reading = read_mesh_to_bake(in, options);
+  if (options.out.empty() && options.preview.empty()) return write_recipe(options);
   const BakePlan plan = plan_bake(reading.mesh, options.recipe);
   if (!options.quiet) print_plan(plan, steering_name(options.recipe.by));
 
@@ -159,14 +170,14 @@ void bake_file(const std::string& in, const BakeOptions& options) {
   progress.begin("noise");
   const BakedMesh baked = bake(plan, options.recipe, options.keep, &progress);
   progress.begin("writing");
+  std::optional<Image> preview;
+  if (!options.preview.empty()) {
+    preview = render_mesh_preview(baked.mesh, baked.normals, baked.colors, options.recipe.up);
+  }
   throw_if_cancelled(&progress);
   if (!options.out.empty()) write_baked(baked, options, foreign_comments(reading.comments), &progress);
-  if (!options.preview.empty()) {
-    write_mesh_preview(options.preview, baked.mesh, baked.normals, baked.colors, options.recipe.up);
-  }
-  if (!options.write_recipe.empty()) {
-    write_text_file(options.write_recipe, format_json(to_json(options.recipe)));
-  }
+  if (preview) write_image(options.preview, *preview);
+  write_recipe(options);
   if (options.quiet) return;
   std::cerr << fmt::format("{}: {} vertices, {} faces\nmin {:.6g}  max {:.6g}  mean {:.6g}  sigma {:.6g}\n",
                            options.out.empty() ? options.preview : options.out, baked.mesh.positions.size(),
@@ -194,13 +205,14 @@ int run_bake(const std::vector<std::string>& arguments) {
     flags.apply();
     check_consistency(flags, options.recipe);
     options.recipe.validate();
+    require_keepable(options.keep, options.recipe);
     std::unique_ptr<tbb::global_control> threads;
     if (options.threads > 0) {
       threads = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
                                                       static_cast<std::size_t>(options.threads));
     }
     if (options.task == BakeOptions::Task::describe) {
-      const MeshReading reading = read_input_mesh(in, options.quiet ? Notes::keep_quiet : Notes::print);
+      const MeshReading reading = read_mesh_to_bake(in, options);
       std::cout << format_json(describe_bake(plan_bake(reading.mesh, options.recipe), options.recipe));
     } else {
       bake_file(in, options);

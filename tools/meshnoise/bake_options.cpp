@@ -1,5 +1,6 @@
 #include "meshnoise/bake_options.h"
 
+#include <algorithm>
 #include <sstream>
 #include <stdexcept>
 
@@ -24,7 +25,12 @@ ParameterRange parse_range(const std::string& flag, const std::string& text) {
     const double value = parse_number(flag, text);
     return {value, value};
   }
-  return {parse_number(flag, text.substr(0, dots)), parse_number(flag, text.substr(dots + 2))};
+  try {
+    return {parse_number(flag, text.substr(0, dots)), parse_number(flag, text.substr(dots + 2))};
+  } catch (const UsageError&) {
+    throw UsageError(fmt::format(
+        "{} is {}; it must be a number, or two with dots between them, such as 4..32", flag, text));
+  }
 }
 
 // An attribute is any other word.
@@ -46,16 +52,25 @@ void set_refine(RefineRecipe& refine, const std::string& text) {
   } else if (text == "auto") {
     refine.mode = RefineRecipe::Mode::automatic;
   } else {
+    const bool is_number = !text.empty() && text.find_first_not_of("+-0123456789") == std::string::npos;
+    if (!is_number) {
+      throw UsageError(fmt::format("--refine is {}; it must be auto, off or a number of rounds",
+                                   text.empty() ? "empty" : text));
+    }
     refine.mode = RefineRecipe::Mode::rounds;
     refine.rounds = parse_integer("--refine", text);
   }
 }
 
-std::vector<std::string> split(const std::string& text) {
-  std::vector<std::string> words;
+std::vector<std::string> parse_names(const std::string& flag, const std::string& text) {
+  std::vector<std::string> names;
   std::istringstream stream(text);
-  for (std::string word; std::getline(stream, word, ',');) words.push_back(word);
-  return words;
+  for (std::string name; std::getline(stream, name, ',');) names.push_back(name);
+  if (names.empty() || std::count(names.begin(), names.end(), "") > 0) {
+    throw UsageError(fmt::format("{} is {}; it must be names with commas between them", flag,
+                                 text.empty() ? "empty" : text));
+  }
+  return names;
 }
 
 void declare_output(FlagSet& flags, BakeOptions& options) {
@@ -68,7 +83,7 @@ void declare_output(FlagSet& flags, BakeOptions& options) {
   flags.text(
       "--keep", "NAMES",
       fmt::format("Numbers to put into a .ply, with commas between: {}", fmt::join(keepable_names(), ", ")),
-      [&](const std::string& text) { options.keep = split(text); });
+      [&](const std::string& text) { options.keep = parse_names("--keep", text); });
 }
 
 void declare_recipes(FlagSet& flags, BakeOptions& options) {
@@ -145,11 +160,13 @@ void declare_steering(FlagSet& flags, BakeRecipe& recipe) {
              fmt::format("{}, or the name of a number of the vertices (default mean-curvature)",
                          fmt::join(names_of(kSteeringChoices), ", ")),
              [&](const std::string& text) { set_source(recipe.by, text); });
-  flags.numbers("--percentiles", "LOW HIGH", 2, "The vertices that get the ends of a range (default 5 95)",
-                [&](const std::vector<double>& v) {
-                  recipe.by.low_percentile = v[0];
-                  recipe.by.high_percentile = v[1];
-                });
+  flags.numbers(
+      "--percentiles", "LOW HIGH", 2,
+      "Shares of the surface, percent, below which and above which a range is at its ends (default 5 95)",
+      [&](const std::vector<double>& v) {
+        recipe.by.low_percentile = v[0];
+        recipe.by.high_percentile = v[1];
+      });
   flags.number("--gamma", "EXPONENT", "Of the weight between the ends (default 1)",
                [&](double value) { recipe.by.gamma = value; });
   flags.integer("--smooth", "ROUNDS", "Smoothing of the curvature (default 2)",

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "common/exit_status.h"
 #include "common/flag_set.h"
 #include "common/usage_error.h"
 
@@ -22,9 +23,9 @@ int run_meshnoise(const std::vector<std::string>& arguments) {
   if (arguments.empty()) throw UsageError("a command is missing; it must be bake, curvature or info");
   const std::vector<std::string> rest(arguments.begin() + 1, arguments.end());
   const std::string& command = arguments[0];
-  if (command == "bake") return run_bake(rest);
-  if (command == "curvature") return run_curvature(rest);
-  if (command == "info") return run_info(rest);
+  if (command == "bake") return run_command("meshnoise bake", [&] { return run_bake(rest); });
+  if (command == "curvature") return run_command("meshnoise curvature", [&] { return run_curvature(rest); });
+  if (command == "info") return run_command("meshnoise info", [&] { return run_info(rest); });
   if (command == "--list-presets") return run_bake(arguments);
   if (command == "--help" || command == "-h") throw TextRequested{kHelp};
   if (command == "--version") throw TextRequested{std::string(kMeshnoise) + "\n"};

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <iostream>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -14,8 +15,9 @@
 #include "common/usage_error.h"
 #include "meshnoise/commands.h"
 #include "meshnoise/mesh_input.h"
+#include "meshnoise/mesh_output.h"
 #include "meshnoise/mesh_preview.h"
-#include "solidnoise/geometry/write_mesh.h"
+#include "solidnoise/image/image_file.h"
 #include "solidnoise/mesh/bake_recipe_json.h"
 #include "solidnoise/mesh/show_curvature.h"
 
@@ -39,12 +41,13 @@ int run_curvature(const std::vector<std::string>& arguments) {
   FlagSet flags("meshnoise curvature", kDescription);
   flags.argument("IN", "The mesh: .ply, .obj, .off, .stl or .om", in);
   flags.group("Flags");
-  keep(flags, "--out", "FILE", "Where the mesh goes: .ply, .obj, .off or .om", out);
+  keep(flags, "--out", "FILE",
+       "Where the mesh goes: .ply, .obj, .off or .om; - for a .ply on the standard output", out);
   keep(flags, "--preview", "FILE.png", "A picture of the mesh in its colours, rendered by Embree", preview);
   flags.choice("--by", names_of(kSteeringChoices), "What the colours show (default mean-curvature)",
                [&](std::size_t index) { recipe.by.source = kSteeringChoices[index].value; });
   flags.numbers("--percentiles", "LOW HIGH", 2,
-                "The vertices that get the ends of the colours (default 5 95)",
+                "Shares of the surface, percent, beyond which colours are at their ends (default 5 95)",
                 [&](const std::vector<double>& v) {
                   recipe.by.low_percentile = v[0];
                   recipe.by.high_percentile = v[1];
@@ -67,18 +70,22 @@ int run_curvature(const std::vector<std::string>& arguments) {
   }
   if (out.empty() && preview.empty())
     throw UsageError("--out is missing; say where the mesh goes: --out c.ply");
+  if (!out.empty()) require_mesh_name(out);
   if (!preview.empty()) require_preview(preview);
-  for (const std::string* path : {&out, &preview}) {
-    if (!path->empty()) require_output(*path, existing);
-  }
+  require_outputs({out, preview}, existing);
 
   catch_interrupts();
   const MeshReading reading = read_input_mesh(in, quiet ? Notes::keep_quiet : Notes::print);
   TaskProgress progress(ProgressBar::Visibility::hidden);
   const ShownCurvature shown = show_curvature(reading.mesh, recipe);
-  if (!out.empty())
-    write_mesh(out, shown.mesh, {.comments = {kMeshnoise}, .existing = existing, .progress = &progress});
-  if (!preview.empty()) write_mesh_preview(preview, shown.mesh, shown.normals, shown.colors, recipe.up);
+  std::optional<Image> picture;
+  if (!preview.empty()) picture = render_mesh_preview(shown.mesh, shown.normals, shown.colors, recipe.up);
+  throw_if_cancelled(&progress);
+  if (!out.empty()) {
+    write_output_mesh(out, shown.mesh,
+                      {.comments = {kMeshnoise}, .existing = existing, .progress = &progress});
+  }
+  if (picture) write_image(preview, *picture);
   if (!quiet) {
     std::cerr << fmt::format("{}: {} vertices, {:.4g} to {:.4g}, colours from {:.4g} to {:.4g}\n",
                              out.empty() ? preview : out, shown.mesh.positions.size(), shown.steering.least,

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <filesystem>
 #include <span>
 #include <string>
 
+#include "solidnoise/core/image.h"
 #include "solidnoise/core/up_axis.h"
 #include "solidnoise/core/vec.h"
 #include "solidnoise/geometry/polygon_mesh.h"
@@ -15,8 +15,8 @@ namespace solidnoise {
 // without Embree.
 void require_preview(const std::string& path);
 
-// Renders a mesh in its vertices' colours (linear light) into a .png.
-void write_mesh_preview(const std::filesystem::path& path, const PolygonMesh& mesh,
-                        std::span<const Vec<3>> normals, std::span<const Color> colors, UpAxis up);
+// A picture of a mesh in its vertices' colours (linear light).
+Image render_mesh_preview(const PolygonMesh& mesh, std::span<const Vec<3>> normals,
+                          std::span<const Color> colors, UpAxis up);
 
 }  // namespace solidnoise

@@ -88,9 +88,7 @@ void check_outputs(const MakeOptions& options) {
   if (options.out == "-" && isatty(STDOUT_FILENO) != 0) {
     throw UsageError("--out is -, and the standard output is a terminal; send it to a file or a program");
   }
-  for (const std::string* path : {&options.out, &options.preview, &options.write_recipe}) {
-    if (!path->empty()) require_output(*path, options.existing);
-  }
+  require_outputs({options.out, options.preview, options.write_recipe}, options.existing);
 }
 
 void check_memory(const MakeOptions& options, const VolumePlan& plan) {
@@ -129,6 +127,13 @@ void print_statistics(const MeasuredGrid& measured, const std::string& where) {
   }
 }
 
+void write_recipe(const MakeOptions& options, const VolumePlan& plan) {
+  if (options.write_recipe.empty()) return;
+  VolumeRecipe recipe = options.recipe;
+  recipe.shape = plan.shape;
+  write_text_file(options.write_recipe, format_json(to_json(recipe)));
+}
+
 void make(const MakeOptions& options) {
   check_outputs(options);
   catch_interrupts();
@@ -138,6 +143,7 @@ void make(const MakeOptions& options) {
                                                     static_cast<std::size_t>(options.threads));
   }
   const VolumePlan plan = plan_volume(options.recipe);
+  if (options.out.empty() && options.preview.empty()) return write_recipe(options, plan);
   check_memory(options, plan);
   if (!options.quiet) warn_of_aliasing(options.recipe, plan);
 
@@ -166,11 +172,7 @@ void make(const MakeOptions& options) {
     }
     if (preview) write_image(options.preview, *preview);
   }
-  if (!options.write_recipe.empty()) {
-    VolumeRecipe recipe = options.recipe;
-    recipe.shape = plan.shape;
-    write_text_file(options.write_recipe, format_json(to_json(recipe)));
-  }
+  write_recipe(options, plan);
   if (options.quiet) return;
   for (const MeasuredGrid& measured : volume.grids) {
     print_statistics(measured, options.out.empty() ? options.preview : options.out);

@@ -63,9 +63,13 @@ double mean_cycles_per_edge(const PolygonMesh& mesh, const VertexNumber& frequen
   return mesh.corners.empty() ? 0.0 : sum / static_cast<double>(mesh.corners.size());
 }
 
+// What a keepable number needs of the recipe.
+enum class Needs { nothing, steering, directions };
+
 // What can be kept: a name, and the numbers of all vertices under one or more property names.
 struct Keepable {
   std::string_view name;
+  Needs needs;
   std::function<std::vector<VertexProperty>(const BakePlan&)> properties;
 };
 
@@ -77,43 +81,33 @@ VertexProperty property_of(std::string name, std::size_t count,
 }
 
 Keepable parameter(std::string_view name, VertexNumber VertexParameters::*member) {
-  return {name, [=](const BakePlan& plan) {
+  return {name, Needs::nothing, [=](const BakePlan& plan) {
             const VertexNumber& number = plan.parameters.*member;
             return std::vector{property_of(std::string(name), plan.mesh.positions.size(),
                                            [&](std::size_t i) { return at(number, i); })};
           }};
 }
 
-template <typename Numbers>
-void require_any(std::string_view name, const Numbers& numbers, std::string_view why) {
-  if (!numbers.empty()) return;
-  throw std::invalid_argument(fmt::format("{} cannot be kept: {}", name, why));
-}
-
 const std::vector<Keepable>& keepables() {
-  constexpr std::string_view kNothingSteers = "no parameter is a range";
   static const std::vector<Keepable> all{
       parameter("frequency", &VertexParameters::frequency),
       parameter("bandwidth", &VertexParameters::bandwidth),
       parameter("magnitude", &VertexParameters::magnitude),
       parameter("bias", &VertexParameters::bias),
-      {"weight",
-       [=](const BakePlan& plan) {
+      {"weight", Needs::steering,
+       [](const BakePlan& plan) {
          const auto& weights = plan.guides.steering.weights;
-         require_any("weight", weights, kNothingSteers);
          return std::vector{property_of("weight", weights.size(), [&](std::size_t i) { return weights[i]; })};
        }},
-      {"steering",
-       [=](const BakePlan& plan) {
+      {"steering", Needs::steering,
+       [](const BakePlan& plan) {
          const auto& numbers = plan.guides.numbers;
-         require_any("steering", numbers, kNothingSteers);
          return std::vector{
              property_of("steering", numbers.size(), [&](std::size_t i) { return numbers[i]; })};
        }},
-      {"direction",
+      {"direction", Needs::directions,
        [](const BakePlan& plan) {
          const auto& directions = plan.guides.directions;
-         require_any("direction", directions, "the noise is not oriented");
          std::vector<VertexProperty> properties;
          for (int axis = 0; axis < 3; ++axis) {
            properties.push_back(property_of(fmt::format("direction_{}", "xyz"[axis]), directions.size(),
@@ -125,20 +119,28 @@ const std::vector<Keepable>& keepables() {
   return all;
 }
 
-void keep_property(const BakePlan& plan, const std::string& name, PolygonMesh& mesh) {
+const Keepable& find_keepable(const std::string& name) {
   for (const Keepable& keepable : keepables()) {
-    if (keepable.name != name) continue;
-    for (VertexProperty& property : keepable.properties(plan)) mesh.set_property(std::move(property));
-    return;
+    if (keepable.name == name) return keepable;
   }
   throw std::invalid_argument(
       fmt::format("keep is {}; it must be one of {}", name, fmt::join(keepable_names(), ", ")));
 }
 
+// Normals between those of the edges' ends. The normals of what is cut up would be those of flat faces, and
+// the noise of the tangent plane would jump from face to face.
+void carry_normals(const RefinedMesh& refined, std::vector<Vec<3>>& normals) {
+  constexpr double kShortest = 1e-6;  // of the sum of two: they are opposite
+  normals.reserve(normals.size() + refined.edges.size());
+  for (const auto& [a, b] : refined.edges) {
+    const Vec<3> sum = normals[a] + normals[b];
+    normals.push_back(glm::length(sum) > kShortest ? glm::normalize(sum) : normals[a]);
+  }
+}
+
 // What is measured on a mesh, for the mesh that is made of it by halving edges.
 VertexGuides carry(const RefinedMesh& refined, VertexGuides guides) {
-  const SurfaceMesh surface(refined.mesh);
-  guides.normals = surface.to_vertices(surface.normals());
+  carry_normals(refined, guides.normals);
   if (!guides.directions.empty()) guides.directions = refined.carry_lines(std::move(guides.directions));
   if (guides.numbers.empty()) return guides;
   guides.steering.weights = refined.carry(std::move(guides.steering.weights));
@@ -190,12 +192,29 @@ std::vector<std::string_view> keepable_names() {
   return names;
 }
 
+void require_keepable(const std::vector<std::string>& names, const BakeRecipe& recipe) {
+  for (const std::string& name : names) {
+    const Needs needs = find_keepable(name).needs;
+    if (needs == Needs::steering && !recipe.steers()) {
+      throw std::invalid_argument(
+          fmt::format("keep is {}; there is none where no parameter is a range", name));
+    }
+    if (needs == Needs::directions && recipe.noise.kind != SurfaceNoiseKind::oriented) {
+      throw std::invalid_argument(fmt::format("keep is {}; only oriented noise has one", name));
+    }
+  }
+}
+
 BakedMesh bake(const BakePlan& plan, const BakeRecipe& recipe, const std::vector<std::string>& keep,
                Progress* progress) {
+  require_keepable(keep, recipe);
   BakedMesh baked;
   baked.mesh = plan.mesh;
   baked.normals = plan.guides.normals;
-  for (const std::string& name : keep) keep_property(plan, name, baked.mesh);
+  for (const std::string& name : keep) {
+    for (VertexProperty& property : find_keepable(name).properties(plan))
+      baked.mesh.set_property(std::move(property));
+  }
 
   BakeVertices vertices;
   vertices.positions = plan.mesh.positions;

@@ -45,8 +45,12 @@ struct BakedMesh {
 // steers, 0 to 1), steering (the number that it is made of), direction (as direction_x, _y, _z).
 std::vector<std::string_view> keepable_names();
 
+// Throws std::invalid_argument if one of the names is not keepable, or not there with this recipe: no
+// parameter is a range, the noise is not oriented.
+void require_keepable(const std::vector<std::string>& names, const BakeRecipe& recipe);
+
 // Bakes the noise, at rest positions, in parallel. `keep` names what else the mesh shall have. Throws
-// std::invalid_argument for a name that cannot be kept or is not there; Cancelled.
+// std::invalid_argument: require_keepable(); Cancelled.
 BakedMesh bake(const BakePlan& plan, const BakeRecipe& recipe, const std::vector<std::string>& keep = {},
                Progress* progress = nullptr);
 

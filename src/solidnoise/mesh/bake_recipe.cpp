@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 
 #include "solidnoise/core/check.h"
@@ -20,8 +21,8 @@ void require_range(std::string_view field, const ParameterRange& range, double l
 
 void refuse_variation(std::string_view field, const ParameterRange& range) {
   if (!range.varies()) return;
-  throw std::invalid_argument(std::string(field) + " is a range; this noise has one " + std::string(field) +
-                              " for all vertices");
+  throw std::invalid_argument(fmt::format("{} is {}..{}; this noise has one {} for all vertices", field,
+                                          range.from, range.to, field));
 }
 
 }  // namespace

@@ -22,10 +22,10 @@ double percentile(std::span<const double> sorted, double percent) {
 }  // namespace
 
 void Steering::validate() const {
-  require_in_range("low_percentile", low_percentile, 0.0, 100.0);
-  require_in_range("high_percentile", high_percentile, 0.0, 100.0);
+  require_in_range("percentiles", low_percentile, 0.0, 100.0);
+  require_in_range("percentiles", high_percentile, 0.0, 100.0);
   if (low_percentile >= high_percentile) {
-    throw std::invalid_argument(fmt::format("low_percentile is {}; it must be less than high_percentile, {}",
+    throw std::invalid_argument(fmt::format("percentiles is {} {}; the first must be less than the second",
                                             low_percentile, high_percentile));
   }
   require_positive("gamma", gamma);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "common/usage_error.h"
-#include "solidnoise/image/image_file.h"
 #include "solidnoise/render/render_mesh.h"
 
 namespace solidnoise {
@@ -12,9 +11,9 @@ void require_preview(const std::string& path) {
   if (!path.ends_with(".png")) throw UsageError(fmt::format("--preview is {}; it must end in .png", path));
 }
 
-void write_mesh_preview(const std::filesystem::path& path, const PolygonMesh& mesh,
-                        std::span<const Vec<3>> normals, std::span<const Color> colors, UpAxis up) {
-  write_image(path, render_mesh(mesh, normals, colors, {.up = up}));
+Image render_mesh_preview(const PolygonMesh& mesh, std::span<const Vec<3>> normals,
+                          std::span<const Color> colors, UpAxis up) {
+  return render_mesh(mesh, normals, colors, {.up = up});
 }
 
 }  // namespace solidnoise

@@ -9,9 +9,8 @@ void require_preview(const std::string&) {
       "again");
 }
 
-void write_mesh_preview(const std::filesystem::path& path, const PolygonMesh&, std::span<const Vec<3>>,
-                        std::span<const Color>, UpAxis) {
-  require_preview(path.string());
+Image render_mesh_preview(const PolygonMesh&, std::span<const Vec<3>>, std::span<const Color>, UpAxis) {
+  return {};
 }
 
 }  // namespace solidnoise

@@ -1,0 +1,143 @@
+#include <chrono>
+#include <csignal>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "meshnoise/run_meshnoise.h"
+#include "meshnoise/sample_torus.h"
+
+namespace solidnoise {
+namespace {
+
+using namespace std::chrono_literals;
+
+const std::set<std::string> kInputOnly{"in.ply"};
+
+// The noise takes minutes, in hundreds of batches.
+TEST(MeshnoiseInterrupt, WhileBakingLeavesNothing) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const TemporaryFolder folder;
+    write_sample(folder, "in.ply", sample_torus(40));
+    RunningTool tool(SOLIDNOISE_MESHNOISE,
+                     {"bake", "in.ply", "--out", "x.ply", "--preview", "x.png", "--frequency", "300",
+                      "--impulses", "20000", "--error", "0.001", "--octaves", "8"},
+                     {.folder = folder.path()});
+    tool.wait_until_it_catches(signal);
+    std::this_thread::sleep_for(200ms);  // into the noise
+    tool.send(signal);
+    const ToolResult result = tool.wait();
+    EXPECT_EQ(result.status, 128 + signal) << result.err;
+    EXPECT_NE(result.err.find("interrupted"), std::string::npos) << result.err;
+    EXPECT_EQ(folder.names(), kInputOnly);
+  }
+}
+
+// Some 300000 vertices as text, which take longer to write than to notice the file.
+TEST(MeshnoiseInterrupt, WhileWritingLeavesNothing) {
+  const TemporaryFolder folder;
+  write_sample(folder, "in.ply", sample_torus(44));
+  RunningTool tool(SOLIDNOISE_MESHNOISE,
+                   {"bake", "in.ply", "--out", "x.off", "--noise", "kensler", "--octaves", "1", "--bias", "0",
+                    "--refine", "3"},
+                   {.folder = folder.path()});
+  const auto give_up = std::chrono::steady_clock::now() + 60s;
+  while (folder.names() == kInputOnly && std::chrono::steady_clock::now() < give_up)
+    std::this_thread::sleep_for(1ms);
+  ASSERT_NE(folder.names(), kInputOnly) << "no temporary file was seen";
+  ASSERT_EQ(folder.names().count("x.off"), 0u) << "the file must not have its name before it is whole";
+  tool.send(SIGINT);
+  const ToolResult result = tool.wait();
+  EXPECT_EQ(result.status, 128 + SIGINT) << result.err;
+  EXPECT_EQ(folder.names(), kInputOnly);
+}
+
+// Runs on a disk with room for `bytes` per file.
+ToolResult run_on_full_disk(const TemporaryFolder& folder, long bytes,
+                            const std::vector<std::string>& arguments) {
+  return run_meshnoise(arguments, {.folder = folder.path(), .file_size_limit = bytes});
+}
+
+TEST(MeshnoiseFullDisk, IsReportedAndLeavesNothing) {
+  for (const std::string command : {"bake", "curvature"}) {
+    for (const std::string out : {"x.ply", "x.obj", "x.off", "x.om"}) {
+      const TemporaryFolder folder;
+      write_sample(folder, "in.ply", sample_torus());
+      const ToolResult result = run_on_full_disk(folder, 2000, {command, "in.ply", "--out", out});
+      EXPECT_EQ(result.status, 1);
+      EXPECT_NE(result.err.find(out), std::string::npos) << result.err;
+      EXPECT_EQ(folder.names(), kInputOnly);
+    }
+  }
+}
+
+TEST(MeshnoiseFullDisk, KeepsTheFileThatWasThere) {
+  const TemporaryFolder folder;
+  write_sample(folder, "in.ply", sample_torus());
+  const std::string before = folder.read("in.ply");
+  const ToolResult result = run_on_full_disk(folder, 2000, {"bake", "in.ply", "--force", "--out", "in.ply"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_TRUE(folder.read("in.ply") == before);
+  EXPECT_EQ(folder.names(), kInputOnly);
+}
+
+TEST(MeshnoiseFullDisk, OfARecipeOrAPreviewLeavesNothing) {
+  const TemporaryFolder folder;
+  write_sample(folder, "in.ply", sample_torus());
+  const ToolResult recipe =
+      run_on_full_disk(folder, 64, {"bake", "in.ply", "--quiet", "--write-recipe", "x.json"});
+  EXPECT_EQ(recipe.status, 1);
+  EXPECT_NE(recipe.err.find("x.json"), std::string::npos) << recipe.err;
+  EXPECT_EQ(folder.names(), kInputOnly);
+  if (!SOLIDNOISE_PREVIEWS) GTEST_SKIP() << "built without Embree";
+  const ToolResult preview =
+      run_on_full_disk(folder, 64, {"bake", "in.ply", "--quiet", "--preview", "x.png"});
+  EXPECT_EQ(preview.status, 1);
+  EXPECT_NE(preview.err.find("x.png"), std::string::npos) << preview.err;
+  EXPECT_EQ(folder.names(), kInputOnly);
+}
+
+TEST(MeshnoiseFullDisk, OfTheStandardOutputIsReported) {
+  const TemporaryFolder folder;
+  write_sample(folder, "in.ply", sample_torus());
+  for (const std::string command : {"bake", "curvature"}) {
+    const ToolResult result = run_meshnoise({command, "in.ply", "--out", "-"},
+                                            {.folder = folder.path(), .standard_output = "/dev/full"});
+    EXPECT_EQ(result.status, 1);
+    EXPECT_NE(result.err.find("standard output"), std::string::npos) << result.err;
+  }
+}
+
+// Damaged files end in a message, never in a signal. The damage is fixed: 12 cuts, 12 flipped bits.
+TEST(MeshnoiseDamagedInput, IsRefusedOrRead) {
+  for (const std::string format : {"ply", "obj", "off", "om"}) {
+    const TemporaryFolder folder;
+    write_sample(folder, "whole." + format, sample_torus(6));
+    const std::string whole = folder.read("whole." + format);
+    const std::string name = "damaged." + format;
+    for (std::size_t i = 0; i < 12; ++i) {
+      folder.write(name, whole.substr(0, whole.size() * i / 12));
+      const ToolResult cut = run_meshnoise({"bake", name, "--out", "x.ply"}, {.folder = folder.path()});
+      if (format != "obj" || i == 0) {  // other parts of an OBJ may be meshes
+        EXPECT_EQ(cut.status, 1) << format << " cut at " << i << "/12: " << cut.err;
+        EXPECT_NE(cut.err.find(name), std::string::npos) << cut.err;
+      }
+      EXPECT_EQ(cut.signal, 0) << format << " cut at " << i << "/12";
+
+      std::string flipped = whole;
+      flipped[whole.size() * (2 * i + 1) / 24] ^= static_cast<char>(1 << (i % 8));
+      folder.write(name, flipped);
+      const ToolResult flip =
+          run_meshnoise({"bake", name, "--force", "--out", "x.ply"}, {.folder = folder.path()});
+      EXPECT_EQ(flip.signal, 0) << format << " flipped at " << i << "/12";
+      EXPECT_TRUE(flip.status == 0 || flip.err.find(name) != std::string::npos) << flip.err;
+      std::filesystem::remove(folder.file("x.ply"));
+    }
+    EXPECT_EQ(folder.names(), (std::set<std::string>{"whole." + format, name}));
+  }
+}
+
+}  // namespace
+}  // namespace solidnoise

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tools/run_tool.h"
+
+namespace solidnoise {
+
+inline ToolResult run_meshnoise(const std::vector<std::string>& arguments, const RunOptions& options = {}) {
+  return RunningTool(SOLIDNOISE_MESHNOISE, arguments, options).wait();
+}
+
+}  // namespace solidnoise

@@ -1,0 +1,36 @@
+#include "meshnoise/mesh_output.h"
+
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "common/usage_error.h"
+#include "solidnoise/geometry/mesh_format.h"
+
+namespace solidnoise {
+
+void require_mesh_name(const std::string& out) {
+  if (out == "-") {
+    if (isatty(STDOUT_FILENO) == 0) return;
+    throw UsageError("--out is -, and the standard output is a terminal; send it to a file or a program");
+  }
+  if (!is_mesh_path(out)) {
+    throw UsageError(fmt::format(
+        "--out is {}; it must end in .ply, .obj, .off or .om, or be - for the standard output", out));
+  }
+  if (mesh_format(out) == MeshFormat::stl) {
+    throw UsageError(fmt::format("--out is {}; .stl holds no colours: use .ply, .obj, .off or .om", out));
+  }
+}
+
+bool holds_numbers(const std::string& out) {
+  return out == "-" || (is_mesh_path(out) && mesh_format(out) == MeshFormat::ply);
+}
+
+void write_output_mesh(const std::string& out, const PolygonMesh& mesh, const MeshWriteOptions& options) {
+  if (out != "-") return write_mesh(out, mesh, options);
+  write_output("-", {.progress = options.progress},
+               [&](std::ostream& stream) { write_mesh(stream, MeshFormat::ply, mesh, options); });
+}
+
+}  // namespace solidnoise
