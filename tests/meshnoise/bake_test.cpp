@@ -133,7 +133,7 @@ TEST(Bake, RecipeOfAMeshMakesTheSameBytesAgain) {
       {"--noise", "oriented", "--follow", "max-curvature", "--octaves", "2", "--gamma", "0.5"},
       {"--noise", "kensler", "--frequency", "3.3", "--ramp", "0:#123,0.3:#fed,1:#abcdef", "--contrast",
        "1.3"},
-      {"--noise", "kensler-solid", "--displace", "0.02", "--refine", "1", "--up", "z"},
+      {"--noise", "kensler-solid", "--detail", "1", "--displace", "0.02", "--refine", "1", "--up", "z"},
       {"--frequency", "1..3", "--octaves", "1", "--bandwidth", "0.5..2", "--magnitude", "0.5..1.5", "--by",
        "heat", "--percentiles", "10", "80", "--error", "0.1", "--layer", "0.7", "--refine", "auto"},
   };

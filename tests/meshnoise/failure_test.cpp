@@ -40,8 +40,8 @@ TEST(MeshnoiseInterrupt, WhileWritingLeavesNothing) {
   const TemporaryFolder folder;
   write_sample(folder, "in.ply", sample_torus(44));
   RunningTool tool(SOLIDNOISE_MESHNOISE,
-                   {"bake", "in.ply", "--out", "x.off", "--noise", "kensler", "--octaves", "1", "--bias", "0",
-                    "--refine", "3"},
+                   {"bake", "in.ply", "--out", "x.off", "--noise", "kensler", "--detail", "1", "--octaves",
+                    "1", "--bias", "0", "--refine", "3"},
                    {.folder = folder.path()});
   const auto give_up = std::chrono::steady_clock::now() + 60s;
   while (folder.names() == kInputOnly && std::chrono::steady_clock::now() < give_up)

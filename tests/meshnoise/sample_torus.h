@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <glm/common.hpp>
+
 #include "solidnoise/geometry/polygon_mesh.h"
 #include "solidnoise/geometry/read_mesh.h"
 #include "solidnoise/geometry/write_mesh.h"
@@ -16,7 +18,8 @@ namespace solidnoise {
 // An irregular torus around the y axis, of radii 1 and 0.4, whose positions any format can hold.
 inline PolygonMesh sample_torus(int n = 14) {
   PolygonMesh mesh = torus_mesh(1.0, 0.4, {.n = n, .jitter = 0.3});
-  for (Vec<3>& p : mesh.positions) p = Vec<3>(glm::vec3(p));
+  constexpr double kStep = 0x1p-14;  // of multiples that a float holds
+  for (Vec<3>& p : mesh.positions) p = kStep * glm::round(p / kStep);
   return mesh;
 }
 
