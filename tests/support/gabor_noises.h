@@ -111,7 +111,7 @@ template <int Dim>
 auto impulses_near(const GaborNoise<Dim>& noise, const Vec<Dim>& position, int reach = 1) {
   return impulses_near<Dim>(noise.impulses(), position, reach, [&](std::uint64_t mark) {
     reference::Impulse<Dim> impulse;
-    impulse.weight = GaborNoise<Dim>::weight(mark, noise.options().weights);
+    impulse.weight = noise.weight(mark);
     return impulse;
   });
 }

@@ -60,6 +60,16 @@ void describe_kernel(const GradientNoiseOptions& options, Json& json) {
   for (int axis = 0; axis < Dim; ++axis) json["lattice_spacing"].push_back(spacing[axis]);
 }
 
+// Rates in turns per unit of time, the half-life of the correlation in units of time.
+void describe_evolution(const NoiseRecipe& recipe, Json& json) {
+  for (int k = 0; k < recipe.fractal.octaves; ++k) {
+    const NoiseRecipe octave = octave_of(recipe, k);
+    const Evolution& evolution = *evolution_of(octave);
+    json["octave_rates"].push_back(evolution.rate);
+    json["octave_half_lives"].push_back(evolution_half_life(evolution));
+  }
+}
+
 // The kernel is that of the first octave; the others have theirs, smaller by the lacunarity.
 Json describe_noise(const VolumeRecipe& recipe, double largest_voxel) {
   Json json = Json::object();
@@ -70,6 +80,8 @@ Json describe_noise(const VolumeRecipe& recipe, double largest_voxel) {
   };
   std::visit(by_type, recipe.noise.noise);
   json["octaves"] = recipe.noise.fractal.octaves;
+
+  if (evolves(recipe.noise)) describe_evolution(recipe.noise, json["evolution"]);
 
   const std::shared_ptr<const Noise<3>> noise = make_volume_noise(recipe);
   const auto band = noise->band();

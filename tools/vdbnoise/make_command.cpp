@@ -25,6 +25,7 @@
 #include "vdbnoise/describe.h"
 #include "vdbnoise/make_options.h"
 #include "vdbnoise/recipe_source.h"
+#include "vdbnoise/time_flags.h"
 
 namespace solidnoise {
 namespace {
@@ -202,7 +203,7 @@ int run_make(const std::vector<std::string>& arguments) {
       make(options);
     }
   } catch (const std::invalid_argument& error) {
-    throw UsageError(flags.name_flag(error.what()));
+    throw UsageError(name_loop(flags, flags.name_flag(error.what())));
   }
   return kDone;
 }

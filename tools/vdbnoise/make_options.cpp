@@ -14,6 +14,7 @@
 #include "solidnoise/geometry/mesh_format.h"
 #include "solidnoise/volume/volume_recipe_json.h"
 #include "vdbnoise/grid_flags.h"
+#include "vdbnoise/time_flags.h"
 
 namespace solidnoise {
 namespace {
@@ -71,10 +72,6 @@ void declare_recipes(FlagSet& flags, MakeOptions& options) {
 void declare_noise(FlagSet& flags, VolumeRecipe& recipe) {
   flags.group("Noise");
   declare_noise_flags(flags, recipe.noise);
-  flags.integer("--dims", "3|4", "Dimensions of the noise; 4 for one that changes in time (default 3)",
-                [&](int value) { recipe.dims = value; });
-  flags.number("--time", "TIME", "With --dims 4: the moment to make, in the noise's units (default 0)",
-               [&](double value) { recipe.time = value; });
   flags.numbers("--offset", "X Y Z", 3, "Moves the noise, world units (default 0 0 0)",
                 [&](const std::vector<double>& v) {
                   recipe.offset = {v[0], v[1], v[2]};
@@ -145,6 +142,7 @@ void declare_make_flags(FlagSet& flags, MakeOptions& options) {
   declare_output(flags, options);
   declare_recipes(flags, options);
   declare_noise(flags, options.recipe);
+  declare_time_flags(flags, options.recipe);
   declare_shaping(flags, options.recipe);
   declare_shape(flags, options.recipe);
   declare_run(flags, options);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <optional>
 
 #include <glm/geometric.hpp>
 
@@ -21,17 +23,42 @@ GaborNoiseOptions validated(const GaborNoiseOptions& options) {
   return options;
 }
 
+// Draws the weights of impulses, at the time of an evolution.
+class WeightDraw {
+ public:
+  WeightDraw(ImpulseWeights weights, const Evolution& evolution) : weights_(weights) {
+    if (evolution.moves()) turns_.emplace(evolution);
+  }
+
+  float operator()(std::uint64_t mark) const {
+    if (!turns_) return static_cast<float>(at_rest(mark));
+    const double start = RandomStream(mark).next_unit();
+    const double angle = 2.0 * std::numbers::pi * (start + turns_->at(mark));
+    return static_cast<float>(at_rest(mark) * std::numbers::sqrt2 * std::cos(angle));
+  }
+
+ private:
+  double at_rest(std::uint64_t mark) const {
+    if (weights_ == ImpulseWeights::signs) return mark >> 63 ? 1.0 : -1.0;
+    constexpr double kHalfRange =
+        0x1.0p52;  // of 53 bits, taken at the middle of each step so that the mean is 0
+    return (static_cast<double>(mark >> 11) + 0.5 - kHalfRange) / kHalfRange;
+  }
+
+  ImpulseWeights weights_;
+  std::optional<ImpulseTurns> turns_;
+};
+
 // An isotropic kernel times a random weight.
 class WeightedKernel final : public ImpulseKernel {
  public:
-  WeightedKernel(RadialSum sum, ImpulseWeights weights) : sum_(std::move(sum)), weights_(weights) {}
+  WeightedKernel(RadialSum sum, const WeightDraw& weight) : sum_(std::move(sum)), weight_(weight) {}
 
   CullBox::Support support() const override { return CullBox::Support::ball; }
   int attribute_count() const override { return 1; }
 
   void draw(std::span<const std::uint64_t> marks, ImpulseAttributes& attributes) const override {
-    for (std::size_t i = 0; i < marks.size(); ++i)
-      attributes[0][i] = GaborNoise<3>::weight(marks[i], weights_);
+    for (std::size_t i = 0; i < marks.size(); ++i) attributes[0][i] = weight_(marks[i]);
   }
 
   void sum(const ImpulseList& list, const SampleBrick& brick, Derivatives derivatives,
@@ -45,17 +72,14 @@ class WeightedKernel final : public ImpulseKernel {
 
  private:
   RadialSum sum_;
-  ImpulseWeights weights_;
+  WeightDraw weight_;
 };
 
 }  // namespace
 
 template <int Dim>
-float GaborNoise<Dim>::weight(std::uint64_t mark, ImpulseWeights weights) {
-  if (weights == ImpulseWeights::signs) return mark >> 63 ? 1.0f : -1.0f;
-  constexpr double kHalfRange =
-      0x1.0p52;  // of 53 bits, taken at the middle of each step so that the mean is 0
-  return static_cast<float>((static_cast<double>(mark >> 11) + 0.5 - kHalfRange) / kHalfRange);
+float GaborNoise<Dim>::weight(std::uint64_t mark) const {
+  return WeightDraw(options_.weights, options_.evolution)(mark);
 }
 
 template <int Dim>
@@ -64,7 +88,8 @@ GaborNoise<Dim>::GaborNoise(const GaborNoiseOptions& options)
       kernel_(IsotropicGaborKernel<Dim>::with_unit_peak(
           options.frequency, gaussian_parameter(options.frequency, options.bandwidth))),
       compact_(solidnoise::compact_kernel(kernel_, options.error)) {
-  const WeightMoments weights = weight_moments(options.weights);
+  const WeightMoments at_rest = weight_moments(options.weights);
+  const WeightMoments weights = options.evolution.moves() ? turning(at_rest) : at_rest;
   const KernelMoments moments{compact_.energy(), compact_.fourth_moment()};
   impulses_ = options.impulses > 0.0 ? options.impulses
                                      : impulses_for_quality(Dim, compact_.radius(), moments, weights);
@@ -76,7 +101,8 @@ GaborNoise<Dim>::GaborNoise(const GaborNoiseOptions& options)
   convolution_ = std::make_shared<SparseConvolution<Dim>>(
       ImpulseProcess<Dim>(cells.axes, density_ * cells.volume, derive_seed(options.seed, kImpulseStream)),
       std::make_shared<WeightedKernel>(
-          RadialSum{support_scale<Dim>(cells.radius), to_single_precision(compact_)}, options.weights),
+          RadialSum{support_scale<Dim>(cells.radius), to_single_precision(compact_)},
+          WeightDraw(options.weights, options.evolution)),
       cells.radius, amplitude);
 }
 

@@ -52,9 +52,10 @@ class GaborNoise final : public Noise<Dim> {
   double excess_kurtosis() const override { return excess_kurtosis_; }
   typename Noise<Dim>::Band band() const override;
 
-  // The impulses that the noise sums, and the weight of one: for whoever sums them in another way.
+  // The impulses that the noise sums, and the weight of one at the noise's time: for whoever sums them in
+  // another way.
   const ImpulseProcess<Dim>& impulses() const { return convolution_->process(); }
-  static float weight(std::uint64_t mark, ImpulseWeights weights);
+  float weight(std::uint64_t mark) const;
 
  private:
   GaborNoiseOptions options_;

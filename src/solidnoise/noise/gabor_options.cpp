@@ -17,6 +17,7 @@ void validate_common(const Options& options) {
   for (int axis = 0; axis < 4; ++axis) {
     require_at_least("period", options.period[axis], 0.0, "world units; 0 for none");
   }
+  options.evolution.validate();
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "solidnoise/core/vec.h"
+#include "solidnoise/noise/evolution.h"
 
 namespace solidnoise {
 
@@ -19,6 +20,7 @@ struct GaborNoiseOptions {
   ImpulseWeights weights = ImpulseWeights::signs;
   std::uint64_t seed = 0;
   Vec<4> period{0.0};  // world units per axis (x, y, z, t); 0: none; else at least 2 kernel radii
+  Evolution evolution{};  // how it changes with time; by default it does not
 
   // Throws std::invalid_argument naming the field, its value and what is allowed.
   void validate() const;
@@ -36,6 +38,7 @@ struct OrientedGaborNoiseOptions {
   Vec<4> direction{1.0, 0.0, 0.0, 0.0};  // along which the waves travel; any length but 0
   std::uint64_t seed = 0;
   Vec<4> period{0.0};  // world units per axis (x, y, z, t); 0: none; else at least 2 kernel radii
+  Evolution evolution{};  // how it changes with time; by default it does not
 
   // Throws std::invalid_argument naming the field, its value and what is allowed.
   void validate() const;

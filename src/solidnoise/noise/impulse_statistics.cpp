@@ -19,6 +19,10 @@ WeightMoments weight_moments(ImpulseWeights weights) {
   return {1.0, 1.0};
 }
 
+WeightMoments turning(const WeightMoments& weights) {
+  return {weights.second, 1.5 * weights.fourth};
+}
+
 double noise_variance(double density, double energy, const WeightMoments& weights) {
   return density * weights.second * energy;
 }

@@ -23,6 +23,10 @@ struct WeightMoments {
 };
 WeightMoments weight_moments(ImpulseWeights weights);  // uniform on [-1, 1]: 1/3 and 1/5
 
+// Of weights times sqrt(2) cos(2 pi a), a uniform: those of weights that turn with time (Evolution). The
+// second moment stays, the fourth is 3/2 of what it was.
+WeightMoments turning(const WeightMoments& weights);
+
 // Integrals of powers of a kernel over space.
 struct KernelMoments {
   double second = 0.0;  // of g^2: energy()

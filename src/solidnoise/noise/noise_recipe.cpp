@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -56,7 +57,36 @@ NoiseRecipe octave_of(const NoiseRecipe& recipe, int k) {
         if (k > 0) options.seed = derive_seed(options.seed, kOctaveStream + static_cast<std::uint64_t>(k));
       },
       octave.noise);
+  if (Evolution* const evolution = evolution_of(octave)) {
+    *evolution = evolution_of_octave(*evolution, std::pow(recipe.fractal.lacunarity, k));
+  }
   return octave;
+}
+
+const Evolution* evolution_of(const NoiseRecipe& recipe) {
+  const auto find = [](const auto& options) -> const Evolution* {
+    if constexpr (requires { options.evolution; }) {
+      return &options.evolution;
+    } else {
+      return nullptr;
+    }
+  };
+  return std::visit(find, recipe.noise);
+}
+
+Evolution* evolution_of(NoiseRecipe& recipe) {
+  return const_cast<Evolution*>(evolution_of(std::as_const(recipe)));
+}
+
+bool evolves(const NoiseRecipe& recipe) {
+  const Evolution* const evolution = evolution_of(recipe);
+  return evolution && evolution->moves();
+}
+
+NoiseRecipe at_time(const NoiseRecipe& recipe, double time) {
+  NoiseRecipe moved = recipe;
+  if (evolves(moved)) evolution_of(moved)->time = time;
+  return moved;
 }
 
 template <int Dim>

@@ -27,6 +27,14 @@ inline constexpr int kAlgorithmVersion = 1;
 // Octave k of a recipe as a noise by itself, of unit variance: what the recipe's noise sums. k is at least 0.
 NoiseRecipe octave_of(const NoiseRecipe& recipe, int k);
 
+// How the noise evolves; null for a noise that cannot.
+Evolution* evolution_of(NoiseRecipe& recipe);
+const Evolution* evolution_of(const NoiseRecipe& recipe);
+bool evolves(const NoiseRecipe& recipe);
+
+// The recipe of the noise as it is at a time; the same recipe where the noise does not evolve.
+NoiseRecipe at_time(const NoiseRecipe& recipe, double time);
+
 // Makes the noise, of unit variance unless the recipe's octaves are not renormalised. Dim is 1 to 4.
 // Throws std::invalid_argument.
 template <int Dim>

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 
 #include <glm/geometric.hpp>
@@ -28,21 +29,34 @@ DirectionCone<Dim> make_directions(const OrientedGaborNoiseOptions& options) {
   return {axis, options.anisotropy};
 }
 
+// Draws the waves of impulses, at the time of an evolution.
 template <int Dim>
-typename OrientedGaborNoise<Dim>::Wave draw_wave(std::uint64_t mark, const DirectionCone<Dim>& directions,
-                                                 double frequency) {
-  RandomStream stream(mark);
-  const double phase = stream.next_unit();
-  return {frequency * directions.draw(stream), phase};
-}
+class WaveDraw {
+ public:
+  WaveDraw(const DirectionCone<Dim>& directions, double frequency, const Evolution& evolution)
+      : directions_(directions), frequency_(frequency) {
+    if (evolution.moves()) turns_.emplace(evolution);
+  }
+
+  typename OrientedGaborNoise<Dim>::Wave operator()(std::uint64_t mark) const {
+    RandomStream stream(mark);
+    double phase = stream.next_unit();
+    if (turns_) phase += turns_->at(mark);
+    return {frequency_ * directions_.draw(stream), phase < 1.0 ? phase : phase - 1.0};
+  }
+
+ private:
+  DirectionCone<Dim> directions_;
+  double frequency_;
+  std::optional<ImpulseTurns> turns_;
+};
 
 // An oriented kernel with a random phase and direction.
 template <int Dim>
 class WaveKernel final : public ImpulseKernel {
  public:
-  WaveKernel(OrientedSum sum, const DirectionCone<Dim>& directions, double frequency,
-             const std::array<CellAxis, Dim>& axes)
-      : sum_(std::move(sum)), directions_(directions), frequency_(frequency), axes_(axes) {}
+  WaveKernel(OrientedSum sum, const WaveDraw<Dim>& wave, const std::array<CellAxis, Dim>& axes)
+      : sum_(std::move(sum)), wave_(wave), axes_(axes) {}
 
   CullBox::Support support() const override { return CullBox::Support::box; }
   int attribute_count() const override {
@@ -51,7 +65,7 @@ class WaveKernel final : public ImpulseKernel {
 
   void draw(std::span<const std::uint64_t> marks, ImpulseAttributes& attributes) const override {
     for (std::size_t i = 0; i < marks.size(); ++i) {
-      const auto wave = draw_wave<Dim>(marks[i], directions_, frequency_);
+      const auto wave = wave_(marks[i]);
       for (int axis = 0; axis < Dim; ++axis) {
         attributes[OrientedSum::wave(role_of_axis<Dim>(axis))][i] =
             static_cast<float>(wave.frequency[axis] * axes_[axis].size());
@@ -71,8 +85,7 @@ class WaveKernel final : public ImpulseKernel {
 
  private:
   OrientedSum sum_;
-  DirectionCone<Dim> directions_;
-  double frequency_;
+  WaveDraw<Dim> wave_;
   std::array<CellAxis, Dim> axes_;
 };
 
@@ -130,14 +143,14 @@ OrientedGaborNoise<Dim>::OrientedGaborNoise(const OrientedGaborNoiseOptions& opt
   convolution_ = std::make_shared<SparseConvolution<Dim>>(
       ImpulseProcess<Dim>(cells.axes, density_ * cells.volume, derive_seed(options.seed, kImpulseStream)),
       std::make_shared<WaveKernel<Dim>>(
-          OrientedSum{support_scale<Dim>(cells.radius), to_single_precision(envelope_)}, directions_,
-          options.frequency, cells.axes),
+          OrientedSum{support_scale<Dim>(cells.radius), to_single_precision(envelope_)},
+          WaveDraw<Dim>(directions_, options.frequency, options.evolution), cells.axes),
       cells.radius, 1.0 / std::sqrt(noise_variance(density_, moments.second)));
 }
 
 template <int Dim>
 typename OrientedGaborNoise<Dim>::Wave OrientedGaborNoise<Dim>::wave(std::uint64_t mark) const {
-  return draw_wave<Dim>(mark, directions_, options_.frequency);
+  return WaveDraw<Dim>(directions_, options_.frequency, options_.evolution)(mark);
 }
 
 template <int Dim>

@@ -57,7 +57,7 @@ class OrientedGaborNoise final : public Noise<Dim> {
   // The impulses that the noise sums, and what an impulse carries: for whoever sums them in another way.
   struct Wave {
     Vec<Dim> frequency{0.0};  // cycles per world unit
-    double phase = 0.0;       // cycles
+    double phase = 0.0;       // cycles, at the noise's time
   };
   const ImpulseProcess<Dim>& impulses() const { return convolution_->process(); }
   Wave wave(std::uint64_t mark) const;

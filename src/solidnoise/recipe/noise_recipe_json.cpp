@@ -26,6 +26,8 @@ void visit_band(Options& options, Field& field) {
   field("bandwidth", options.bandwidth);
   field("error", options.error);
   field("impulses", options.impulses);
+  field("evolve", options.evolution.rate);
+  field("loop", options.evolution.loop);
 }
 
 template <typename Field>

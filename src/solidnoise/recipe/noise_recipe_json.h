@@ -12,8 +12,9 @@ namespace solidnoise {
 //   {"type": "gabor", "frequency": 8, "bandwidth": 1, ..., "seed": 7, "octaves": 3, "lacunarity": 2, "gain":
 //   0.5}
 // "type" is gabor, gabor-oriented or kensler; the other keys are the fields of its options struct and of
-// FractalOptions, and each may be left out. Reading back what was written gives an equal recipe, to the last
-// bit.
+// FractalOptions, and each may be left out; "evolve" and "loop" are the rate and the loop of its Evolution.
+// The time of that is not part of the form: it is for whoever makes frames to say when a noise is looked at.
+// Reading back what was written gives an equal recipe, to the last bit.
 Json to_json(const NoiseRecipe& recipe);
 
 // Throws std::invalid_argument: wrong type, unknown key, value out of range, each with its path in the tree.

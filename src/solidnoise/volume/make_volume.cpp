@@ -137,7 +137,7 @@ VolumePlan plan_volume(const VolumeRecipe& recipe) {
 std::shared_ptr<const Noise<3>> make_volume_noise(const VolumeRecipe& recipe) {
   std::shared_ptr<const Noise<3>> noise;
   if (recipe.dims == 3) {
-    noise = make_noise<3>(recipe.noise);
+    noise = make_noise<3>(at_time(recipe.noise, recipe.time));
   } else {
     noise = slice(make_noise<4>(recipe.noise), recipe.time);
   }

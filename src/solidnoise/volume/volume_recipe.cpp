@@ -44,8 +44,12 @@ void VolumeRecipe::validate() const {
   require_in_range("dims", dims, 3, 4);
   require_finite("time", time);
   for (int axis = 0; axis < 3; ++axis) require_finite("offset", offset[axis]);
-  if (dims == 3 && time != 0.0) {
-    throw std::invalid_argument(fmt::format("time is {}; it must be 0 where dims is 3", time));
+  if (dims == 3 && time != 0.0 && !evolves(noise)) {
+    throw std::invalid_argument(
+        fmt::format("time is {}; it must be 0 where dims is 3 and the noise does not evolve", time));
+  }
+  if (dims == 4 && evolves(noise)) {
+    throw std::invalid_argument("dims is 4; it must be 3 where the noise evolves");
   }
   std::visit([](const auto& look) { look.validate(); }, shaping);
   require_positive("optical_depth", density.optical_depth);

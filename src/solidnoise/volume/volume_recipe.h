@@ -49,7 +49,7 @@ struct VolumeRecipe {
 
   NoiseRecipe noise;
   int dims = 3;        // 3, or 4: a frame of a noise that changes in time
-  double time = 0.0;   // of the frame, in the noise's fourth axis; 0 unless dims is 4
+  double time = 0.0;   // of the frame: in the noise's fourth axis, or of its Evolution; else 0
   Vec<3> offset{0.0};  // moves the noise, world units
 
   Shaping shaping;
