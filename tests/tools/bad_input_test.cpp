@@ -146,7 +146,7 @@ const Refusal kRefusals[] = {
     {"LoopTooShort",
      2,
      {"--out", "x.vdb", "--raw", "--dims", "4", "--loop", "0.01"},
-     {"--loop", "period is 0.01 along t", "twice the kernel's radius"}},
+     {"--loop is 0.01; it must be at least", "twice the kernel's radius"}},
     {"LoopOfOctavesThatDoNotFit",
      2,
      {"--out", "x.vdb", "--raw", "--dims", "4", "--loop", "4", "--octaves", "2", "--lacunarity", "1.5"},

@@ -24,7 +24,7 @@ const std::vector<std::vector<std::string>> kMoving{
 openvdb::FloatGrid::Ptr frame(const TemporaryFolder& folder, std::vector<std::string> arguments,
                               const std::string& time) {
   const std::string file = folder.file("frame.vdb");
-  for (const char* argument : {"--raw", "--dim", "12", "--frequency", "1.5", "--quiet", "--force", "--loop",
+  for (const char* argument : {"--raw", "--dim", "12", "--frequency", "2", "--quiet", "--force", "--loop",
                                "2", "--time", time.c_str(), "--out", file.c_str()}) {
     arguments.emplace_back(argument);
   }

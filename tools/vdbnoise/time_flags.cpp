@@ -1,5 +1,6 @@
 #include "vdbnoise/time_flags.h"
 
+#include <string_view>
 #include <variant>
 
 #include <fmt/format.h>
@@ -55,8 +56,12 @@ void declare_time_flags(FlagSet& flags, VolumeRecipe& recipe) {
 }
 
 std::string name_loop(const FlagSet& flags, const std::string& message) {
-  const bool of_time = message.starts_with("period is ") && message.find(" along t;") != std::string::npos;
-  return of_time && flags.given("--loop") ? "--loop gives a " + message : message;
+  constexpr std::string_view kPeriod = "period is ";
+  constexpr std::string_view kAxis = " along t;";
+  const std::size_t axis = message.find(kAxis);
+  if (!flags.given("--loop") || !message.starts_with(kPeriod) || axis == std::string::npos) return message;
+  const std::string value = message.substr(kPeriod.size(), axis - kPeriod.size());
+  return fmt::format("--loop is {};{}", value, message.substr(axis + kAxis.size()));
 }
 
 }  // namespace solidnoise
