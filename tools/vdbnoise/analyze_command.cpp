@@ -13,6 +13,7 @@
 #include "solidnoise/analysis/four_panel.h"
 #include "solidnoise/image/image_file.h"
 #include "solidnoise/recipe/noise_recipe_json.h"
+#include "solidnoise/volume/finish_volume.h"
 #include "solidnoise/volume/make_volume.h"
 #include "solidnoise/volume/vdb_read.h"
 #include "solidnoise/volume/volume_recipe_json.h"

@@ -9,7 +9,7 @@
 #include "common/presets.h"
 #include "common/recipe_file.h"
 #include "common/text_file.h"
-#include "solidnoise/volume/make_volume.h"
+#include "solidnoise/volume/finish_volume.h"
 #include "solidnoise/volume/vdb_read.h"
 #include "solidnoise/volume/volume_recipe_json.h"
 

@@ -48,6 +48,10 @@ void NoiseRecipe::validate() const {
       noise);
 }
 
+std::uint64_t seed_of(const NoiseRecipe& recipe) {
+  return std::visit([](const auto& options) { return options.seed; }, recipe.noise);
+}
+
 NoiseRecipe octave_of(const NoiseRecipe& recipe, int k) {
   NoiseRecipe octave = recipe;
   octave.fractal.octaves = 1;

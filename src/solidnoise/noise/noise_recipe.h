@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <variant>
 
@@ -20,6 +21,9 @@ struct NoiseRecipe {
 
   friend bool operator==(const NoiseRecipe&, const NoiseRecipe&) = default;
 };
+
+// Of the noise itself; octaves have seeds made from it.
+std::uint64_t seed_of(const NoiseRecipe& recipe);
 
 // Changes whenever any noise's values do, for the same recipe; stored in every file that is written.
 inline constexpr int kAlgorithmVersion = 1;

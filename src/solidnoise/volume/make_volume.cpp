@@ -6,17 +6,16 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "solidnoise/geometry/read_mesh.h"
 #include "solidnoise/noise/moved_noise.h"
 #include "solidnoise/noise/slice_noise.h"
-#include "solidnoise/recipe/json.h"
 #include "solidnoise/volume/cloud_field.h"
 #include "solidnoise/volume/fill.h"
+#include "solidnoise/volume/finish_volume.h"
+#include "solidnoise/volume/merge_parts.h"
 #include "solidnoise/volume/shaped_noise_field.h"
 #include "solidnoise/volume/topology.h"
-#include "solidnoise/volume/volume_recipe_json.h"
 
 namespace solidnoise {
 namespace {
@@ -47,10 +46,6 @@ Topology make_topology(const VolumeRecipe& recipe, const VolumePlan& plan, Progr
   return std::visit(by_shape, recipe.shape);
 }
 
-std::uint64_t seed_of(const NoiseRecipe& recipe) {
-  return std::visit([](const auto& options) { return options.seed; }, recipe.noise);
-}
-
 std::unique_ptr<Field> make_cloud(const VolumeRecipe& recipe, const VolumePlan& plan,
                                   const CloudShaping& shaping) {
   CloudParts parts;
@@ -78,35 +73,13 @@ std::unique_ptr<Field> make_volume_field(const VolumeRecipe& recipe, const Volum
   return std::visit(by_shaping, recipe.shaping);
 }
 
-// Scales densities to the optical depth or peak that the recipe asks for. A grid of zeros stays as it is.
-void scale_density(const VolumeRecipe& recipe, FilledGrid& filled) {
-  const double largest = recipe.density.peak ? filled.moments.max()
-                                             : thickest_column(*filled.grid, recipe.up == UpAxis::y ? 1 : 2);
-  if (largest <= 0.0) return;
-  const double wanted = recipe.density.peak.value_or(recipe.density.optical_depth);
-  scale_values(*filled.grid, static_cast<float>(wanted / largest));
-  filled.moments = measure(*filled.grid);
-}
-
-Metadata describe(VolumeRecipe recipe, const VolumePlan& plan, const Moments& moments) {
-  recipe.shape = plan.shape;
-  return {
-      {kRecipeKey, format_json(to_json(recipe))},
-      {"solidnoise:algorithm", std::int64_t{kAlgorithmVersion}},
-      {"solidnoise:seed", std::to_string(seed_of(recipe.noise))},
-      {"solidnoise:up_axis", std::string(name_of(kUpAxisChoices, recipe.up))},
-      {"solidnoise:min", moments.min()},
-      {"solidnoise:max", moments.max()},
-      {"solidnoise:mean", moments.mean()},
-      {"solidnoise:sigma", moments.sigma()},
-  };
-}
-
 }  // namespace
 
-VolumePlan plan_volume(const VolumeRecipe& recipe) {
+VolumePlan plan_volume(const VolumeRecipe& recipe, const VolumePart& part) {
   recipe.validate();
+  part.validate();
   VolumePlan plan;
+  plan.part = part;
   plan.box = recipe.box;
   plan.shape = recipe.shape;
   if (auto* shape = std::get_if<GridShape>(&plan.shape)) {
@@ -114,7 +87,7 @@ VolumePlan plan_volume(const VolumeRecipe& recipe) {
     plan.frame = GridFrame(plan.grid->transform());
     plan.voxels = plan.grid->evalActiveVoxelBoundingBox();
     plan.box = plan.frame.bounds(plan.voxels);
-    plan.memory = estimate_memory(*plan.grid);
+    plan.memory = estimate_part_memory(estimate_memory(*plan.grid), plan.frame, part);
     return plan;
   }
   if (auto* shape = std::get_if<MeshShape>(&plan.shape)) {
@@ -130,7 +103,7 @@ VolumePlan plan_volume(const VolumeRecipe& recipe) {
   }
   plan.frame = GridFrame(recipe.voxel ? *recipe.voxel : voxel_size_for_dim(plan.box, recipe.dim));
   plan.voxels = plan.frame.voxels_in(plan.box);
-  plan.memory = estimate_memory(plan.voxels);
+  plan.memory = estimate_part_memory(estimate_memory(plan.voxels), plan.frame, part);
   return plan;
 }
 
@@ -148,21 +121,16 @@ Volume make_volume(const VolumeRecipe& recipe, const VolumePlan& plan, const std
                    Progress* progress) {
   const std::unique_ptr<Field> field = make_volume_field(recipe, plan);
   const Topology topology = make_topology(recipe, plan, progress);
-  if (is_raw(recipe)) {
-    Volume volume{fill_grids(topology, *field, {1}, Sparsity::keep, progress)};
-    openvdb::GridBase& grid = *volume.grids.front().grid;
-    grid.setName(recipe.grid);
-    grid.setCreator(creator);
-    grid.setSaveFloatAsHalf(recipe.half);
-    set_metadata(grid, describe(recipe, plan, volume.grids.front().moments.front()));
-    return volume;
+  Volume volume{fill_grids(take_part(topology, plan.part), *field, {1},
+                           is_raw(recipe) ? Sparsity::keep : Sparsity::drop, progress)};
+  VolumeRecipe noted = recipe;
+  noted.shape = plan.shape;
+  if (plan.part.whole()) {
+    finish_volume(noted, creator, volume);
+  } else {
+    note_part(noted, creator, topology, plan.part, volume);
   }
-  FilledGrid filled = fill_grid(topology, *field, Sparsity::drop, progress);
-  scale_density(recipe, filled);
-  set_fog_volume(*filled.grid, recipe.grid, creator);
-  filled.grid->setSaveFloatAsHalf(recipe.half);
-  set_metadata(*filled.grid, describe(recipe, plan, filled.moments));
-  return {{{filled.grid, {filled.moments}}}};
+  return volume;
 }
 
 }  // namespace solidnoise

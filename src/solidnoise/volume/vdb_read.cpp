@@ -133,6 +133,15 @@ openvdb::GridBase::Ptr read_grid(const std::filesystem::path& path, const std::s
   return read_matching(path, name, "grid", [](const openvdb::GridBase&) { return true; });
 }
 
+VdbFile read_grids(const std::filesystem::path& path) {
+  const std::unique_ptr<VdbReader> reader = open_vdb(path);
+  return guarded(path, [&] {
+    VdbFile file{reader->metadata(), {}};
+    for (std::size_t i = 0; i < reader->grid_count(); ++i) file.grids.push_back(reader->read_grid(i));
+    return file;
+  });
+}
+
 openvdb::FloatGrid::Ptr read_float_grid(const std::filesystem::path& path, const std::string& name) {
   const auto is_float = [](const openvdb::GridBase& header) { return header.isType<openvdb::FloatGrid>(); };
   return openvdb::gridPtrCast<openvdb::FloatGrid>(read_matching(path, name, "grid of floats", is_float));

@@ -42,4 +42,11 @@ openvdb::GridBase::Ptr read_grid(const std::filesystem::path& path, const std::s
 // std::runtime_error also if the named grid is of another type.
 openvdb::FloatGrid::Ptr read_float_grid(const std::filesystem::path& path, const std::string& name = {});
 
+// All grids of a file, in its order, and the file's own metadata.
+struct VdbFile {
+  openvdb::MetaMap metadata;
+  openvdb::GridPtrVec grids;  // at least one
+};
+VdbFile read_grids(const std::filesystem::path& path);
+
 }  // namespace solidnoise

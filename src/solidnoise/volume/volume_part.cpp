@@ -71,12 +71,18 @@ Topology take_part(const Topology& topology, const VolumePart& part) {
   return {topology.frame, mask};
 }
 
-std::uint64_t estimate_part_memory(std::uint64_t region_memory, const VolumePart& part) {
+std::uint64_t estimate_part_memory(std::uint64_t whole_memory, const GridFrame& frame,
+                                   const VolumePart& part) {
   // A leaf of a topology takes a twentieth of what a leaf takes in all; a sixteenth is above that.
   constexpr std::uint64_t kTopologyShare = 16;
-  if (part.shards == 1) return region_memory;
-  const auto shards = static_cast<std::uint64_t>(part.shards);
-  return region_memory / kTopologyShare + region_memory / shards;
+  if (part.whole()) return whole_memory;
+  std::uint64_t values = whole_memory;
+  if (part.region) {
+    openvdb::CoordBBox voxels = frame.voxels_in(*part.region);
+    voxels.max().offset(static_cast<int>(MaskLeaf::DIM));  // leaves reach over the region
+    values = std::min(values, estimate_memory(voxels));
+  }
+  return whole_memory / kTopologyShare + values / static_cast<std::uint64_t>(part.shards);
 }
 
 }  // namespace solidnoise

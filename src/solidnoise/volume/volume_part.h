@@ -27,8 +27,8 @@ struct VolumePart {
 // that impulses are made for once, in the order of their coordinates.
 Topology take_part(const Topology& topology, const VolumePart& part);
 
-// Bytes that making a part takes at most, where its region takes `region_memory`: the topology is made for
-// all of the region.
-std::uint64_t estimate_part_memory(std::uint64_t region_memory, const VolumePart& part);
+// Bytes that making a part takes at most, where the whole takes `whole_memory`. The topology is made whole.
+std::uint64_t estimate_part_memory(std::uint64_t whole_memory, const GridFrame& frame,
+                                   const VolumePart& part);
 
 }  // namespace solidnoise

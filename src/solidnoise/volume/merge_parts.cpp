@@ -1,0 +1,150 @@
+#include "solidnoise/volume/merge_parts.h"
+
+#include <cstdint>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "solidnoise/recipe/json.h"
+#include "solidnoise/volume/finish_volume.h"
+#include "solidnoise/volume/statistics.h"
+#include "solidnoise/volume/vdb_read.h"
+#include "solidnoise/volume/vdb_write.h"
+#include "solidnoise/volume/volume_recipe_json.h"
+
+namespace solidnoise {
+namespace {
+
+// Leaves of the topology, before empty ones are dropped: of the part, and of the whole.
+constexpr char kPartLeavesKey[] = "solidnoise:part_leaves";
+constexpr char kWholeLeavesKey[] = "solidnoise:whole_leaves";
+
+struct Part {
+  std::filesystem::path path;
+  std::string recipe;  // JSON
+  std::int64_t leaves = 0;
+  std::int64_t whole_leaves = 0;
+  VdbFile file;
+};
+
+[[noreturn]] void refuse(const Part& part, const std::string& what) {
+  throw std::runtime_error(fmt::format("{}: {}", part.path.string(), what));
+}
+
+Part read_part(const std::filesystem::path& path) {
+  Part part{path, {}, 0, 0, read_grids(path)};
+  const openvdb::GridBase& grid = *part.file.grids.front();
+  const auto recipe = grid.getMetadata<openvdb::StringMetadata>(kRecipeKey);
+  const auto leaves = grid.getMetadata<openvdb::Int64Metadata>(kPartLeavesKey);
+  const auto whole = grid.getMetadata<openvdb::Int64Metadata>(kWholeLeavesKey);
+  if (recipe == nullptr || leaves == nullptr || whole == nullptr) {
+    refuse(part, "is not a part of a volume; parts are made by --shard or --region");
+  }
+  part.recipe = recipe->value();
+  part.leaves = leaves->value();
+  part.whole_leaves = whole->value();
+  return part;
+}
+
+void require_same_volume(const Part& part, const Part& first) {
+  const bool same = part.recipe == first.recipe && part.whole_leaves == first.whole_leaves &&
+                    part.file.grids.size() == first.file.grids.size() &&
+                    part.file.metadata == first.file.metadata;
+  if (!same) refuse(part, fmt::format("is not of the same volume as {}", first.path.string()));
+}
+
+// Moves the leaves of a part's grid into the whole's.
+template <typename Grid>
+void take_leaves(const Part& part, Grid& from, Grid& to) {
+  using Leaf = typename Grid::TreeType::LeafNodeType;
+  std::vector<Leaf*> leaves;
+  from.tree().stealNodes(leaves, from.background(), false);
+  std::vector<std::unique_ptr<Leaf>> owned(leaves.begin(), leaves.end());
+  for (auto& leaf : owned) {
+    if (to.tree().probeConstLeaf(leaf->origin()) != nullptr) {
+      refuse(part, "overlaps with another part");
+    }
+    to.tree().addLeaf(leaf.release());
+  }
+}
+
+void add_part(Part& part, const std::vector<openvdb::GridBase::Ptr>& whole) {
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    openvdb::GridBase& from = *part.file.grids[i];
+    if (from.type() != whole[i]->type()) refuse(part, "has grids of other types than the other parts");
+    if (auto* floats = dynamic_cast<openvdb::FloatGrid*>(whole[i].get())) {
+      take_leaves(part, static_cast<openvdb::FloatGrid&>(from), *floats);
+    } else if (auto* vectors = dynamic_cast<openvdb::Vec3SGrid*>(whole[i].get())) {
+      take_leaves(part, static_cast<openvdb::Vec3SGrid&>(from), *vectors);
+    } else {
+      refuse(part, fmt::format("has a grid of type {}, which no part has", from.valueType()));
+    }
+  }
+}
+
+MeasuredGrid measured(const openvdb::GridBase::Ptr& grid) {
+  if (const auto floats = openvdb::gridPtrCast<openvdb::FloatGrid>(grid)) return {grid, {measure(*floats)}};
+  const auto moments = measure(*openvdb::gridPtrCast<openvdb::Vec3SGrid>(grid));
+  return {grid, {moments.begin(), moments.end()}};
+}
+
+// An empty grid of the same type, background and transform, with no metadata yet.
+openvdb::GridBase::Ptr empty_like(const openvdb::GridBase& grid) {
+  openvdb::GridBase::Ptr result = grid.copyGridWithNewTree();
+  result->clearMetadata();
+  return result;
+}
+
+}  // namespace
+
+void note_part(const VolumeRecipe& recipe, const std::string& creator, const Topology& topology,
+               const VolumePart& part, Volume& volume) {
+  const std::string which =
+      part.shards == 1 ? "region" : fmt::format("shard {} of {}", part.shard, part.shards);
+  for (MeasuredGrid& measured : volume.grids) {
+    openvdb::GridBase& grid = *measured.grid;
+    grid.setName(recipe.grid);
+    grid.setCreator(creator);
+    set_metadata(grid, {{kRecipeKey, format_json(to_json(recipe))},
+                        {"solidnoise:part", which},
+                        {kPartLeavesKey, static_cast<std::int64_t>(take_part(topology, part).leaf_count())},
+                        {kWholeLeavesKey, static_cast<std::int64_t>(topology.leaf_count())}});
+  }
+}
+
+MergedVolume merge_parts(const std::vector<std::filesystem::path>& files, const std::string& creator,
+                         Progress* progress) {
+  if (files.empty()) throw std::runtime_error("there are no parts to merge");
+  Part first = read_part(files.front());
+  std::vector<openvdb::GridBase::Ptr> whole;
+  for (const openvdb::GridBase::Ptr& grid : first.file.grids) whole.push_back(empty_like(*grid));
+  add_part(first, whole);
+  std::int64_t leaves = first.leaves;
+  for (std::size_t i = 1; i < files.size(); ++i) {
+    throw_if_cancelled(progress);
+    if (progress != nullptr) progress->advance(i, files.size());
+    Part part = read_part(files[i]);
+    require_same_volume(part, first);
+    add_part(part, whole);
+    leaves += part.leaves;
+  }
+  if (leaves != first.whole_leaves) {
+    throw std::runtime_error(
+        fmt::format("the parts have {} leaves where the volume has {}: {}", leaves, first.whole_leaves,
+                    leaves < first.whole_leaves ? "parts are missing" : "a part is there twice"));
+  }
+
+  MergedVolume merged;
+  merged.recipe = volume_recipe_from_json(parse_json(first.recipe));
+  const openvdb::MetaMap& metadata = first.file.metadata;
+  if (const auto frame = metadata.getMetadata<openvdb::Int32Metadata>("frame")) merged.frame = frame->value();
+  if (const auto fps = metadata.getMetadata<openvdb::DoubleMetadata>("fps")) merged.fps = fps->value();
+  for (const openvdb::GridBase::Ptr& grid : whole) merged.volume.grids.push_back(measured(grid));
+  finish_volume(merged.recipe, creator, merged.volume);
+  return merged;
+}
+
+}  // namespace solidnoise

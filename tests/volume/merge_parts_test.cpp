@@ -1,0 +1,123 @@
+#include "solidnoise/volume/merge_parts.h"
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "solidnoise/volume/make_volume.h"
+#include "solidnoise/volume/vdb_write.h"
+#include "solidnoise/volume/volume_recipe_json.h"
+
+namespace solidnoise {
+namespace {
+
+constexpr char kCreator[] = "merge test";
+
+class MergeParts : public testing::Test {
+ protected:
+  void SetUp() override { std::filesystem::create_directories(folder_); }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::filesystem::path write_part(const VolumeRecipe& recipe, const VolumePart& part) {
+    const Volume volume = make_volume(recipe, plan_volume(recipe, part), kCreator);
+    const std::filesystem::path path = folder_ / (std::to_string(written_++) + ".vdb");
+    openvdb::GridCPtrVec grids;
+    for (const MeasuredGrid& measured : volume.grids) grids.push_back(measured.grid);
+    write_vdb(path, grids, {.frame = 7, .fps = 24.0});
+    return path;
+  }
+
+  std::vector<std::filesystem::path> write_shards(const VolumeRecipe& recipe, int shards) {
+    std::vector<std::filesystem::path> paths;
+    for (int shard = shards; shard >= 1; --shard) {
+      paths.push_back(write_part(recipe, {.shard = shard, .shards = shards}));
+    }
+    return paths;
+  }
+
+ private:
+  std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) / "merge_parts_test";
+  int written_ = 0;
+};
+
+void expect_same(const Volume& merged, const Volume& whole) {
+  ASSERT_EQ(merged.grids.size(), whole.grids.size());
+  const auto& a = dynamic_cast<const openvdb::FloatGrid&>(*merged.grids[0].grid);
+  const auto& b = dynamic_cast<const openvdb::FloatGrid&>(*whole.grids[0].grid);
+  EXPECT_TRUE(a.tree().hasSameTopology(b.tree()));
+  std::uint64_t differ = 0;
+  for (auto voxel = b.cbeginValueOn(); voxel; ++voxel)
+    differ += a.tree().getValue(voxel.getCoord()) != *voxel;
+  EXPECT_EQ(differ, 0u);
+  EXPECT_EQ(static_cast<const openvdb::MetaMap&>(a), static_cast<const openvdb::MetaMap&>(b));
+  EXPECT_EQ(a.transform(), b.transform());
+  EXPECT_EQ(merged.grids[0].moments[0].mean(), whole.grids[0].moments[0].mean());
+  EXPECT_EQ(merged.grids[0].moments[0].sigma(), whole.grids[0].moments[0].sigma());
+}
+
+VolumeRecipe cloud() {
+  VolumeRecipe recipe;
+  recipe.shaping = CloudShaping{};
+  recipe.noise.noise = GaborNoiseOptions{.frequency = 3.0};
+  recipe.noise.fractal.octaves = 2;
+  recipe.dim = 100;
+  return recipe;
+}
+
+VolumeRecipe raw_ball() {
+  VolumeRecipe recipe;
+  recipe.shaping = RawShaping{};
+  recipe.shape = SphereShape{};
+  recipe.half = true;
+  recipe.dim = 90;
+  return recipe;
+}
+
+// The scale of a cloud's density depends on all of it.
+TEST_F(MergeParts, ShardsMakeTheWholeCloudToTheLastBit) {
+  const VolumeRecipe recipe = cloud();
+  const MergedVolume merged = merge_parts(write_shards(recipe, 5), kCreator);
+  EXPECT_EQ(to_json(merged.recipe), to_json(recipe));
+  EXPECT_EQ(merged.frame, 7);
+  EXPECT_EQ(merged.fps, 24.0);
+  expect_same(merged.volume, make_volume(recipe, plan_volume(recipe), kCreator));
+}
+
+TEST_F(MergeParts, RegionsMakeTheWholeToTheLastBit) {
+  const VolumeRecipe recipe = raw_ball();
+  const std::vector<std::filesystem::path> parts = {
+      write_part(recipe, {.region = Box<3>{{-9.0, -9.0, -9.0}, {0.13, 9.0, 9.0}}}),
+      write_part(recipe, {.region = Box<3>{{0.13, -9.0, -9.0}, {9.0, 0.3, 9.0}}}),
+      write_part(recipe, {.region = Box<3>{{0.13, 0.3, -9.0}, {9.0, 9.0, 9.0}}}),
+  };
+  expect_same(merge_parts(parts, kCreator).volume, make_volume(recipe, plan_volume(recipe), kCreator));
+}
+
+void expect_refused(const std::vector<std::filesystem::path>& parts, const std::string& part_of_message) {
+  try {
+    merge_parts(parts, kCreator);
+    ADD_FAILURE() << "not refused: " << part_of_message;
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find(part_of_message), std::string::npos) << error.what();
+  }
+}
+
+TEST_F(MergeParts, RefusesMissingDoubleAndForeignParts) {
+  const VolumeRecipe recipe = raw_ball();
+  std::vector<std::filesystem::path> parts = write_shards(recipe, 3);
+  expect_refused({parts[0], parts[2]}, "parts are missing");
+  expect_refused({parts[0], parts[1], parts[2], parts[1]}, parts[1].string() + ": overlaps");
+  VolumeRecipe other = recipe;
+  std::get<GaborNoiseOptions>(other.noise.noise).seed = 1;
+  const std::filesystem::path foreign = write_part(other, {.shard = 1, .shards = 3});
+  expect_refused({parts[0], parts[1], foreign}, foreign.string() + ": is not of the same volume as ");
+  const std::filesystem::path whole = write_part(recipe, {});
+  expect_refused({whole}, whole.string() + ": is not a part of a volume");
+}
+
+}  // namespace
+}  // namespace solidnoise
