@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "solidnoise/mesh/refine.h"
 #include "solidnoise/mesh/vertex_parameters.h"
 #include "support/message_of.h"
 #include "support/surfaces.h"
@@ -47,6 +48,27 @@ TEST(SteeringNumbers, SayWhichAttributesThereAre) {
   EXPECT_EQ(message(), "attribute is rust; the vertices have quality, red");
   mesh.properties.clear();
   EXPECT_EQ(message(), "attribute is rust; the vertices have none");
+}
+
+// The same torus with its inside cut up 16 times as finely, or with vertices of their own for each face: what
+// the surface is like has not changed, and so the range has not, to within a step of the coarse mesh.
+TEST(SteeringNumbers, RangesDoNotDependOnTheDensityOfVertices) {
+  const PolygonMesh torus = torus_mesh(1.0, 0.4, {.n = 60});
+  std::vector<double> lengths;
+  for (const Vec<3>& p : torus.positions) lengths.push_back(std::hypot(p.x, p.z) < 0.8 ? 0.02 : 1.0);
+  const PolygonMesh uneven = refine(torus, lengths).mesh;
+  ASSERT_GT(uneven.positions.size(), 2 * torus.positions.size());
+  const auto weights_of = [](const PolygonMesh& mesh) {
+    std::vector<double> distances;
+    for (const Vec<3>& p : mesh.positions) distances.push_back(std::hypot(p.x, p.z));
+    return make_weights(distances, {.low_percentile = 20.0, .high_percentile = 80.0},
+                        vertex_areas(SurfaceMesh(mesh)));
+  };
+  const SteeringWeights expected = weights_of(torus);
+  for (const PolygonMesh& mesh : {uneven, split_at_every_edge(torus)}) {
+    EXPECT_NEAR(weights_of(mesh).low, expected.low, 0.02);
+    EXPECT_NEAR(weights_of(mesh).high, expected.high, 0.02);
+  }
 }
 
 // From creases to ridges, by the sign: the middle of a symmetric wave is in the middle of the range.

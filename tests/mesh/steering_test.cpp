@@ -39,6 +39,32 @@ TEST(Steering, AFewExtremeVerticesDoNotTakeTheRange) {
   EXPECT_EQ(make_weights(numbers, {}).weights[500], make_weights(up_to(1000), {}).weights[500]);
 }
 
+// Nine tenths of the vertices on one tenth of the area: the median is that of the area.
+TEST(Steering, NumbersCountByTheirAreas) {
+  std::vector<double> numbers = up_to(1000);
+  std::vector<double> areas(1001, 9.0);
+  for (int i = 0; i < 9000; ++i) {
+    numbers.push_back(2000.0);
+    areas.push_back(1.0 / 9.0);
+  }
+  const Steering to_median{.low_percentile = 0.0, .high_percentile = 50.0};
+  EXPECT_EQ(make_weights(numbers, to_median).high, 2000.0);
+  // Half of the area of 10009, at 9 per number; the ends count half.
+  EXPECT_NEAR(make_weights(numbers, to_median, areas).high, 555.8, 0.1);
+  EXPECT_THROW(make_weights(up_to(3), to_median, std::vector(3, 1.0)), std::invalid_argument);
+}
+
+TEST(Steering, NumbersWithoutAreaDoNotCountUnlessAllAreSo) {
+  std::vector<double> areas(101, 1.0);
+  areas[0] = areas[100] = 0.0;
+  const SteeringWeights result = make_weights(up_to(100), {}, areas);
+  EXPECT_EQ(result.least, 1.0);
+  EXPECT_EQ(result.most, 99.0);
+  EXPECT_EQ(result.weights[100], 1.0f);
+  const std::vector<double> none(101, 0.0);
+  EXPECT_EQ(make_weights(up_to(100), {}, none).weights, make_weights(up_to(100), {}).weights);
+}
+
 TEST(Steering, GammaIsAnExponent) {
   const auto weights =
       make_weights(up_to(1000), {.low_percentile = 0.0, .high_percentile = 100.0, .gamma = 2.0}).weights;

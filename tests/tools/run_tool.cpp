@@ -127,29 +127,4 @@ ToolResult RunningTool::wait() {
   return result;
 }
 
-TemporaryFolder::TemporaryFolder() {
-  std::string path = (fs::temp_directory_path() / "solidnoise-test-XXXXXX").string();
-  if (mkdtemp(path.data()) == nullptr) throw std::runtime_error("no temporary folder");
-  path_ = path;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-}
-
-void TemporaryFolder::write(const std::string& name, const std::string& content) const {
-  std::ofstream(path_ / name, std::ios::binary) << content;
-}
-
-std::string TemporaryFolder::read(const std::string& name) const {
-  return read_file(path_ / name);
-}
-
-std::set<std::string> TemporaryFolder::names() const {
-  std::set<std::string> names;
-  for (const auto& entry : fs::directory_iterator(path_)) names.insert(entry.path().filename().string());
-  return names;
-}
-
 }  // namespace solidnoise

@@ -1,10 +1,11 @@
 #pragma once
 
 #include <filesystem>
-#include <set>
 #include <string>
 #include <sys/types.h>
 #include <vector>
+
+#include "support/temporary_folder.h"
 
 namespace solidnoise {
 
@@ -41,24 +42,6 @@ class RunningTool {
   bool keeps_output_ = false;  // where it was sent, rather than in ToolResult::out
   std::filesystem::path out_;
   std::filesystem::path err_;
-};
-
-// A folder that is empty at first and goes with the object.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
-  std::string file(const std::string& name) const { return (path_ / name).string(); }
-  void write(const std::string& name, const std::string& content) const;
-  std::string read(const std::string& name) const;
-  std::set<std::string> names() const;  // of all files in it, hidden ones too
-
- private:
-  std::filesystem::path path_;
 };
 
 }  // namespace solidnoise

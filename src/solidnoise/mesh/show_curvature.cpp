@@ -37,7 +37,8 @@ ShownCurvature show_curvature(const PolygonMesh& mesh, const CurvatureRecipe& re
   shown.mesh.set_property({"k1", ScalarType::float32, curvature.k1});
   shown.mesh.set_property({"k2", ScalarType::float32, curvature.k2});
 
-  shown.steering = make_weights(steering_numbers(mesh, curvature, recipe.by, recipe.up), recipe.by);
+  shown.steering =
+      make_weights(steering_numbers(mesh, curvature, recipe.by, recipe.up), recipe.by, vertex_areas(surface));
   const ColorRamp ramp = parse_color_ramp(recipe.ramp);
   for (const float weight : shown.steering.weights) shown.colors.push_back(ramp.linear(weight));
   set_vertex_colors(shown.mesh, shown.colors);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -11,12 +12,39 @@
 namespace solidnoise {
 namespace {
 
-// The number below which `percent` of the sorted numbers lie, linear between them.
-double percentile(std::span<const double> sorted, double percent) {
-  const double place = percent / 100.0 * static_cast<double>(sorted.size() - 1);
-  const auto below = static_cast<std::size_t>(place);
-  const std::size_t above = std::min(below + 1, sorted.size() - 1);
-  return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
+// Numbers in ascending order, and for each the area of those before it and of half of itself.
+struct Distribution {
+  std::vector<double> numbers;
+  std::vector<double> places;
+
+  // The number below which `percent` of the area is, linear between the numbers; 0 and 100 are the ends.
+  double percentile(double percent) const {
+    const double place = places.front() + percent / 100.0 * (places.back() - places.front());
+    const auto found = std::upper_bound(places.begin(), places.end(), place);
+    if (found == places.end()) return numbers.back();
+    const auto above = static_cast<std::size_t>(found - places.begin());
+    const double share = (place - places[above - 1]) / (places[above] - places[above - 1]);
+    return numbers[above - 1] + share * (numbers[above] - numbers[above - 1]);
+  }
+};
+
+Distribution distribution_of(std::span<const double> numbers, std::span<const double> areas) {
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (std::isfinite(numbers[i]) && (areas.empty() || areas[i] > 0.0)) order.push_back(i);
+  }
+  if (order.empty() && !areas.empty()) return distribution_of(numbers, {});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return numbers[a] < numbers[b]; });
+  Distribution distribution;
+  double area = 0.0;
+  for (const std::size_t i : order) {
+    const double half = 0.5 * (areas.empty() ? 1.0 : areas[i]);
+    distribution.numbers.push_back(numbers[i]);
+    distribution.places.push_back(area + half);
+    area += 2.0 * half;
+  }
+  return distribution;
 }
 
 }  // namespace
@@ -36,20 +64,21 @@ void Steering::validate() const {
   }
 }
 
-SteeringWeights make_weights(std::span<const double> numbers, const Steering& steering) {
+SteeringWeights make_weights(std::span<const double> numbers, const Steering& steering,
+                             std::span<const double> areas) {
   steering.validate();
+  if (!areas.empty() && areas.size() != numbers.size()) {
+    throw std::invalid_argument(
+        fmt::format("there are {} areas for {} numbers", areas.size(), numbers.size()));
+  }
   SteeringWeights result;
   result.weights.assign(numbers.size(), 0.5f);
-  std::vector<double> sorted;
-  sorted.reserve(numbers.size());
-  std::copy_if(numbers.begin(), numbers.end(), std::back_inserter(sorted),
-               [](double number) { return std::isfinite(number); });
-  if (sorted.empty()) return result;
-  std::sort(sorted.begin(), sorted.end());
-  result.least = sorted.front();
-  result.most = sorted.back();
-  result.low = percentile(sorted, steering.low_percentile);
-  result.high = percentile(sorted, steering.high_percentile);
+  const Distribution distribution = distribution_of(numbers, areas);
+  if (distribution.numbers.empty()) return result;
+  result.least = distribution.numbers.front();
+  result.most = distribution.numbers.back();
+  result.low = distribution.percentile(steering.low_percentile);
+  result.high = distribution.percentile(steering.high_percentile);
   if (result.low == result.high) return result;
 
   for (std::size_t i = 0; i < numbers.size(); ++i) {

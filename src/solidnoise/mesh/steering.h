@@ -26,7 +26,7 @@ enum class SteeringSource {
 struct Steering {
   SteeringSource source = SteeringSource::mean_curvature;
   std::string attribute = {};     // its name, where the source is one
-  double low_percentile = 5.0;    // of the vertices, not counting areas: what gets weight 0, and below it;
+  double low_percentile = 5.0;    // of the surface: what gets weight 0, and below it;
   double high_percentile = 95.0;  // weight 1, and above it; 0 <= low < high <= 100
   double gamma = 1.0;             // exponent of the weights; > 0
 
@@ -43,15 +43,20 @@ struct SteeringWeights {
   std::vector<float> weights;  // 0 to 1
   double low = 0.0;            // the number of weight 0
   double high = 0.0;           // the number of weight 1
-  double least = 0.0;          // of all numbers
+  double least = 0.0;          // of all numbers that count
   double most = 0.0;
-  std::array<std::size_t, kBins> histogram{};  // of the numbers from low to high; the ends hold those beyond
+  // How many numbers there are, whatever their areas, from low to high; the ends hold those beyond.
+  std::array<std::size_t, kBins> histogram{};
 };
 
 // weight = clamp((number - low) / (high - low))^gamma, low and high being the numbers at the percentiles,
-// which keep a few extreme vertices from taking the whole range. Where all numbers between them are the same,
-// all weights are 1/2. Numbers that are not finite get weight 1/2 and do not count.
-SteeringWeights make_weights(std::span<const double> numbers, const Steering& steering);
+// which keep a few extreme vertices from taking the whole range. Each number counts by its area: percentiles
+// of the vertices would follow the density of the mesh, and change with it. Without areas, or if none is
+// positive, all count alike. Where all numbers between the percentiles are the same, all weights are 1/2.
+// Numbers that are not finite get weight 1/2 and do not count. Throws std::invalid_argument:
+// steering.validate(), another number of areas than of numbers.
+SteeringWeights make_weights(std::span<const double> numbers, const Steering& steering,
+                             std::span<const double> areas = {});
 
 // The values of a parameter at weights 0 and 1. They may decrease.
 struct ParameterRange {

@@ -35,6 +35,17 @@ std::vector<Vec<3>> make_directions(const SurfaceMesh& surface, const Curvature&
 
 }  // namespace
 
+std::vector<double> vertex_areas(const SurfaceMesh& surface) {
+  std::vector<double> vertices_at(surface.point_count(), 0.0);
+  for (std::size_t v = 0; v < surface.vertex_count(); ++v) vertices_at[surface.point_of(v)] += 1.0;
+  std::vector<double> areas(surface.vertex_count());
+  for (std::size_t v = 0; v < areas.size(); ++v) {
+    const std::uint32_t point = surface.point_of(v);
+    areas[v] = surface.areas()[point] / vertices_at[point];
+  }
+  return areas;
+}
+
 std::vector<double> steering_numbers(const PolygonMesh& mesh, const Curvature& curvature,
                                      const Steering& steering, UpAxis up) {
   const SteeringSource source = steering.source;
@@ -70,7 +81,7 @@ VertexGuides measure_guides(const PolygonMesh& mesh, const SurfaceMesh& surface,
   if (oriented) guides.directions = make_directions(surface, curvature, recipe.direction);
   if (recipe.steers()) {
     guides.numbers = steering_numbers(mesh, curvature, recipe.by, recipe.up);
-    guides.steering = make_weights(guides.numbers, recipe.by);
+    guides.steering = make_weights(guides.numbers, recipe.by, vertex_areas(surface));
   }
   return guides;
 }

@@ -25,6 +25,9 @@ struct VertexGuides {
 // names those they have).
 VertexGuides measure_guides(const PolygonMesh& mesh, const SurfaceMesh& surface, const BakeRecipe& recipe);
 
+// Each vertex's share of the surface, world units squared: vertices at one point share its area.
+std::vector<double> vertex_areas(const SurfaceMesh& surface);
+
 // The numbers of a steering source, one per vertex; `curvature` is looked at by those that need it. Throws
 // like measure_guides().
 std::vector<double> steering_numbers(const PolygonMesh& mesh, const Curvature& curvature,
