@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "solidnoise/volume/vdb_read.h"
-#include "tools/run_tool.h"
+#include "tools/run_vdbnoise.h"
 
 namespace solidnoise {
 namespace {
