@@ -7,6 +7,7 @@
 
 #include "solidnoise/volume/vdb_read.h"
 #include "tools/run_vdbnoise.h"
+#include "tools/same_grid.h"
 
 namespace solidnoise {
 namespace {
@@ -31,14 +32,6 @@ openvdb::FloatGrid::Ptr frame(const TemporaryFolder& folder, std::vector<std::st
   const ToolResult result = run_vdbnoise(arguments);
   EXPECT_EQ(result.status, 0) << result.err;
   return read_float_grid(file);
-}
-
-bool same_values(const openvdb::FloatGrid& a, const openvdb::FloatGrid& b) {
-  if (!a.tree().hasSameTopology(b.tree())) return false;
-  for (auto value = a.cbeginValueOn(); value; ++value) {
-    if (*value != b.tree().getValue(value.getCoord())) return false;
-  }
-  return true;
 }
 
 TEST(VdbnoiseTime, LastFramesSuccessorIsTheFirstToTheLastBit) {

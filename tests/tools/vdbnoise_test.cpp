@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <map>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -9,31 +8,10 @@
 #include "solidnoise/volume/vdb_read.h"
 #include "solidnoise/volume/volume_recipe_json.h"
 #include "tools/run_vdbnoise.h"
+#include "tools/same_grid.h"
 
 namespace solidnoise {
 namespace {
-
-// What the grid itself says: whether its values may be loaded later is a matter of the file, not of the grid.
-std::map<std::string, std::string> grid_metadata(const VdbSummary& summary) {
-  std::map<std::string, std::string> metadata = summary.grids[0].metadata;
-  metadata.erase("file_delayed_load");
-  return metadata;
-}
-
-// Topology, values and metadata, to the last bit.
-void expect_same_grid(const std::string& one, const std::string& other) {
-  const auto a = read_float_grid(one);
-  const auto b = read_float_grid(other);
-  EXPECT_TRUE(a->tree().hasSameTopology(b->tree()));
-  EXPECT_EQ(a->transform(), b->transform());
-  for (auto value = a->cbeginValueOn(); value; ++value) {
-    ASSERT_EQ(*value, b->tree().getValue(value.getCoord())) << value.getCoord();
-  }
-  const VdbSummary a_summary = read_vdb_summary(one);
-  const VdbSummary b_summary = read_vdb_summary(other);
-  EXPECT_EQ(a_summary.metadata, b_summary.metadata);
-  EXPECT_EQ(grid_metadata(a_summary), grid_metadata(b_summary));
-}
 
 VolumeRecipe recipe_in(const std::string& file) {
   return volume_recipe_from_json(parse_json(read_vdb_summary(file).grids[0].metadata.at(kRecipeKey)));

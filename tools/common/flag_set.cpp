@@ -225,6 +225,10 @@ void FlagSet::argument(const std::string& name, const std::string& help, std::st
   parser_->app.add_option(name, value, help)->required()->type_name("");
 }
 
+void FlagSet::arguments(const std::string& name, const std::string& help, std::vector<std::string>& values) {
+  parser_->app.add_option(name, values, help)->required()->type_name("");
+}
+
 void FlagSet::optional_argument(const std::string& name, const std::string& help, std::string& value) {
   parser_->app.add_option(name, value, help)->type_name("");
 }

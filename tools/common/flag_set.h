@@ -47,7 +47,10 @@ class FlagSet {
   // An argument without a flag, which must be there.
   void argument(const std::string& name, const std::string& help, std::string& value);
 
-  // The same, but it may be missing: `value` then stays.
+  // One or more of them.
+  void arguments(const std::string& name, const std::string& help, std::vector<std::string>& values);
+
+  // The same as argument(), but it may be missing: `value` then stays.
   void optional_argument(const std::string& name, const std::string& help, std::string& value);
 
   // Flags of which at most one may be given.

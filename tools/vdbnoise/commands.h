@@ -10,6 +10,7 @@ inline constexpr char kVdbnoise[] = "vdbnoise " SOLIDNOISE_VERSION;  // name and
 // The commands of vdbnoise. `arguments` follow the command's name. Each returns an exit status, and throws
 // what run_tool() expects.
 int run_make(const std::vector<std::string>& arguments);
+int run_merge(const std::vector<std::string>& arguments);
 int run_info(const std::vector<std::string>& arguments);
 int run_analyze(const std::vector<std::string>& arguments);
 

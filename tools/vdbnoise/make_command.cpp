@@ -3,7 +3,6 @@
 #include <memory>
 #include <optional>
 #include <stdexcept>
-#include <unistd.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -25,7 +24,9 @@
 #include "vdbnoise/describe.h"
 #include "vdbnoise/make_options.h"
 #include "vdbnoise/recipe_source.h"
+#include "vdbnoise/sequence_flags.h"
 #include "vdbnoise/time_flags.h"
+#include "vdbnoise/volume_output.h"
 
 namespace solidnoise {
 namespace {
@@ -33,6 +34,7 @@ namespace {
 constexpr char kDescription[] =
     "vdbnoise makes volumes of procedural noise, as OpenVDB files.\n"
     "  vdbnoise --out cloud.vdb     makes a cloud\n"
+    "  vdbnoise merge FILE... --out whole.vdb   joins parts made by --shard or --region\n"
     "  vdbnoise info FILE           prints a file's grids and recipe\n"
     "  vdbnoise analyze FILE        measures a grid and compares it with the theory";
 
@@ -70,13 +72,6 @@ void check_consistency(const FlagSet& flags, const MakeOptions& options) {
   for (const char* flag : {"--optical-depth", "--density"}) {
     if (raw && flags.given(flag)) throw UsageError(fmt::format("{} has no effect on raw noise", flag));
   }
-  if (!options.out.empty() && options.out != "-" && !options.out.ends_with(".vdb")) {
-    throw UsageError(
-        fmt::format("--out is {}; it must end in .vdb, or be - for the standard output", options.out));
-  }
-  if (!options.preview.empty() && !options.preview.ends_with(".png")) {
-    throw UsageError(fmt::format("--preview is {}; it must end in .png", options.preview));
-  }
   if (options.out == "-" && options.write_recipe == "-") {
     throw UsageError("--out and --write-recipe cannot both be the standard output");
   }
@@ -86,9 +81,7 @@ void check_outputs(const MakeOptions& options) {
   if (options.out.empty() && options.preview.empty() && options.write_recipe.empty()) {
     throw UsageError("--out is missing; say where the grid goes: --out cloud.vdb");
   }
-  if (options.out == "-" && isatty(STDOUT_FILENO) != 0) {
-    throw UsageError("--out is -, and the standard output is a terminal; send it to a file or a program");
-  }
+  check_output_names(options.out, options.preview);
   require_outputs({options.out, options.preview, options.write_recipe}, options.existing);
 }
 
@@ -116,18 +109,6 @@ void warn_of_aliasing(const VolumeRecipe& recipe, const VolumePlan& plan) {
       highest);
 }
 
-void print_statistics(const MeasuredGrid& measured, const std::string& where) {
-  const openvdb::Vec3d size = measured.grid->voxelSize();
-  const openvdb::Coord dim = measured.grid->evalActiveVoxelDim();
-  std::cerr << fmt::format("{}: grid {}, {} active voxels in {} x {} x {}, voxel size {:.6g}\n", where,
-                           measured.grid->getName(), measured.moments.front().count(), dim.x(), dim.y(),
-                           dim.z(), size.x());
-  for (const Moments& moments : measured.moments) {
-    std::cerr << fmt::format("min {:.6g}  max {:.6g}  mean {:.6g}  sigma {:.6g}\n", moments.min(),
-                             moments.max(), moments.mean(), moments.sigma());
-  }
-}
-
 void write_recipe(const MakeOptions& options, const VolumePlan& plan) {
   if (options.write_recipe.empty()) return;
   VolumeRecipe recipe = options.recipe;
@@ -135,26 +116,20 @@ void write_recipe(const MakeOptions& options, const VolumePlan& plan) {
   write_text_file(options.write_recipe, format_json(to_json(recipe)));
 }
 
-void make(const MakeOptions& options) {
-  check_outputs(options);
-  catch_interrupts();
-  std::unique_ptr<tbb::global_control> threads;
-  if (options.threads > 0) {
-    threads = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
-                                                    static_cast<std::size_t>(options.threads));
-  }
-  const VolumePlan plan = plan_volume(options.recipe);
+// Makes one volume.
+void make_volume_files(const MakeOptions& options) {
+  const VolumePlan plan = plan_volume(options.recipe, options.part);
   if (options.out.empty() && options.preview.empty()) return write_recipe(options, plan);
   check_memory(options, plan);
-  if (!options.quiet) warn_of_aliasing(options.recipe, plan);
+  if (!options.quiet && options.warns) warn_of_aliasing(options.recipe, plan);
 
   Volume volume;
   {
     TaskProgress progress(options.quiet ? ProgressBar::Visibility::hidden
                                         : ProgressBar::Visibility::if_terminal);
-    progress.begin("noise");
+    progress.begin(options.task_prefix + "noise");
     volume = make_volume(options.recipe, plan, kVdbnoise, &progress);
-    progress.begin("writing");
+    progress.begin(options.task_prefix + "writing");
     std::optional<Image> preview;
     if (!options.preview.empty()) {
       const auto density = openvdb::gridPtrCast<openvdb::FloatGrid>(volume.grids.front().grid);
@@ -166,18 +141,57 @@ void make(const MakeOptions& options) {
       write.codec = options.recipe.codec;
       write.existing = options.existing;
       write.creator = kVdbnoise;
+      write.frame = options.frame;
+      if (options.frame) write.fps = options.fps;
       write.progress = &progress;
-      openvdb::GridCPtrVec grids;
-      for (const MeasuredGrid& measured : volume.grids) grids.push_back(measured.grid);
-      write_vdb(options.out, grids, write);
+      write_volume(options.out, volume, write);
     }
     if (preview) write_image(options.preview, *preview);
   }
   write_recipe(options, plan);
-  if (options.quiet) return;
-  for (const MeasuredGrid& measured : volume.grids) {
-    print_statistics(measured, options.out.empty() ? options.preview : options.out);
+  if (!options.quiet) print_statistics(volume, options.out.empty() ? options.preview : options.out);
+}
+
+// Makes the frames one after the other. One that fails leaves the others; an interruption ends all.
+int make_sequence(const MakeOptions& options) {
+  const bool makes_volumes = !options.out.empty() || !options.preview.empty();
+  for (std::size_t i = 0; makes_volumes && i < options.frames.size(); ++i) {
+    check_outputs(options_of_frame(options, i));
   }
+  if (!options.write_recipe.empty()) {
+    MakeOptions recipe_only = options;
+    recipe_only.out.clear();
+    recipe_only.preview.clear();
+    check_outputs(recipe_only);
+    make_volume_files(recipe_only);
+    if (!makes_volumes) return kDone;
+  }
+  std::size_t failed = 0;
+  for (std::size_t i = 0; i < options.frames.size(); ++i) {
+    try {
+      make_volume_files(options_of_frame(options, i));
+    } catch (const Cancelled&) {
+      throw;
+    } catch (const std::runtime_error& error) {
+      ++failed;
+      std::cerr << fmt::format("vdbnoise: frame {}: {}\n", options.frames[i], error.what());
+    }
+  }
+  if (failed == 0) return kDone;
+  throw std::runtime_error(fmt::format("{} of {} frames failed", failed, options.frames.size()));
+}
+
+int make(const MakeOptions& options) {
+  catch_interrupts();
+  std::unique_ptr<tbb::global_control> threads;
+  if (options.threads > 0) {
+    threads = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
+                                                    static_cast<std::size_t>(options.threads));
+  }
+  if (!options.frames.empty()) return make_sequence(options);
+  check_outputs(options);
+  make_volume_files(options);
+  return kDone;
 }
 
 }  // namespace
@@ -197,10 +211,11 @@ int run_make(const std::vector<std::string>& arguments) {
     flags.apply();
     check_consistency(flags, options);
     options.recipe.validate();
+    check_sequence(flags, options);
     if (options.task == MakeOptions::Task::describe) {
       std::cout << format_json(describe_volume(options.recipe));
     } else {
-      make(options);
+      return make(options);
     }
   } catch (const std::invalid_argument& error) {
     throw UsageError(name_loop(flags, flags.name_flag(error.what())));

@@ -1,10 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "common/flag_set.h"
 #include "solidnoise/volume/vdb_write.h"
+#include "solidnoise/volume/volume_part.h"
 #include "solidnoise/volume/volume_recipe.h"
 
 namespace solidnoise {
@@ -22,6 +25,15 @@ struct MakeOptions {
   int threads = 0;               // 0: as many as the machine has
   std::uint64_t max_memory = 0;  // bytes; 0: what the machine has available
   bool quiet = false;
+
+  std::vector<int> frames;  // of a sequence; empty: one volume
+  double fps = 24.0;        // frames per unit of time
+  VolumePart part;          // what of the volume to make
+
+  // Of one frame of a sequence:
+  std::optional<int> frame;
+  std::string task_prefix;  // before the names of tasks in the progress bar
+  bool warns = true;        // of what holds for all frames
 };
 
 // Declares all flags. Before they are applied the caller puts the recipe that they override into `options`:

@@ -1,0 +1,113 @@
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tools/run_vdbnoise.h"
+#include "tools/same_grid.h"
+
+namespace solidnoise {
+namespace {
+
+void run_well(const std::vector<std::string>& arguments, const TemporaryFolder& folder) {
+  const ToolResult result = run_vdbnoise(arguments, {.folder = folder.path()});
+  EXPECT_EQ(result.status, 0) << result.err;
+}
+
+TEST(Parts, ShardsMergeToTheWholeToTheLastBit) {
+  const std::vector<std::vector<std::string>> cases{
+      {"--dim", "96", "--quiet"},
+      {"--preset", "marble", "--dim", "64", "--half", "--quiet"},
+      {"--raw", "--shape", "sphere", "--dim", "70", "--range", "unit", "--quiet"},
+  };
+  for (std::vector<std::string> arguments : cases) {
+    const TemporaryFolder folder;
+    arguments.insert(arguments.end(), {"--out", "whole.vdb"});
+    run_well(arguments, folder);
+    for (const char* shard : {"1", "2", "3", "4"}) {
+      arguments.back() = std::string("part") + shard + ".vdb";
+      std::vector<std::string> part = arguments;
+      part.insert(part.end(), {"--shard", std::string(shard) + "/4", "--threads", shard});
+      run_well(part, folder);
+    }
+    run_well({"merge", "part3.vdb", "part1.vdb", "part4.vdb", "part2.vdb", "--out", "merged.vdb", "--preview",
+              "merged.png", "--quiet"},
+             folder);
+    expect_same_grid(folder.file("merged.vdb"), folder.file("whole.vdb"));
+    EXPECT_EQ(folder.names().count("merged.png"), 1u);
+  }
+}
+
+TEST(Parts, RegionsMergeToTheWholeToTheLastBit) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> recipe{"--raw", "--dim", "50", "--box", "-1",     "-1",
+                                        "-1",    "1",     "1",  "1",     "--quiet"};
+  const auto make = [&](const std::string& out, const std::vector<std::string>& region) {
+    std::vector<std::string> arguments = recipe;
+    arguments.insert(arguments.end(), {"--out", out});
+    arguments.insert(arguments.end(), region.begin(), region.end());
+    run_well(arguments, folder);
+  };
+  make("whole.vdb", {});
+  make("left.vdb", {"--region", "-2", "-2", "-2", "0.1", "2", "2"});
+  make("right1.vdb", {"--region", "0.1", "-2", "-2", "2", "2", "2", "--shard", "1/2"});
+  make("right2.vdb", {"--region", "0.1", "-2", "-2", "2", "2", "2", "--shard", "2/2"});
+  run_well({"merge", "left.vdb", "right1.vdb", "right2.vdb", "--out", "merged.vdb", "--quiet"}, folder);
+  expect_same_grid(folder.file("merged.vdb"), folder.file("whole.vdb"));
+
+  const ToolResult result =
+      run_vdbnoise({"merge", "left.vdb", "right2.vdb", "--out", "missing.vdb"}, {.folder = folder.path()});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_NE(result.err.find("parts are missing"), std::string::npos) << result.err;
+  EXPECT_EQ(folder.names().count("missing.vdb"), 0u);
+}
+
+// A volume that would not fit in the memory does, part by part.
+TEST(Parts, NeedLessMemoryThanTheWhole) {
+  const std::vector<std::string> recipe{"--raw", "--dim", "128", "--max-memory", "5M", "--quiet"};
+  const TemporaryFolder folder;
+  std::vector<std::string> whole = recipe;
+  whole.insert(whole.end(), {"--out", "whole.vdb"});
+  const ToolResult result = run_vdbnoise(whole, {.folder = folder.path()});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_NE(result.err.find("--max-memory allows 5.0 MiB"), std::string::npos) << result.err;
+  std::vector<std::string> part = recipe;
+  part.insert(part.end(), {"--out", "part.vdb", "--shard", "2/8"});
+  run_well(part, folder);
+}
+
+TEST(Parts, WrongUsageIsRefused) {
+  const TemporaryFolder folder;
+  folder.write("garbage.vdb", "this is no volume");
+  struct Refusal {
+    int status;
+    std::vector<std::string> arguments;
+    std::string says;
+  };
+  const std::vector<Refusal> refusals{
+      {2, {"--shard", "4/3", "--out", "x.vdb"}, "--shard is 4/3; it must be K/N with K from 1 to N"},
+      {2, {"--shard", "0/3", "--out", "x.vdb"}, "--shard is 0/3"},
+      {2, {"--shard", "3", "--out", "x.vdb"}, "--shard is 3; it must be which of how many, such as 3/8"},
+      {2, {"--shard", "1/x", "--out", "x.vdb"}, "--shard is x"},
+      {2, {"--shard", "1/3", "--out", "x.vdb", "--preview", "x.png"}, "--preview shows whole volumes"},
+      {2,
+       {"--region", "0", "0", "0", "1", "0", "1", "--out", "x.vdb"},
+       "--region reaches from 0 to 0 on axis y"},
+      {2, {"merge", "--out", "x.vdb"}, "FILE"},
+      {2, {"merge", "garbage.vdb"}, "--out is missing"},
+      {2, {"merge", "garbage.vdb", "--out", "x.obj"}, "--out is x.obj; it must end in .vdb"},
+      {1, {"merge", "garbage.vdb", "--out", "x.vdb"}, "garbage.vdb: is not a .vdb"},
+      {1, {"merge", "nowhere.vdb", "--out", "x.vdb"}, "nowhere.vdb: cannot be read"},
+      {1, {"merge", "nowhere.vdb", "--out", "garbage.vdb"}, "garbage.vdb exists; --force replaces it"},
+  };
+  for (const Refusal& refusal : refusals) {
+    const ToolResult result = run_vdbnoise(refusal.arguments, {.folder = folder.path()});
+    EXPECT_EQ(result.status, refusal.status);
+    EXPECT_NE(result.err.find(refusal.says), std::string::npos) << result.err;
+    EXPECT_EQ(folder.names(), std::set<std::string>{"garbage.vdb"});
+  }
+}
+
+}  // namespace
+}  // namespace solidnoise

@@ -1,0 +1,147 @@
+#include <chrono>
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tools/run_vdbnoise.h"
+#include "tools/same_grid.h"
+
+namespace solidnoise {
+namespace {
+
+using namespace std::chrono_literals;
+
+std::vector<std::string> with(std::vector<std::string> arguments, const std::vector<std::string>& more) {
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+const std::vector<std::string> kEvolving{"--raw", "--dim",    "12", "--frequency",
+                                         "2",     "--evolve", "1",  "--quiet"};
+
+TEST(Sequence, NamesGrowPastTheirDigitsAndStepsAreKept) {
+  const TemporaryFolder folder;
+  const RunOptions in_folder{.folder = folder.path()};
+  for (const char* pattern : {"a.###.vdb", "b_%03d.vdb", "c%d.vdb"}) {
+    const ToolResult result =
+        run_vdbnoise(with(kEvolving, {"--frames", "998-1002x2", "--out", pattern}), in_folder);
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(result.err, "");
+  }
+  ASSERT_EQ(run_vdbnoise(with(kEvolving, {"--frames", "7", "--out", "a.###.vdb"}), in_folder).status, 0);
+  EXPECT_EQ(folder.names(),
+            (std::set<std::string>{"a.998.vdb", "a.1000.vdb", "a.1002.vdb", "b_998.vdb", "b_1000.vdb",
+                                   "b_1002.vdb", "c998.vdb", "c1000.vdb", "c1002.vdb", "a.007.vdb"}));
+}
+
+// A frame is the same by itself and in any sequence; its moment is its number over the frame rate.
+TEST(Sequence, FrameIsAtItsNumberOverTheRate) {
+  const TemporaryFolder folder;
+  const RunOptions in_folder{.folder = folder.path()};
+  run_vdbnoise(with(kEvolving, {"--frames", "10-14", "--fps", "8", "--out", "s.##.vdb"}), in_folder);
+  run_vdbnoise(with(kEvolving, {"--frames", "12", "--fps", "8", "--out", "one.##.vdb"}), in_folder);
+  run_vdbnoise(with(kEvolving, {"--time", "1.5", "--out", "time.vdb"}), in_folder);
+  expect_same_grid(folder.file("s.12.vdb"), folder.file("one.12.vdb"));
+  const auto metadata = read_vdb_summary(folder.file("s.12.vdb")).metadata;
+  EXPECT_EQ(metadata.at("frame"), "12");
+  EXPECT_EQ(metadata.at("fps"), "8");
+  EXPECT_TRUE(same_values(folder.file("s.12.vdb"), folder.file("time.vdb")));
+}
+
+TEST(Sequence, LastFramesSuccessorIsTheFirstToTheLastBit) {
+  const std::vector<std::vector<std::string>> moving{
+      kEvolving, {"--raw", "--dim", "12", "--frequency", "2", "--dims", "4", "--quiet"}};
+  for (const auto& arguments : moving) {
+    const TemporaryFolder folder;
+    // 48 frames; 1001 and 1049 are a loop apart.
+    const ToolResult result =
+        run_vdbnoise(with(arguments, {"--frames", "1001-1049x24", "--loop", "2", "--out", "s.####.vdb"}),
+                     {.folder = folder.path()});
+    ASSERT_EQ(result.status, 0) << result.err;
+    EXPECT_TRUE(same_values(folder.file("s.1001.vdb"), folder.file("s.1049.vdb")));
+    EXPECT_FALSE(same_values(folder.file("s.1001.vdb"), folder.file("s.1025.vdb")));
+  }
+}
+
+// Once the first frame is there, something takes the place of the last one.
+TEST(Sequence, FailedFrameLeavesTheOthers) {
+  const TemporaryFolder folder;
+  RunningTool tool(
+      SOLIDNOISE_VDBNOISE,
+      {"--raw", "--dim", "64", "--evolve", "1", "--quiet", "--frames", "1-9", "--out", "s.#.vdb"},
+      {.folder = folder.path()});
+  const auto give_up = std::chrono::steady_clock::now() + 60s;
+  while (folder.names().count("s.1.vdb") == 0 && std::chrono::steady_clock::now() < give_up) {
+    std::this_thread::sleep_for(1ms);
+  }
+  folder.write("s.9.vdb", "precious");
+  const ToolResult result = tool.wait();
+  EXPECT_EQ(result.status, 1);
+  EXPECT_NE(result.err.find("vdbnoise: frame 9: s.9.vdb: exists already"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("1 of 9 frames failed"), std::string::npos) << result.err;
+  EXPECT_EQ(folder.read("s.9.vdb"), "precious");
+  EXPECT_EQ(folder.names().size(), 9u);
+}
+
+TEST(Sequence, WritesTheRecipeOfAllFramesOnce) {
+  const TemporaryFolder folder;
+  const RunOptions in_folder{.folder = folder.path()};
+  const ToolResult result = run_vdbnoise(
+      with(kEvolving, {"--frames", "5-6", "--out", "s.#.vdb", "--write-recipe", "s.json"}), in_folder);
+  ASSERT_EQ(result.status, 0) << result.err;
+  run_vdbnoise({"--recipe", "s.json", "--frames", "6", "--out", "again.#.vdb", "--quiet"}, in_folder);
+  expect_same_grid(folder.file("s.6.vdb"), folder.file("again.6.vdb"));
+}
+
+struct Refusal {
+  std::vector<std::string> arguments;
+  std::string says;
+};
+
+TEST(Sequence, RefusesWhatIsNoSequence) {
+  const std::vector<std::string> evolving = with(kEvolving, {"--frames", "1-2"});
+  const std::vector<Refusal> refusals{
+      {with(evolving, {"--out", "s.vdb"}), "--out is s.vdb; of several frames it must have a place"},
+      {with(evolving, {"--out", "s.#.x.vdb"}), "--out is s.#.x.vdb; it must have one place"},
+      {with(evolving, {"--out", "s#.##.vdb"}), "--out is s#.##.vdb; it must have one place"},
+      {with(evolving, {"--out", "s.##########.vdb"}), "at most 9 digits"},
+      {with(evolving, {"--out", "s.#.vdb", "--preview", "s.png"}), "--preview is s.png; of several frames"},
+      {with(evolving, {"--out", "-"}), "--out is -"},
+      {with(evolving, {"--out", "s.#.vdb", "--fps", "0"}), "--fps is 0; it must be greater than 0"},
+      {with(evolving, {"--out", "s.#.vdb", "--loop", "0.3"}),
+       "--loop is 0.3, which at 24 frames per unit of time is 7.2"},
+      {with(kEvolving, {"--out", "s.#.vdb"}),
+       "--out is s.#.vdb, which has a place for the number of a frame; give --frames"},
+      {with(kEvolving, {"--out", "s.vdb", "--fps", "25"}), "--fps has no effect without --frames"},
+      {{"--raw", "--frames", "1-2", "--out", "s.#.vdb"},
+       "--frames has no effect on a noise that does not change"},
+  };
+  for (const Refusal& refusal : refusals) {
+    const TemporaryFolder folder;
+    const ToolResult result = run_vdbnoise(refusal.arguments, {.folder = folder.path()});
+    EXPECT_EQ(result.status, 2);
+    EXPECT_NE(result.err.find(refusal.says), std::string::npos) << result.err;
+    EXPECT_TRUE(folder.names().empty());
+  }
+  for (const char* frames : {"-3-4", "4-3", "a", "1-2x0", "1-5x", "1..4", "1-", "0-99999999"}) {
+    const ToolResult result = run_vdbnoise(with(kEvolving, {"--frames", frames, "--out", "s.#.vdb"}));
+    EXPECT_EQ(result.status, 2) << frames;
+    EXPECT_NE(result.err.find(std::string("--frames is ") + frames), std::string::npos) << result.err;
+  }
+}
+
+TEST(Sequence, AFrameThatExistsIsRefusedBeforeAnyIsMade) {
+  const TemporaryFolder folder;
+  folder.write("s.2.vdb", "precious");
+  const ToolResult result =
+      run_vdbnoise(with(kEvolving, {"--frames", "1-3", "--out", "s.#.vdb"}), {.folder = folder.path()});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_NE(result.err.find("s.2.vdb exists; --force replaces it"), std::string::npos) << result.err;
+  EXPECT_EQ(folder.names(), std::set<std::string>{"s.2.vdb"});
+}
+
+}  // namespace
+}  // namespace solidnoise

@@ -1,0 +1,73 @@
+#include <optional>
+#include <stdexcept>
+
+#include "common/exit_status.h"
+#include "common/flag_targets.h"
+#include "common/interrupt.h"
+#include "common/outputs.h"
+#include "common/task_progress.h"
+#include "common/usage_error.h"
+#include "solidnoise/image/image_file.h"
+#include "solidnoise/volume/merge_parts.h"
+#include "solidnoise/volume/preview.h"
+#include "vdbnoise/commands.h"
+#include "vdbnoise/volume_output.h"
+
+namespace solidnoise {
+namespace {
+
+constexpr char kDescription[] =
+    "Joins the parts of a volume, made by --shard or --region, to what vdbnoise makes of the recipe in one\n"
+    "piece, bit for bit.\n"
+    "  vdbnoise merge part1.vdb part2.vdb --out whole.vdb";
+
+// A picture of the volume, where one is wanted.
+std::optional<Image> picture_of(const MergedVolume& merged, const std::string& preview) {
+  if (preview.empty()) return std::nullopt;
+  const auto density = openvdb::gridPtrCast<openvdb::FloatGrid>(merged.volume.grids.front().grid);
+  if (!density) throw std::runtime_error("--preview shows densities; leave it out for vectors");
+  return render_preview(*density, {.up = merged.recipe.up});
+}
+
+}  // namespace
+
+int run_merge(const std::vector<std::string>& arguments) {
+  std::vector<std::string> files;
+  std::string out;
+  std::string preview;
+  VdbWriteOptions write;
+  bool quiet = false;
+  FlagSet flags("vdbnoise merge", kDescription);
+  flags.arguments("FILE...", "The parts, in any order", files);
+  flags.group("Flags");
+  keep(flags, "--out", "FILE.vdb", "Where the grid goes; - for the standard output", out);
+  keep(flags, "--preview", "FILE.png", "A picture of the volume, rendered by OpenVDB", preview);
+  flags.toggle("--force", "Replace files that exist", [&] { write.existing = Existing::replace; });
+  flags.toggle("--quiet", "Print errors only", [&] { quiet = true; });
+  flags.parse(arguments);
+  flags.apply();
+  if (out.empty()) throw UsageError("--out is missing; say where the grid goes: --out whole.vdb");
+  check_output_names(out, preview);
+  require_outputs({out, preview}, write.existing);
+  catch_interrupts();
+
+  MergedVolume merged;
+  {
+    TaskProgress progress(quiet ? ProgressBar::Visibility::hidden : ProgressBar::Visibility::if_terminal);
+    progress.begin("merging");
+    merged = merge_parts({files.begin(), files.end()}, kVdbnoise, &progress);
+    progress.begin("writing");
+    const std::optional<Image> picture = picture_of(merged, preview);
+    write.codec = merged.recipe.codec;
+    write.creator = kVdbnoise;
+    write.frame = merged.frame;
+    write.fps = merged.fps;
+    write.progress = &progress;
+    write_volume(out, merged.volume, write);
+    if (picture) write_image(preview, *picture);
+  }
+  if (!quiet) print_statistics(merged.volume, out);
+  return kDone;
+}
+
+}  // namespace solidnoise

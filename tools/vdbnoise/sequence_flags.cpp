@@ -1,0 +1,118 @@
+#include "vdbnoise/sequence_flags.h"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "common/frame_range.h"
+#include "common/parse_value.h"
+#include "common/usage_error.h"
+#include "solidnoise/core/check.h"
+#include "solidnoise/noise/noise_recipe.h"
+
+namespace solidnoise {
+namespace {
+
+// "3/8": the third of eight.
+void parse_shard(const std::string& text, VolumePart& part) {
+  const std::size_t slash = text.find('/');
+  if (slash == std::string::npos) {
+    throw UsageError(fmt::format("--shard is {}; it must be which of how many, such as 3/8", text));
+  }
+  part.shard = parse_integer("--shard", text.substr(0, slash));
+  part.shards = parse_integer("--shard", text.substr(slash + 1));
+  if (part.shards < 1 || part.shard < 1 || part.shard > part.shards) {
+    throw UsageError(fmt::format("--shard is {}; it must be K/N with K from 1 to N", text));
+  }
+}
+
+bool changes_with_time(const VolumeRecipe& recipe) {
+  return recipe.dims == 4 || evolves(recipe.noise);
+}
+
+// Units of time; 0: the recipe does not loop.
+double loop_of(const VolumeRecipe& recipe) {
+  if (recipe.dims == 4) {
+    return std::visit([](const auto& options) { return options.period[3]; }, recipe.noise.noise);
+  }
+  return evolves(recipe.noise) ? evolution_of(recipe.noise)->loop : 0.0;
+}
+
+// Frames that a loop has; 0 if the recipe does not loop. Throws UsageError unless they are a whole number.
+int loop_frames(const MakeOptions& options) {
+  constexpr double kTolerance = 1e-6;
+  constexpr double kMost = 1e9;
+  const double frames = loop_of(options.recipe) * options.fps;
+  if (frames == 0.0) return 0;
+  const double whole = std::round(frames);
+  if (whole < 1.0 || whole > kMost || std::abs(frames - whole) > kTolerance * whole) {
+    throw UsageError(
+        fmt::format("--loop is {}, which at {} frames per unit of time is {:.6g} frames; it must be a whole "
+                    "number of them",
+                    loop_of(options.recipe), options.fps, frames));
+  }
+  return static_cast<int>(whole);
+}
+
+}  // namespace
+
+void declare_sequence_flags(FlagSet& flags, MakeOptions& options) {
+  flags.group("Sequences and parts");
+  flags.text("--frames", "A-B[xSTEP]",
+             "Make these frames; outputs are named such as cloud.####.vdb or cloud.%04d.vdb",
+             [&](const std::string& text) { options.frames = parse_frames("--frames", text); });
+  flags.number("--fps", "RATE", "With --frames: frames per unit of time; frame n is at n / RATE (default 24)",
+               [&](double value) {
+                 require_positive("fps", value, "frames per unit of time");
+                 options.fps = value;
+               });
+  flags.text("--shard", "K/N", "Make the K-th of N parts of the volume, for vdbnoise merge to join",
+             [&](const std::string& text) { parse_shard(text, options.part); });
+  flags.numbers("--region", "X0 Y0 Z0 X1 Y1 Z1", 6,
+                "Make the 8^3 blocks of voxels that begin in this box, world units, for vdbnoise merge",
+                [&](const std::vector<double>& v) {
+                  options.part.region = Box<3>{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
+                });
+}
+
+void check_sequence(const FlagSet& flags, const MakeOptions& options) {
+  if (options.frames.empty()) {
+    if (flags.given("--fps")) throw UsageError("--fps has no effect without --frames");
+    for (const auto& [flag, path] : {std::pair{"--out", &options.out}, {"--preview", &options.preview}}) {
+      if (has_frame_number(*path)) {
+        throw UsageError(
+            fmt::format("{} is {}, which has a place for the number of a frame; give --frames", flag, *path));
+      }
+    }
+  } else {
+    if (!changes_with_time(options.recipe)) {
+      throw UsageError(
+          "--frames has no effect on a noise that does not change; give --evolve or --dims 4 too");
+    }
+    if (options.out == "-") throw UsageError("--out is -; frames go to files, such as cloud.####.vdb");
+    loop_frames(options);
+    options_of_frame(options, 0);
+  }
+  if (!options.part.whole() && !options.preview.empty()) {
+    throw UsageError("--preview shows whole volumes; leave it out with --shard and --region");
+  }
+}
+
+MakeOptions options_of_frame(const MakeOptions& options, std::size_t index) {
+  MakeOptions result = options;
+  const int frame = options.frames[index];
+  result.frames.clear();
+  result.frame = frame;
+  result.task_prefix = fmt::format("frame {} ({} of {}): ", frame, index + 1, options.frames.size());
+  result.warns = index == 0;
+  result.write_recipe.clear();
+  if (!result.out.empty()) result.out = frame_path("--out", options.out, frame);
+  if (!result.preview.empty()) result.preview = frame_path("--preview", options.preview, frame);
+  const int loop = loop_frames(options);
+  result.recipe.time += (loop == 0 ? frame : frame % loop) / options.fps;
+  return result;
+}
+
+}  // namespace solidnoise

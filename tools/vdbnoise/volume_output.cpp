@@ -1,0 +1,49 @@
+#include "vdbnoise/volume_output.h"
+
+#include <iostream>
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "common/usage_error.h"
+
+namespace solidnoise {
+namespace {
+
+void print_statistics(const MeasuredGrid& measured, const std::string& where) {
+  const openvdb::Vec3d size = measured.grid->voxelSize();
+  const openvdb::Coord dim = measured.grid->evalActiveVoxelDim();
+  std::cerr << fmt::format("{}: grid {}, {} active voxels in {} x {} x {}, voxel size {:.6g}\n", where,
+                           measured.grid->getName(), measured.moments.front().count(), dim.x(), dim.y(),
+                           dim.z(), size.x());
+  for (const Moments& moments : measured.moments) {
+    std::cerr << fmt::format("min {:.6g}  max {:.6g}  mean {:.6g}  sigma {:.6g}\n", moments.min(),
+                             moments.max(), moments.mean(), moments.sigma());
+  }
+}
+
+}  // namespace
+
+void check_output_names(const std::string& out, const std::string& preview) {
+  if (!out.empty() && out != "-" && !out.ends_with(".vdb")) {
+    throw UsageError(fmt::format("--out is {}; it must end in .vdb, or be - for the standard output", out));
+  }
+  if (!preview.empty() && !preview.ends_with(".png")) {
+    throw UsageError(fmt::format("--preview is {}; it must end in .png", preview));
+  }
+  if (out == "-" && isatty(STDOUT_FILENO) != 0) {
+    throw UsageError("--out is -, and the standard output is a terminal; send it to a file or a program");
+  }
+}
+
+void write_volume(const std::string& path, const Volume& volume, const VdbWriteOptions& options) {
+  openvdb::GridCPtrVec grids;
+  for (const MeasuredGrid& measured : volume.grids) grids.push_back(measured.grid);
+  write_vdb(path, grids, options);
+}
+
+void print_statistics(const Volume& volume, const std::string& where) {
+  for (const MeasuredGrid& measured : volume.grids) print_statistics(measured, where);
+}
+
+}  // namespace solidnoise

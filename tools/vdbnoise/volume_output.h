@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "solidnoise/volume/vdb_write.h"
+#include "solidnoise/volume/volume.h"
+
+namespace solidnoise {
+
+// Refuses names that outputs cannot have: a grid's must end in .vdb or be "-", which may not be a terminal, a
+// picture's in .png. Empty ones are none. Throws UsageError that names the flag.
+void check_output_names(const std::string& out, const std::string& preview);
+
+// Writes all grids of a volume. Throws as write_vdb() does.
+void write_volume(const std::string& path, const Volume& volume, const VdbWriteOptions& options);
+
+// Tells on the standard error what a file holds.
+void print_statistics(const Volume& volume, const std::string& where);
+
+}  // namespace solidnoise
