@@ -47,13 +47,9 @@ class MappedField final : public Field {
 };
 
 struct RangeMap {
-  float centre;
-  float half_width;
+  RawShaping::Range range;
 
-  void operator()(const Lattice<3>&, std::span<float> values) const {
-    constexpr float kSigmasToTheEnd = 3.0f;
-    for (float& v : values) v = centre + half_width * std::clamp(v / kSigmasToTheEnd, -1.0f, 1.0f);
-  }
+  void operator()(const Lattice<3>&, std::span<float> values) const { to_range(range, values); }
   bool empty(const Box<3>&) const { return false; }
 };
 
@@ -153,16 +149,17 @@ struct VeinMap {
 
 }  // namespace
 
+void to_range(RawShaping::Range range, std::span<float> values) {
+  if (range == RawShaping::Range::raw) return;
+  constexpr float kSigmasToTheEnd = 3.0f;
+  const float centre = range == RawShaping::Range::unit ? 0.5f : 0.0f;
+  const float half_width = range == RawShaping::Range::unit ? 0.5f : 1.0f;
+  for (float& v : values) v = centre + half_width * std::clamp(v / kSigmasToTheEnd, -1.0f, 1.0f);
+}
+
 std::unique_ptr<Field> make_field(std::shared_ptr<const Noise<3>> noise, const RawShaping& shaping) {
-  switch (shaping.range) {
-    case RawShaping::Range::signed_values:
-      return std::make_unique<MappedField<RangeMap>>(std::move(noise), RangeMap{0.0f, 1.0f});
-    case RawShaping::Range::unit:
-      return std::make_unique<MappedField<RangeMap>>(std::move(noise), RangeMap{0.5f, 0.5f});
-    case RawShaping::Range::raw:
-      break;
-  }
-  return std::make_unique<NoiseField>(std::move(noise));
+  if (shaping.range == RawShaping::Range::raw) return std::make_unique<NoiseField>(std::move(noise));
+  return std::make_unique<MappedField<RangeMap>>(std::move(noise), RangeMap{shaping.range});
 }
 
 std::unique_ptr<Field> make_field(std::shared_ptr<const Noise<3>> noise, const RemapShaping& shaping,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 
 #include "solidnoise/core/box.h"
 #include "solidnoise/noise/noise.h"
@@ -8,6 +9,9 @@
 #include "solidnoise/volume/shaping.h"
 
 namespace solidnoise {
+
+// Maps values of a noise of unit variance to the range.
+void to_range(RawShaping::Range range, std::span<float> values);
 
 // A noise of unit variance in another range; RawShaping::Range::raw is the noise itself.
 std::unique_ptr<Field> make_field(std::shared_ptr<const Noise<3>> noise, const RawShaping& shaping);
