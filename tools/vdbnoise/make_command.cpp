@@ -23,6 +23,7 @@
 #include "vdbnoise/commands.h"
 #include "vdbnoise/describe.h"
 #include "vdbnoise/make_options.h"
+#include "vdbnoise/modify_flags.h"
 #include "vdbnoise/recipe_source.h"
 #include "vdbnoise/sequence_flags.h"
 #include "vdbnoise/time_flags.h"
@@ -52,7 +53,8 @@ VolumeRecipe choose_recipe(const FlagSet& flags, bool quiet) {
     if (!loaded.warning.empty() && !quiet) std::cerr << "vdbnoise: warning: " << loaded.warning << '\n';
     return loaded.recipe;
   }
-  const std::string_view otherwise = flags.given("--raw") ? "raw" : kDefaultPreset;
+  const bool noise_itself = flags.given("--raw") || flags.given("--on");
+  const std::string_view otherwise = noise_itself ? "raw" : kDefaultPreset;
   return load_preset(flags.value_of("--preset").value_or(std::string(otherwise)));
 }
 
@@ -68,6 +70,7 @@ void check_consistency(const FlagSet& flags, const MakeOptions& options) {
       throw UsageError(fmt::format("{} has no effect where --shape is a grid, whose voxels are kept", flag));
     }
   }
+  check_modify_flags(flags, options.recipe);
   const bool raw = std::holds_alternative<RawShaping>(options.recipe.shaping);
   for (const char* flag : {"--optical-depth", "--density"}) {
     if (raw && flags.given(flag)) throw UsageError(fmt::format("{} has no effect on raw noise", flag));
@@ -91,9 +94,9 @@ void check_memory(const MakeOptions& options, const VolumePlan& plan) {
   if (limit == 0 || plan.memory <= limit) return;
   const openvdb::Coord size = plan.voxels.dim();
   throw std::runtime_error(fmt::format(
-      "{} x {} x {} voxels may need {}, --max-memory allows {}{}; make --dim smaller or --voxel larger",
-      size.x(), size.y(), size.z(), format_bytes(plan.memory), format_bytes(limit),
-      options.max_memory != 0 ? "" : ", what is available"));
+      "{} x {} x {} voxels may need {}, --max-memory allows {}{}{}", size.x(), size.y(), size.z(),
+      format_bytes(plan.memory), format_bytes(limit), options.max_memory != 0 ? "" : ", what is available",
+      plan.modification ? "" : "; make --dim smaller or --voxel larger"));
 }
 
 // Frequencies that the voxels cannot hold come back as others.
@@ -113,6 +116,7 @@ void write_recipe(const MakeOptions& options, const VolumePlan& plan) {
   if (options.write_recipe.empty()) return;
   VolumeRecipe recipe = options.recipe;
   recipe.shape = plan.shape;
+  if (plan.modification) recipe.modification = plan.modification->modification;
   write_text_file(options.write_recipe, format_json(to_json(recipe)));
 }
 

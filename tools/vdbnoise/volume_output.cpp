@@ -38,8 +38,17 @@ void check_output_names(const std::string& out, const std::string& preview) {
 
 void write_volume(const std::string& path, const Volume& volume, const VdbWriteOptions& options) {
   openvdb::GridCPtrVec grids;
-  for (const MeasuredGrid& measured : volume.grids) grids.push_back(measured.grid);
-  write_vdb(path, grids, options);
+  if (!volume.file) {
+    for (const MeasuredGrid& measured : volume.grids) grids.push_back(measured.grid);
+    write_vdb(path, grids, options);
+    return;
+  }
+  // What the file said of itself stays, its maker included.
+  VdbWriteOptions kept = options;
+  kept.metadata = volume.file->metadata;
+  if (kept.metadata["creator"]) kept.creator.clear();
+  grids.assign(volume.file->grids.begin(), volume.file->grids.end());
+  write_vdb(path, grids, kept);
 }
 
 void print_statistics(const Volume& volume, const std::string& where) {

@@ -11,7 +11,8 @@ namespace solidnoise {
 // picture's in .png. Empty ones are none. Throws UsageError that names the flag.
 void check_output_names(const std::string& out, const std::string& preview);
 
-// Writes all grids of a volume. Throws as write_vdb() does.
+// Writes all grids of a volume, with the rest of the file that one was modified in. Throws as write_vdb()
+// does.
 void write_volume(const std::string& path, const Volume& volume, const VdbWriteOptions& options);
 
 // Tells on the standard error what a file holds.

@@ -12,16 +12,6 @@
 namespace solidnoise {
 namespace {
 
-// Scales densities to the optical depth or peak that the recipe asks for. A grid of zeros stays as it is.
-void scale_density(const VolumeRecipe& recipe, openvdb::FloatGrid& grid, Moments& moments) {
-  const double largest =
-      recipe.density.peak ? moments.max() : thickest_column(grid, recipe.up == UpAxis::y ? 1 : 2);
-  if (largest <= 0.0) return;
-  const double wanted = recipe.density.peak.value_or(recipe.density.optical_depth);
-  scale_values(grid, static_cast<float>(wanted / largest));
-  moments = measure(grid);
-}
-
 Metadata describe(const VolumeRecipe& recipe, const Moments& moments) {
   return {
       {kRecipeKey, format_json(to_json(recipe))},
@@ -37,6 +27,19 @@ Metadata describe(const VolumeRecipe& recipe, const Moments& moments) {
 
 }  // namespace
 
+void scale_density(const VolumeRecipe& recipe, openvdb::FloatGrid& grid, Moments& moments) {
+  const double largest =
+      recipe.density.peak ? moments.max() : thickest_column(grid, recipe.up == UpAxis::y ? 1 : 2);
+  if (largest <= 0.0) return;  // a grid of zeros stays as it is
+  const double wanted = recipe.density.peak.value_or(recipe.density.optical_depth);
+  scale_values(grid, static_cast<float>(wanted / largest));
+  moments = measure(grid);
+}
+
+void note_recipe(const VolumeRecipe& recipe, const Moments& moments, openvdb::GridBase& grid) {
+  set_metadata(grid, describe(recipe, moments));
+}
+
 void finish_volume(const VolumeRecipe& recipe, const std::string& creator, Volume& volume) {
   const bool raw = std::holds_alternative<RawShaping>(recipe.shaping);
   for (MeasuredGrid& measured : volume.grids) {
@@ -50,7 +53,7 @@ void finish_volume(const VolumeRecipe& recipe, const std::string& creator, Volum
       grid.setCreator(creator);
     }
     grid.setSaveFloatAsHalf(recipe.half);
-    set_metadata(grid, describe(recipe, measured.moments.front()));
+    note_recipe(recipe, measured.moments.front(), grid);
   }
 }
 

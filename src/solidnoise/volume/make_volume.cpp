@@ -14,6 +14,7 @@
 #include "solidnoise/volume/fill.h"
 #include "solidnoise/volume/finish_volume.h"
 #include "solidnoise/volume/merge_parts.h"
+#include "solidnoise/volume/modified_volume.h"
 #include "solidnoise/volume/shaped_noise_field.h"
 #include "solidnoise/volume/topology.h"
 
@@ -73,6 +74,21 @@ std::unique_ptr<Field> make_volume_field(const VolumeRecipe& recipe, const Volum
   return std::visit(by_shaping, recipe.shaping);
 }
 
+// Takes place and voxels of the grid that is modified.
+void plan_modification(const VolumeRecipe& recipe, VolumePlan& plan) {
+  if (!plan.part.whole()) {
+    throw std::invalid_argument("a grid that exists is worked on as a whole; leave out region and shard");
+  }
+  ModificationPlan modification = plan_modification(recipe);
+  const openvdb::FloatGrid& grid = modification.grid();
+  plan.voxels = grid.evalActiveVoxelBoundingBox();
+  const openvdb::Vec3d size = grid.transform().voxelSize(plan.voxels.getCenter());
+  plan.frame = modification.frame().value_or(GridFrame(std::max({size.x(), size.y(), size.z()})));
+  plan.box = plan.frame.bounds(plan.voxels);
+  plan.memory = estimate_memory(recipe, modification);
+  plan.modification = std::move(modification);
+}
+
 }  // namespace
 
 VolumePlan plan_volume(const VolumeRecipe& recipe, const VolumePart& part) {
@@ -82,6 +98,10 @@ VolumePlan plan_volume(const VolumeRecipe& recipe, const VolumePart& part) {
   plan.part = part;
   plan.box = recipe.box;
   plan.shape = recipe.shape;
+  if (recipe.modification) {
+    plan_modification(recipe, plan);
+    return plan;
+  }
   if (auto* shape = std::get_if<GridShape>(&plan.shape)) {
     plan.grid = read_grid(*shape, "--shape");
     plan.frame = GridFrame(plan.grid->transform());
@@ -119,6 +139,10 @@ std::shared_ptr<const Noise<3>> make_volume_noise(const VolumeRecipe& recipe) {
 
 Volume make_volume(const VolumeRecipe& recipe, const VolumePlan& plan, const std::string& creator,
                    Progress* progress) {
+  if (plan.modification) {
+    const auto field = [&](const VolumeRecipe& of) { return make_volume_field(of, plan); };
+    return make_modified_volume(recipe, *plan.modification, {field, make_volume_noise}, progress);
+  }
   const std::unique_ptr<Field> field = make_volume_field(recipe, plan);
   const Topology topology = make_topology(recipe, plan, progress);
   Volume volume{fill_grids(take_part(topology, plan.part), *field, {1},

@@ -8,6 +8,7 @@
 #include "solidnoise/core/box.h"
 #include "solidnoise/core/progress.h"
 #include "solidnoise/volume/grid_frame.h"
+#include "solidnoise/volume/modify_volume.h"
 #include "solidnoise/volume/openvdb.h"
 #include "solidnoise/volume/triangle_mesh.h"
 #include "solidnoise/volume/volume.h"
@@ -26,6 +27,7 @@ struct VolumePlan {
   std::uint64_t memory = 0;          // bytes that making it takes at most
   std::optional<TriangleMesh> mesh;  // of a MeshShape
   openvdb::GridBase::Ptr grid;       // of a GridShape
+  std::optional<ModificationPlan> modification;
 };
 
 // Validates the recipe and reads the file that its shape names. Throws std::invalid_argument (options) and

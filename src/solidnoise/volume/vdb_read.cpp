@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "solidnoise/volume/vdb_reader.h"
 
@@ -99,22 +100,37 @@ GridSummary summarize(VdbReader& reader, std::size_t index) {
   return summary;
 }
 
+// The names and types of grids, for a message.
+std::string listed(const std::string& name, const openvdb::GridBase& grid) {
+  return fmt::format("'{}' ({})", printable(name), grid.valueType());
+}
+
+[[noreturn]] void refuse_none(const std::filesystem::path& path, const char* kind, const std::string& name,
+                              const std::vector<std::string>& others) {
+  const std::string wanted = name.empty() ? std::string() : fmt::format(" '{}'", name);
+  throw std::runtime_error(
+      fmt::format("{}: has no {}{}; it has {}", path.string(), kind, wanted, fmt::join(others, ", ")));
+}
+
+bool is_float(const openvdb::GridBase& grid) {
+  return grid.isType<openvdb::FloatGrid>();
+}
+constexpr char kGridOfFloats[] = "grid of floats";
+
 // Reads the first grid that has the name, or any name if it is empty, and whose header `suits`. `kind` says
 // in messages what was looked for.
 template <typename Suits>
 openvdb::GridBase::Ptr read_matching(const std::filesystem::path& path, const std::string& name,
                                      const char* kind, const Suits& suits) {
   const std::unique_ptr<VdbReader> reader = open_vdb(path);
-  std::string names;
+  std::vector<std::string> others;
   for (std::size_t i = 0; i < reader->grid_count(); ++i) {
     const openvdb::GridBase::Ptr header = guarded(path, [&] { return reader->read_header(i); });
     const bool named = name.empty() || reader->grid_name(i) == name;
     if (named && suits(*header)) return guarded(path, [&] { return reader->read_grid(i); });
-    names +=
-        fmt::format("{}'{}' ({})", i == 0 ? "" : ", ", printable(reader->grid_name(i)), header->valueType());
+    others.push_back(listed(reader->grid_name(i), *header));
   }
-  const std::string wanted = name.empty() ? std::string() : fmt::format(" '{}'", name);
-  throw std::runtime_error(fmt::format("{}: has no {}{}; it has {}", path.string(), kind, wanted, names));
+  refuse_none(path, kind, name, others);
 }
 
 }  // namespace
@@ -133,18 +149,32 @@ openvdb::GridBase::Ptr read_grid(const std::filesystem::path& path, const std::s
   return read_matching(path, name, "grid", [](const openvdb::GridBase&) { return true; });
 }
 
-VdbFile read_grids(const std::filesystem::path& path) {
-  const std::unique_ptr<VdbReader> reader = open_vdb(path);
-  return guarded(path, [&] {
-    VdbFile file{reader->metadata(), {}};
-    for (std::size_t i = 0; i < reader->grid_count(); ++i) file.grids.push_back(reader->read_grid(i));
-    return file;
-  });
+openvdb::FloatGrid::Ptr read_float_grid(const std::filesystem::path& path, const std::string& name) {
+  return openvdb::gridPtrCast<openvdb::FloatGrid>(read_matching(path, name, kGridOfFloats, is_float));
 }
 
-openvdb::FloatGrid::Ptr read_float_grid(const std::filesystem::path& path, const std::string& name) {
-  const auto is_float = [](const openvdb::GridBase& header) { return header.isType<openvdb::FloatGrid>(); };
-  return openvdb::gridPtrCast<openvdb::FloatGrid>(read_matching(path, name, "grid of floats", is_float));
+VdbFile read_grids(const std::filesystem::path& path) {
+  const std::unique_ptr<VdbReader> reader = open_vdb(path);
+  VdbFile file = guarded(path, [&] { return VdbFile{reader->metadata(), reader->read_grids()}; });
+  for (const openvdb::GridBase::Ptr& grid : file.grids) {
+    for (const char* about_the_file :
+         {openvdb::GridBase::META_FILE_BBOX_MIN, openvdb::GridBase::META_FILE_BBOX_MAX,
+          openvdb::GridBase::META_FILE_COMPRESSION, openvdb::GridBase::META_FILE_MEM_BYTES,
+          openvdb::GridBase::META_FILE_VOXEL_COUNT, openvdb::GridBase::META_FILE_DELAYED_LOAD}) {
+      grid->removeMeta(about_the_file);
+    }
+  }
+  return file;
+}
+
+std::size_t find_float_grid(const std::filesystem::path& path, const VdbFile& file, const std::string& name) {
+  std::vector<std::string> others;
+  for (std::size_t i = 0; i < file.grids.size(); ++i) {
+    const openvdb::GridBase& grid = *file.grids[i];
+    if ((name.empty() || grid.getName() == name) && is_float(grid)) return i;
+    others.push_back(listed(grid.getName(), grid));
+  }
+  refuse_none(path, kGridOfFloats, name, others);
 }
 
 }  // namespace solidnoise

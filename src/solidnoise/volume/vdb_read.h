@@ -42,11 +42,17 @@ openvdb::GridBase::Ptr read_grid(const std::filesystem::path& path, const std::s
 // std::runtime_error also if the named grid is of another type.
 openvdb::FloatGrid::Ptr read_float_grid(const std::filesystem::path& path, const std::string& name = {});
 
-// All grids of a file, in its order, and the file's own metadata.
+// All grids of a file, in its order, and the file's own metadata. Grids that share a tree in the file share
+// it here. What the file says of a grid's place in it (bounds, sizes, compression) is left out: the next file
+// has its own.
 struct VdbFile {
   openvdb::MetaMap metadata;
   openvdb::GridPtrVec grids;  // at least one
 };
 VdbFile read_grids(const std::filesystem::path& path);
+
+// The place among a file's grids of the one of floats with this name, or of the first if it is empty. Throws
+// std::runtime_error as read_float_grid.
+std::size_t find_float_grid(const std::filesystem::path& path, const VdbFile& file, const std::string& name);
 
 }  // namespace solidnoise

@@ -86,24 +86,38 @@ openvdb::GridBase::Ptr VdbReader::read_grid_header(const openvdb::io::GridDescri
 }
 
 openvdb::GridBase::Ptr VdbReader::read_grid(std::size_t index) {
-  const Entry& entry = entries_[index];
-  openvdb::GridBase::Ptr grid = entry.grid;
-  if (grid == nullptr) {
-    entry.descriptor.seekToGrid(stream_);
-    check_grid(entry.descriptor);
-    grid = openvdb::GridBase::createGrid(entry.descriptor.gridType());
-    grid->setSaveFloatAsHalf(entry.descriptor.saveFloatAsHalf());
-    readGrid(grid, entry.descriptor, stream_);
-    if (stream_.tellg() != entry.descriptor.getEndPos()) throw std::runtime_error("a grid's size is wrong");
-  }
-  if (!entry.descriptor.isInstance()) return grid;
+  const openvdb::GridBase::Ptr grid = read_own(index);
+  if (entries_[index].descriptor.isInstance()) grid->setTree(read_own(parent_of(index))->baseTreePtr());
+  return grid;
+}
 
-  // The grid shares its tree with another one.
+openvdb::GridPtrVec VdbReader::read_grids() {
+  openvdb::GridPtrVec grids;
+  for (std::size_t i = 0; i < entries_.size(); ++i) grids.push_back(read_own(i));
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    if (entries_[i].descriptor.isInstance()) grids[i]->setTree(grids[parent_of(i)]->baseTreePtr());
+  }
+  return grids;
+}
+
+openvdb::GridBase::Ptr VdbReader::read_own(std::size_t index) {
+  const Entry& entry = entries_[index];
+  if (entry.grid != nullptr) return entry.grid;
+  entry.descriptor.seekToGrid(stream_);
+  check_grid(entry.descriptor);
+  const openvdb::GridBase::Ptr grid = openvdb::GridBase::createGrid(entry.descriptor.gridType());
+  grid->setSaveFloatAsHalf(entry.descriptor.saveFloatAsHalf());
+  readGrid(grid, entry.descriptor, stream_);
+  if (stream_.tellg() != entry.descriptor.getEndPos()) throw std::runtime_error("a grid's size is wrong");
+  return grid;
+}
+
+std::size_t VdbReader::parent_of(std::size_t index) const {
   for (std::size_t other = 0; other < entries_.size(); ++other) {
     const openvdb::io::GridDescriptor& parent = entries_[other].descriptor;
-    if (parent.uniqueName() != entry.descriptor.instanceParentName() || parent.isInstance()) continue;
-    grid->setTree(read_grid(other)->baseTreePtr());
-    return grid;
+    if (parent.uniqueName() == entries_[index].descriptor.instanceParentName() && !parent.isInstance()) {
+      return other;
+    }
   }
   throw std::runtime_error("a grid shares the tree of one that is not there");
 }

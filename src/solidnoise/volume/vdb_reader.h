@@ -32,12 +32,17 @@ class VdbReader final : public openvdb::io::Archive {
   openvdb::GridBase::Ptr read_header(std::size_t index);
   // All of the grid.
   openvdb::GridBase::Ptr read_grid(std::size_t index);
+  // All of all grids. Those that share a tree in the file share it here.
+  openvdb::GridPtrVec read_grids();
 
  private:
   struct Entry {
     openvdb::io::GridDescriptor descriptor;
     openvdb::GridBase::Ptr grid;  // where the file has no offsets, so that all had to be read
   };
+
+  openvdb::GridBase::Ptr read_own(std::size_t index);  // without the tree that it shares with another one
+  std::size_t parent_of(std::size_t index) const;      // the grid with which it does
 
   void require_known_version();
   void read_entry();

@@ -37,10 +37,16 @@ std::uint32_t compression_flags(Codec codec) {
 }
 
 openvdb::MetaMap file_metadata(const VdbWriteOptions& options) {
-  openvdb::MetaMap result;
-  if (!options.creator.empty()) result.insertMeta("creator", openvdb::StringMetadata(options.creator));
-  if (options.frame) result.insertMeta("frame", openvdb::Int32Metadata(*options.frame));
-  if (options.fps) result.insertMeta("fps", openvdb::DoubleMetadata(*options.fps));
+  openvdb::MetaMap result = options.metadata;
+  Metadata own;
+  if (!options.creator.empty()) own["creator"] = options.creator;
+  set_metadata(result, own);
+  const auto set = [&](const char* name, const openvdb::Metadata& value) {
+    result.removeMeta(name);
+    result.insertMeta(name, value);
+  };
+  if (options.frame) set("frame", openvdb::Int32Metadata(*options.frame));
+  if (options.fps) set("fps", openvdb::DoubleMetadata(*options.fps));
   return result;
 }
 

@@ -32,6 +32,7 @@ struct VdbWriteOptions {
   Codec codec = Codec::blosc;
   Existing existing = Existing::refuse;
   std::string creator = {};        // such as "vdbnoise 0.1.0"
+  openvdb::MetaMap metadata = {};  // the file's other metadata; what the fields above and below say wins
   std::optional<int> frame = {};   // frame number
   std::optional<double> fps = {};  // frames per second
   Progress* progress = nullptr;    // asked for cancellation while writing

@@ -52,6 +52,7 @@ void VolumeRecipe::validate() const {
     throw std::invalid_argument("dims is 4; it must be 3 where the noise evolves");
   }
   std::visit([](const auto& look) { look.validate(); }, shaping);
+  if (modification) modification->validate();
   require_positive("optical_depth", density.optical_depth);
   if (density.peak) require_positive("density", *density.peak, "extinction per world unit");
 

@@ -7,6 +7,7 @@
 #include "solidnoise/core/box.h"
 #include "solidnoise/noise/noise_recipe.h"
 #include "solidnoise/volume/grid_file.h"
+#include "solidnoise/volume/modification.h"
 #include "solidnoise/volume/preview.h"
 #include "solidnoise/volume/shaping.h"
 #include "solidnoise/volume/vdb_write.h"
@@ -54,6 +55,10 @@ struct VolumeRecipe {
 
   Shaping shaping;
   DensityScale density;
+
+  // Instead of a grid of its own: shape, box and voxels are those of the grid that is modified, whose name and
+  // precision stay, and the density is scaled only where it replaces what was there.
+  std::optional<Modification> modification;
 
   Shape shape;
   Box<3> box{{-1.0, -1.0, -1.0}, {1.0, 1.0, 1.0}};  // world units; `shape` says what of it is filled

@@ -1,5 +1,6 @@
 #include "solidnoise/volume/volume_recipe_json.h"
 
+#include <array>
 #include <stdexcept>
 #include <string_view>
 #include <type_traits>
@@ -12,6 +13,7 @@
 #include "solidnoise/recipe/noise_recipe_json.h"
 #include "solidnoise/recipe/recipe_header.h"
 #include "solidnoise/volume/grid_file_json.h"
+#include "solidnoise/volume/modification_json.h"
 
 namespace solidnoise {
 namespace {
@@ -123,6 +125,21 @@ void refuse_both(const JsonReader& reader, const char* one, const char* other) {
   throw std::invalid_argument(fmt::format("{} and {} contradict each other; give one of them", one, other));
 }
 
+// What a grid of one's own has, and one that is modified brings along.
+constexpr std::array kShapeKeys{"shape", "box", "voxel", "dim", "grid"};
+
+void add_shape(Json& json, const VolumeRecipe& recipe) {
+  json["shape"] = shape_to_json(recipe.shape);
+  const Vec<3>& lower = recipe.box.lower;
+  const Vec<3>& upper = recipe.box.upper;
+  json["box"] = {lower.x, lower.y, lower.z, upper.x, upper.y, upper.z};
+  if (recipe.voxel) {
+    json["voxel"] = *recipe.voxel;
+  } else {
+    json["dim"] = recipe.dim;
+  }
+}
+
 }  // namespace
 
 Json to_json(const VolumeRecipe& recipe) {
@@ -138,17 +155,13 @@ Json to_json(const VolumeRecipe& recipe) {
   } else {
     json["optical_depth"] = recipe.density.optical_depth;
   }
-  json["shape"] = shape_to_json(recipe.shape);
-  const Vec<3>& lower = recipe.box.lower;
-  const Vec<3>& upper = recipe.box.upper;
-  json["box"] = {lower.x, lower.y, lower.z, upper.x, upper.y, upper.z};
-  if (recipe.voxel) {
-    json["voxel"] = *recipe.voxel;
+  if (recipe.modification) {
+    add_modification(json, *recipe.modification);
   } else {
-    json["dim"] = recipe.dim;
+    add_shape(json, recipe);
   }
   json["up"] = name_of(kUpAxisChoices, recipe.up);
-  json["grid"] = recipe.grid;
+  if (!recipe.modification) json["grid"] = recipe.grid;
   json["half"] = recipe.half;
   json["codec"] = name_of(kCodecChoices, recipe.codec);
   return json;
@@ -169,6 +182,12 @@ VolumeRecipe volume_recipe_from_json(const Json& json) {
   if (auto shaping = reader.object("shaping")) recipe.shaping = shaping_from_json(*shaping);
   reader.read("optical_depth", recipe.density.optical_depth);
   reader.read("density", recipe.density.peak);
+  read_modification(reader, recipe.modification);
+  for (const char* key : kShapeKeys) {
+    if (!recipe.modification || !reader.has(key)) continue;
+    throw std::invalid_argument(
+        fmt::format("{} has no effect where a grid that exists is worked on, which has its own", key));
+  }
   if (auto shape = reader.object("shape")) recipe.shape = shape_from_json(*shape);
   reader.read("box", recipe.box);
   reader.read("voxel", recipe.voxel);

@@ -33,8 +33,9 @@ inline constexpr Choices<RemapShaping::Fold, 3> kFoldChoices{{
 //    "shaping": {"type": "remap", ...}, "optical_depth": 60, "shape": {"type": "box"}, "box": [x0, ..., z1],
 //    "dim": 256, "up": "y", "grid": "density", "half": false, "codec": "blosc"}
 // "density" may take the place of "optical_depth", "voxel" that of "dim". "algorithm" is kAlgorithmVersion
-// when the recipe was written. Every key but "solidnoise" may be left out. Reading back what was written
-// gives an equal recipe, to the last bit.
+// when the recipe was written. Every key but "solidnoise" may be left out. A recipe that works on a grid that
+// exists has the keys of modification_json.h in place of "shape", "box", "dim" and "grid", which are the
+// grid's. Reading back what was written gives an equal recipe, to the last bit, but for what has no effect.
 Json to_json(const VolumeRecipe& recipe);
 
 // Throws std::invalid_argument with the path in the tree: another version, wrong type, unknown key, two keys
