@@ -66,7 +66,7 @@ TEST(BadMesh, HasFiniteValuesAtEveryVertex) {
       const RefinedMesh refined =
           refine(mesh, std::array{0.7 * scale}, {.placement = RefineOptions::Placement::smooth});
       for (const Vec<3>& p : refined.mesh.positions) EXPECT_TRUE(std::isfinite(glm::length(p)));
-      displace(mesh, std::vector<float>(mesh.positions.size(), 0.1f));
+      displace(mesh, surface.to_vertices(surface.normals()), std::vector<float>(mesh.positions.size(), 0.1f));
       for (const Vec<3>& p : mesh.positions) EXPECT_TRUE(std::isfinite(glm::length(p)));
       if (testing::Test::HasFailure()) return;
     }

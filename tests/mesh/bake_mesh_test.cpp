@@ -34,7 +34,8 @@ BakedMesh bake_all(const PolygonMesh& mesh, const BakeRecipe& recipe,
 
 TEST(BakeMesh, KeepsTheMeshAndAddsColorsAndValues) {
   const PolygonMesh mesh = test_mesh();
-  const BakedMesh baked = bake_all(mesh, {});
+  const BakeRecipe recipe;
+  const BakedMesh baked = bake_all(mesh, recipe);
   EXPECT_EQ(baked.mesh.positions, mesh.positions);
   EXPECT_EQ(baked.mesh.corners, mesh.corners);
   ASSERT_EQ(baked.mesh.properties.size(), 4u + 4u + 1u);
@@ -117,6 +118,24 @@ TEST(BakeMesh, DisplacesAlongTheNormalsBySamplesAtRest) {
     const Vec<3> stored(moved.mesh.property("nx")->values[i], moved.mesh.property("ny")->values[i],
                         moved.mesh.property("nz")->values[i]);
     EXPECT_NEAR(glm::length(stored), 1.0, 1e-9);
+  }
+}
+
+// The faces of a mesh that was cut up are flat, its normals are not: moved by the same amount everywhere, a
+// ball gets larger, and stays as round as it was.
+TEST(BakeMesh, DisplacesRefinedMeshesAlongSmoothNormals) {
+  BakeRecipe recipe;
+  recipe.magnitude = {0.0, 0.0};
+  recipe.bias = {1.0, 1.0};
+  recipe.refine = {RefineRecipe::Mode::rounds, 2};
+  const PolygonMesh ball = sphere_mesh(1.0, {.n = 8});
+  const BakedMesh rest = bake_all(ball, recipe);
+  recipe.displace = 0.5;
+  const BakedMesh moved = bake_all(ball, recipe);
+  for (std::size_t v = 0; v < rest.mesh.positions.size(); ++v) {
+    const Vec<3> step = moved.mesh.positions[v] - rest.mesh.positions[v];
+    // Edges span 0.2: flat faces turn their vertices' normals by half of that.
+    EXPECT_GT(glm::dot(step, glm::normalize(rest.mesh.positions[v])), 0.5 * std::cos(0.03));
   }
 }
 

@@ -16,12 +16,17 @@
 namespace solidnoise {
 namespace {
 
+std::vector<Vec<3>> normals_of(const PolygonMesh& mesh) {
+  const SurfaceMesh surface(mesh);
+  return surface.to_vertices(surface.normals());
+}
+
 TEST(Displace, MovesAlongTheNormal) {
   const PolygonMesh rest = sphere_mesh(1.0, {.n = 30});
   PolygonMesh mesh = rest;
   std::vector<float> amounts(mesh.positions.size());
   for (std::size_t v = 0; v < amounts.size(); ++v) amounts[v] = 0.25f * static_cast<float>(v % 3) - 0.25f;
-  displace(mesh, amounts);
+  displace(mesh, normals_of(mesh), amounts);
   const SurfaceMesh surface(rest);
   for (std::size_t v = 0; v < amounts.size(); ++v) {
     EXPECT_LT(glm::length(mesh.positions[v] - rest.positions[v] -
@@ -36,7 +41,7 @@ TEST(Displace, KeepsSeamsClosed) {
   std::vector<float> amounts(mesh.positions.size());
   for (std::size_t v = 0; v < amounts.size(); ++v) amounts[v] = 0.01f * static_cast<float>(v % 7);
   const std::size_t points = SurfaceMesh(mesh).point_count();
-  displace(mesh, amounts);
+  displace(mesh, normals_of(mesh), amounts);
   EXPECT_EQ(SurfaceMesh(mesh).point_count(), points);
 }
 
@@ -53,7 +58,7 @@ TEST(Displace, MakesTheNormalsOfTheNewSurface) {
   // Stretched by 1 + y / 2: the normal is along the gradient of |p| - 1 - y / (2 |p|).
   std::vector<float> amounts;
   for (const Vec<3>& p : mesh.positions) amounts.push_back(static_cast<float>(0.5 * p.y));
-  displace(mesh, amounts);
+  displace(mesh, normals_of(mesh), amounts);
   // Within an edge's angle, 0.026, and a bit for the stretch.
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     const Vec<3>& p = mesh.positions[v];
@@ -68,11 +73,15 @@ TEST(Displace, RefusesAmountsThatAreNotNumbers) {
   PolygonMesh mesh = sphere_mesh(1.0, {.n = 2});
   std::vector<float> amounts(mesh.positions.size());
   amounts[3] = std::numeric_limits<float>::infinity();
-  EXPECT_EQ(message_of<std::invalid_argument>([&] { displace(mesh, amounts); }),
+  EXPECT_EQ(message_of<std::invalid_argument>([&] { displace(mesh, normals_of(mesh), amounts); }),
             "the displacement of vertex 3 is not finite");
   amounts.pop_back();
-  EXPECT_EQ(message_of<std::invalid_argument>([&] { displace(mesh, amounts); }),
+  EXPECT_EQ(message_of<std::invalid_argument>([&] { displace(mesh, normals_of(mesh), amounts); }),
             "there are 25 displacements for 26 vertices");
+  const std::vector<Vec<3>> normals(7, Vec<3>(0.0, 0.0, 1.0));
+  amounts.resize(mesh.positions.size());
+  EXPECT_EQ(message_of<std::invalid_argument>([&] { displace(mesh, normals, amounts); }),
+            "there are 7 normals for 26 vertices");
 }
 
 }  // namespace

@@ -97,6 +97,27 @@ TEST(BakeLook, RefinesWithoutMovingOrChangingTheOldVertices) {
   }
 }
 
+// Root mean square distance of the vertices from the index on from the torus of radii 1 and 0.4.
+double distance_from_torus(const PolygonMesh& mesh, std::size_t first) {
+  double sum = 0.0;
+  for (std::size_t v = first; v < mesh.positions.size(); ++v) {
+    const Vec<3>& p = mesh.positions[v];
+    const double distance = std::hypot(std::hypot(p.x, p.z) - 1.0, p.y) - 0.4;
+    sum += distance * distance;
+  }
+  return std::sqrt(sum / static_cast<double>(mesh.positions.size() - first));
+}
+
+// The middle of an edge is off the surface by the second order of its length, that of the curve by less.
+TEST(BakeLook, NewVerticesLieOnTheEdgesOrOnTheSmoothSurface) {
+  const std::size_t count = torus_with_numbers().positions.size();
+  const double on_edges = distance_from_torus(baked_with({"--refine", "1"}), count);
+  const double also = distance_from_torus(baked_with({"--refine", "1", "--refine-shape", "edges"}), count);
+  const double smooth = distance_from_torus(baked_with({"--refine", "1", "--refine-shape", "smooth"}), count);
+  EXPECT_EQ(on_edges, also);
+  EXPECT_LT(smooth, 0.3 * on_edges);
+}
+
 TEST(BakeLook, OrientsAlongEachAxisOfEitherSign) {
   for (const auto& axis : {Vec<3>(1, 0, 0), Vec<3>(0, -2, 0), Vec<3>(0, 0, 1), Vec<3>(-1, 0, 0),
                            Vec<3>(0, 1, 0), Vec<3>(0, 0, -1), Vec<3>(1, 2, -3)}) {

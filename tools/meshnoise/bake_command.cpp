@@ -68,6 +68,9 @@ void check_consistency(const FlagSet& flags, const BakeRecipe& recipe) {
       throw UsageError(fmt::format("{} applies to --noise oriented only", flag));
     }
   }
+  if (flags.given("--refine-shape") && recipe.refine.mode == RefineRecipe::Mode::off) {
+    throw UsageError("--refine-shape has no effect without --refine");
+  }
   for (const char* flag : {"--bandwidth", "--impulses", "--error"}) {
     if (flags.given(flag) && !is_gabor(recipe.noise.kind)) {
       throw UsageError(fmt::format("{} does not apply to --noise {}", flag,

@@ -206,6 +206,10 @@ void declare_look(FlagSet& flags, BakeRecipe& recipe) {
                [&](double value) { recipe.contrast = value; });
   flags.text("--refine", "auto|N", "Split edges until the noise shows on the mesh, or N times (default off)",
              [&](const std::string& text) { set_refine(recipe.refine, text); });
+  declare_choice(flags, "--refine-shape", kPlacementChoices,
+                 "With --refine: new vertices lie on the edges, or on the smooth surface through their ends "
+                 "(default edges)",
+                 recipe.refine.placement);
   flags.number("--displace", "UNITS",
                "Move vertices along their normals, by this for a value of 1 (default 0)",
                [&](double value) { recipe.displace = value; });

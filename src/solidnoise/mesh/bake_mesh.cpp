@@ -153,11 +153,12 @@ VertexGuides carry(const RefinedMesh& refined, VertexGuides guides) {
 // The mesh with edges that are short enough for frequencies up to `highest` times the principal one.
 RefinedMesh refine_mesh(const PolygonMesh& mesh, const RefineRecipe& recipe, const VertexNumber& frequency,
                         double highest) {
-  if (recipe.mode == RefineRecipe::Mode::rounds) return subdivide(mesh, recipe.rounds);
+  const RefineOptions options{.placement = recipe.placement};
+  if (recipe.mode == RefineRecipe::Mode::rounds) return subdivide(mesh, recipe.rounds, options);
   constexpr double kCyclesPerEdge = 0.5;
   std::vector<double> target(mesh.positions.size());
   for (std::size_t i = 0; i < target.size(); ++i) target[i] = kCyclesPerEdge / (highest * at(frequency, i));
-  return refine(mesh, target);
+  return refine(mesh, target, options);
 }
 
 }  // namespace
@@ -237,7 +238,7 @@ BakedMesh bake(const BakePlan& plan, const BakeRecipe& recipe, const std::vector
   baked.mesh.set_property({"noise", ScalarType::float32, {values.begin(), values.end()}});
   if (recipe.displace != 0.0) {
     for (float& value : values) value *= static_cast<float>(recipe.displace);
-    displace(baked.mesh, values);
+    displace(baked.mesh, baked.normals, values);
     const SurfaceMesh surface(baked.mesh);
     baked.normals = surface.to_vertices(surface.normals());
   }

@@ -5,6 +5,7 @@
 
 #include "solidnoise/core/up_axis.h"
 #include "solidnoise/core/vec.h"
+#include "solidnoise/mesh/refine.h"
 #include "solidnoise/mesh/steering.h"
 #include "solidnoise/mesh/surface_recipe.h"
 
@@ -30,7 +31,8 @@ struct RefineRecipe {
   enum class Mode { off, automatic, rounds };
 
   Mode mode = Mode::off;
-  int rounds = 1;  // of halving every edge, 1 to 8
+  int rounds = 1;                                                           // of halving every edge, 1 to 8
+  RefineOptions::Placement placement = RefineOptions::Placement::on_edges;  // of new vertices
 
   friend bool operator==(const RefineRecipe&, const RefineRecipe&) = default;
 };

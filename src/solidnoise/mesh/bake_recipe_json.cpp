@@ -97,7 +97,9 @@ Json to_json(const BakeRecipe& recipe) {
                        {"smooth", recipe.direction.smooth}};
   json["ramp"] = recipe.ramp;
   json["contrast"] = recipe.contrast;
-  json["refine"] = {{"mode", name_of(kRefineChoices, recipe.refine.mode)}, {"rounds", recipe.refine.rounds}};
+  json["refine"] = {{"mode", name_of(kRefineChoices, recipe.refine.mode)},
+                    {"rounds", recipe.refine.rounds},
+                    {"placement", name_of(kPlacementChoices, recipe.refine.placement)}};
   json["displace"] = recipe.displace;
   json["up"] = name_of(kUpAxisChoices, recipe.up);
   return json;
@@ -130,6 +132,7 @@ BakeRecipe bake_recipe_from_json(const Json& json) {
   if (auto refine = reader.object("refine")) {
     refine->read("mode", kRefineChoices, recipe.refine.mode);
     refine->read("rounds", recipe.refine.rounds);
+    refine->read("placement", kPlacementChoices, recipe.refine.placement);
     refine->finish();
   }
   reader.read("displace", recipe.displace);

@@ -34,6 +34,10 @@ inline constexpr Choices<RefineRecipe::Mode, 3> kRefineChoices{{
     {RefineRecipe::Mode::automatic, "auto"},
     {RefineRecipe::Mode::rounds, "rounds"},
 }};
+inline constexpr Choices<RefineOptions::Placement, 2> kPlacementChoices{{
+    {RefineOptions::Placement::on_edges, "edges"},
+    {RefineOptions::Placement::smooth, "smooth"},
+}};
 
 // The JSON form of a bake:
 //   {"solidnoise": 1, "algorithm": 1,

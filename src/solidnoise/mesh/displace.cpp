@@ -15,10 +15,14 @@
 
 namespace solidnoise {
 
-void displace(PolygonMesh& mesh, std::span<const float> amounts) {
+void displace(PolygonMesh& mesh, std::span<const Vec<3>> normals, std::span<const float> amounts) {
   if (amounts.size() != mesh.positions.size()) {
     throw std::invalid_argument(
         fmt::format("there are {} displacements for {} vertices", amounts.size(), mesh.positions.size()));
+  }
+  if (normals.size() != mesh.positions.size()) {
+    throw std::invalid_argument(
+        fmt::format("there are {} normals for {} vertices", normals.size(), mesh.positions.size()));
   }
   const SurfaceMesh surface(mesh);
   std::vector<double> sums(surface.point_count());
@@ -32,7 +36,7 @@ void displace(PolygonMesh& mesh, std::span<const float> amounts) {
   }
   for (std::size_t v = 0; v < amounts.size(); ++v) {
     const std::uint32_t p = surface.point_of(v);
-    mesh.positions[v] += sums[p] / counts[p] * surface.normals()[p];
+    mesh.positions[v] += sums[p] / counts[p] * normals[v];
   }
   if (!normal_parts(mesh).empty()) set_normals(mesh);
 }
