@@ -277,12 +277,13 @@ TEST(GradientNoise, OptionsOutOfRangeAreRefused) {
   options.period[1] = std::nan("");
   EXPECT_EQ(message(options), "period is nan; it must be at least 0 (world units; 0 for none)");
   options.period[1] = 2.0;
-  EXPECT_EQ(message(options), "period is 2; it must be 0 or at least 2.75952 (4 steps of the lattice)");
+  EXPECT_EQ(message(options),
+            "period is 2 along y; it must be at least 2.75952 (4 steps of the lattice), or 0 for none");
   options.period[1] = 1000.0;
-  EXPECT_EQ(
-      message(options),
-      "period is 1000; with hash xor_tables it must be at most 176.609 (256 steps of the lattice): use hash "
-      "integer, or a lower frequency");
+  EXPECT_EQ(message(options),
+            "period is 1000 along y; with hash xor-tables it must be at most 176.609 (256 steps of the "
+            "lattice): use "
+            "hash integer, or a lower frequency");
   options.hash = GradientNoiseOptions::Hash::integer;
   EXPECT_EQ(message(options), "nothing was thrown");
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -213,7 +214,11 @@ ReferenceSample<Dim> reference_sample(const Noise<Dim>& noise, const Vec<Dim>& p
   using Impulse = reference::Impulse<Dim>;
   const auto kernel = kernel_reference(noise);
   std::vector<Impulse> reaching;
-  for (const Impulse& impulse : impulses_near(noise, position)) {
+  int reach = 1;
+  for (const CellAxis& axis : noise.impulses().axes()) {
+    reach = std::max(reach, static_cast<int>(std::ceil(support_of(noise) / axis.size())));
+  }
+  for (const Impulse& impulse : impulses_near(noise, position, reach)) {
     bool inside = true;
     for (const double component : impulse.position)
       inside = inside && std::abs(component) < support_of(noise);

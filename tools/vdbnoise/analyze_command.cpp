@@ -103,6 +103,8 @@ int run_analyze(const std::vector<std::string>& arguments) {
   AnalysisSubject subject;
   subject.grid = read_float_grid(file, grid_name);
   subject.recipe = stored_recipe(*subject.grid, file);
+  const openvdb::Vec3d voxel = subject.grid->voxelSize();
+  if (subject.recipe) *subject.recipe = at_resolution(*subject.recipe, {voxel.x(), voxel.y(), voxel.z()});
   if (subject.recipe && holds_noise_itself(*subject.recipe))
     subject.noise = make_volume_noise(*subject.recipe);
   subject.block = dense_block(*subject.grid, kLongestSide);

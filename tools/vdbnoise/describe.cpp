@@ -17,11 +17,13 @@
 namespace solidnoise {
 namespace {
 
-// Lengths in world units, frequencies in cycles per world unit, the density in impulses per world unit^Dim.
+// Lengths in world units, frequencies in cycles per world unit, the density in impulses per world unit^Dim,
+// the filter as the standard deviation of a Gaussian.
 template <typename Noise>
 void describe_impulses(const Noise& noise, Json& json) {
   json["impulses_per_kernel"] = noise.impulses_per_kernel();
   json["impulse_density"] = noise.impulse_density();
+  json["filter"] = noise.options().filter;
 }
 
 template <int Dim>
@@ -40,7 +42,7 @@ template <int Dim>
 void describe_kernel(const OrientedGaborNoiseOptions& options, Json& json) {
   const OrientedGaborNoise<Dim> noise(options);
   json["kernel"]["kind"] = "oriented Gabor, random phase";
-  json["kernel"]["frequency"] = noise.options().frequency;
+  json["kernel"]["frequency"] = noise.frequency();
   json["kernel"]["a"] = noise.kernel().a();
   json["kernel"]["radius"] = noise.radius();
   json["kernel"]["half_width"] = noise.envelope().radius();
@@ -110,7 +112,7 @@ Json describe_volume(const VolumeRecipe& recipe) {
   const VolumePlan plan = plan_volume(recipe);
   const Vec<3>& voxel = plan.frame.voxel_size();
   Json json = Json::object();
-  json["noise"] = describe_noise(recipe, std::max({voxel.x, voxel.y, voxel.z}));
+  json["noise"] = describe_noise(at_resolution(recipe, voxel), std::max({voxel.x, voxel.y, voxel.z}));
   json["grid"] = describe_grid(plan);
   json["recipe"] = to_json(recipe);
   return json;

@@ -103,13 +103,13 @@ void check_memory(const MakeOptions& options, const VolumePlan& plan) {
 void warn_of_aliasing(const VolumeRecipe& recipe, const VolumePlan& plan) {
   constexpr double kHighestCyclesPerVoxel = 0.5;
   const Vec<3>& size = plan.frame.voxel_size();
+  if (recipe.band_limit) return;
   const double highest = make_volume_noise(recipe)->band().upper * std::max({size.x, size.y, size.z});
   if (highest <= kHighestCyclesPerVoxel) return;
   std::cerr << fmt::format(
-      "vdbnoise: warning: the noise reaches {:.2f} cycles per voxel, above 0.5, and will alias; make --voxel "
-      "smaller, "
-      "--frequency lower or --octaves fewer\n",
-      highest);
+      "vdbnoise: warning: the noise reaches {:.2f} cycles per voxel, above 0.5, and will alias; {}make "
+      "--voxel smaller, --frequency lower or --octaves fewer\n",
+      highest, may_band_limit(recipe) ? "give --band-limit, or " : "");
 }
 
 void write_recipe(const MakeOptions& options, const VolumePlan& plan) {

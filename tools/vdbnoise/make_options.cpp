@@ -78,6 +78,11 @@ void declare_noise(FlagSet& flags, VolumeRecipe& recipe) {
                 [&](const std::vector<double>& v) {
                   recipe.offset = {v[0], v[1], v[2]};
                 });
+  flags.toggle(
+      "--band-limit",
+      "Gabor noises: filter out what the voxels cannot hold, exactly, so that looks do not depend on "
+      "the resolution",
+      [&] { recipe.band_limit = true; });
 }
 
 void declare_shaping(FlagSet& flags, VolumeRecipe& recipe) {

@@ -11,13 +11,14 @@ struct CellPosition {
 };
 
 // One axis of a grid of cells. Positions are rounded to 2^-20 of a cell; every difference between two
-// positions less than 16 cells apart is then exact in single precision, so that whatever is computed from
-// such differences does not depend on the block or batch it is computed in, and is as accurate a million
+// positions less than 16 cells (kExact) apart is then exact in single precision, so that whatever is computed
+// from such differences does not depend on the block or batch it is computed in, and is as accurate a million
 // units from the origin as at 0.
 class CellAxis {
  public:
   static constexpr int kFractionBits = 20;
   static constexpr std::int64_t kQuantaPerCell = std::int64_t{1} << kFractionBits;
+  static constexpr double kExact = 16.0;
   static constexpr double kMaxSpan = 12.0;  // cells a block may span, with a margin of 4 for its neighbours
 
   CellAxis() = default;

@@ -10,6 +10,7 @@ namespace {
 // Overwrites `samples` by the weighted sum of what evaluate(i, buffer) writes for each octave, in order.
 template <int Dim, typename Octaves, typename Evaluate>
 void sum_octaves(const Octaves& octaves, const Samples<Dim>& samples, const Evaluate& evaluate) {
+  if (octaves.empty()) return fill_with_zero(samples);
   const std::size_t count = samples.values.size();
   const int channels = samples.wants_gradient() ? 1 + Dim : 1;
   std::vector<float> memory(count * static_cast<std::size_t>(channels));
@@ -97,6 +98,7 @@ double FractalNoise<Dim>::power_spectrum(const Vec<Dim>& frequency) const {
 
 template <int Dim>
 double FractalNoise<Dim>::excess_kurtosis() const {
+  if (octaves_.empty()) return 0.0;
   double fourth_cumulant = 0.0;
   for (const Octave& octave : octaves_) {
     const double variance = octave.amplitude * octave.amplitude * octave.noise->variance();
@@ -107,6 +109,7 @@ double FractalNoise<Dim>::excess_kurtosis() const {
 
 template <int Dim>
 typename Noise<Dim>::Band FractalNoise<Dim>::band() const {
+  if (octaves_.empty()) return {};
   auto band = octaves_.front().noise->band();
   for (const Octave& octave : octaves_) {
     const auto other = octave.noise->band();

@@ -22,7 +22,7 @@ struct FractalOptions {
   friend bool operator==(const FractalOptions&, const FractalOptions&) = default;
 };
 
-// A weighted sum of independent noises. Variances, spectra and fourth cumulants add.
+// A weighted sum of independent noises; 0 if there are none. Variances, spectra and fourth cumulants add.
 template <int Dim>
 class FractalNoise final : public Noise<Dim> {
  public:

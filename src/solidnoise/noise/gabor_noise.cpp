@@ -10,6 +10,7 @@
 #include "solidnoise/core/check.h"
 #include "solidnoise/core/special_functions.h"
 #include "solidnoise/noise/bandwidth.h"
+#include "solidnoise/noise/gaussian_filter.h"
 #include "solidnoise/noise/impulse_statistics.h"
 #include "solidnoise/noise/impulse_sums.h"
 #include "solidnoise/noise/kernel_cells.h"
@@ -94,28 +95,47 @@ GaborNoise<Dim>::GaborNoise(const GaborNoiseOptions& options)
   impulses_ = options.impulses > 0.0 ? options.impulses
                                      : impulses_for_quality(Dim, compact_.radius(), moments, weights);
   density_ = solidnoise::impulse_density(Dim, impulses_, compact_.radius());
-  excess_kurtosis_ = noise_excess_kurtosis(density_, moments, weights);
+  unfiltered_energy_ = compact_.energy();
 
+  // Impulses and amplitude are those of the noise before it is filtered.
   const auto cells = make_kernel_cells<Dim>(compact_.radius(), options.period);
-  const double amplitude = 1.0 / std::sqrt(noise_variance(density_, compact_.energy(), weights));
+  const double amplitude = 1.0 / std::sqrt(noise_variance(density_, unfiltered_energy_, weights));
+  std::shared_ptr<const ImpulseKernel> kernel;
+  if (options.filter == 0.0 || filter_kernel()) {
+    variance_ = compact_.energy() / unfiltered_energy_;
+    excess_kurtosis_ =
+        noise_excess_kurtosis(density_, {compact_.energy(), compact_.fourth_moment()}, weights);
+    kernel = std::make_shared<WeightedKernel>(
+        RadialSum{support_scale<Dim>(cells.in_cells(compact_.radius())), to_single_precision(compact_)},
+        WeightDraw(options.weights, options.evolution));
+  }
   convolution_ = std::make_shared<SparseConvolution<Dim>>(
       ImpulseProcess<Dim>(cells.axes, density_ * cells.volume, derive_seed(options.seed, kImpulseStream)),
-      std::make_shared<WeightedKernel>(
-          RadialSum{support_scale<Dim>(cells.radius), to_single_precision(compact_)},
-          WeightDraw(options.weights, options.evolution)),
-      cells.radius, amplitude);
+      kernel, cells.in_cells(compact_.radius()), amplitude);
+}
+
+// Puts the filtered kernel in the place of the kernel; false, and no change, if nothing is left of it.
+template <int Dim>
+bool GaborNoise<Dim>::filter_kernel() {
+  const IsotropicGaborKernel<Dim> filtered = kernel_.filtered(filter_bandwidth(options_.filter));
+  const FilteredShare share{std::sqrt(filtered.energy() / kernel_.energy()), kernel_.a() / filtered.a()};
+  if (share.nothing(options_.error)) return false;
+  kernel_ = filtered;
+  compact_ = solidnoise::compact_kernel(filtered, share.error(options_.error));
+  return true;
 }
 
 template <int Dim>
 double GaborNoise<Dim>::power_spectrum(const Vec<Dim>& frequency) const {
   const double spectrum = compact_.spectrum(glm::length(frequency));
-  return spectrum * spectrum / compact_.energy();
+  return variance_ == 0.0 ? 0.0 : spectrum * spectrum / unfiltered_energy_;
 }
 
 template <int Dim>
 typename Noise<Dim>::Band GaborNoise<Dim>::band() const {
+  if (variance_ == 0.0) return {};
   const auto density = [this](double f) { return std::pow(f, Dim - 1) * std::pow(kernel_.spectrum(f), 2); };
-  return radial_band<Dim>(density, options_.frequency, kernel_.a());
+  return radial_band<Dim>(density, kernel_.frequency(), kernel_.a());
 }
 
 template class GaborNoise<1>;

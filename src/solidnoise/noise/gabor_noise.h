@@ -22,6 +22,10 @@ namespace solidnoise {
 // every number of impulses; with few of them the values are not Gaussian, and excess_kurtosis() says by how
 // much.
 //
+// With options().filter it is that noise convolved with a Gaussian (gaussian_filter.h): the same impulses
+// with the filtered kernel, off by at most options().error of the unfiltered standard deviation, and 0 where
+// less than that is left. The variance is then what the filter leaves.
+//
 // Cost: proportional to impulses_per_kernel() and to the kernel's degree; independent of its radius in
 // samples, once that is a few samples.
 template <int Dim>
@@ -31,9 +35,9 @@ class GaborNoise final : public Noise<Dim> {
   explicit GaborNoise(const GaborNoiseOptions& options);
 
   const GaborNoiseOptions& options() const { return options_; }
-  const IsotropicGaborKernel<Dim>& kernel() const {
-    return kernel_;
-  }  // before it was made compact; unit peak
+  // The kernel, filtered if options().filter says so, and as it is evaluated: made compact. Of a noise of
+  // which the filter leaves nothing, the unfiltered ones.
+  const IsotropicGaborKernel<Dim>& kernel() const { return kernel_; }
   const CompactKernel& compact_kernel() const { return compact_; }
   double radius() const { return compact_.radius(); }             // world units
   double impulses_per_kernel() const { return impulses_; }        // N, mean
@@ -47,7 +51,7 @@ class GaborNoise final : public Noise<Dim> {
   void evaluate(const Points<Dim>& points, const Samples<Dim>& samples) const override {
     convolution_->evaluate(points, samples);
   }
-  double variance() const override { return 1.0; }
+  double variance() const override { return variance_; }
   double power_spectrum(const Vec<Dim>& frequency) const override;
   double excess_kurtosis() const override { return excess_kurtosis_; }
   typename Noise<Dim>::Band band() const override;
@@ -58,11 +62,15 @@ class GaborNoise final : public Noise<Dim> {
   float weight(std::uint64_t mark) const;
 
  private:
+  bool filter_kernel();
+
   GaborNoiseOptions options_;
   IsotropicGaborKernel<Dim> kernel_;
   CompactKernel compact_;
   double impulses_ = 0.0;
   double density_ = 0.0;
+  double unfiltered_energy_ = 0.0;  // of the compact kernel
+  double variance_ = 0.0;
   double excess_kurtosis_ = 0.0;
   std::shared_ptr<const SparseConvolution<Dim>> convolution_;
 };

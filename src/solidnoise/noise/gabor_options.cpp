@@ -18,6 +18,7 @@ void validate_common(const Options& options) {
     require_at_least("period", options.period[axis], 0.0, "world units; 0 for none");
   }
   options.evolution.validate();
+  require_at_least("filter", options.filter, 0.0, "world units; 0 for none");
 }
 
 }  // namespace

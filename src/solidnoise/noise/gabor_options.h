@@ -19,8 +19,9 @@ struct GaborNoiseOptions {
   double impulses = 0.0;   // mean impulses under one kernel, N; 0: the fewest with excess kurtosis below 0.5
   ImpulseWeights weights = ImpulseWeights::signs;
   std::uint64_t seed = 0;
-  Vec<4> period{0.0};  // world units per axis (x, y, z, t); 0: none; else at least 2 kernel radii
+  Vec<4> period{0.0};     // world units per axis (x, y, z, t); 0: none; else at least 2 kernel radii
   Evolution evolution{};  // how it changes with time; by default it does not
+  double filter = 0.0;    // standard deviation of a Gaussian that it is convolved with, world units; 0: none
 
   // Throws std::invalid_argument naming the field, its value and what is allowed.
   void validate() const;
@@ -37,8 +38,9 @@ struct OrientedGaborNoiseOptions {
   double anisotropy = 0.0;  // 0: directions uniform on the sphere; 1: all along `direction`; 0 to 1
   Vec<4> direction{1.0, 0.0, 0.0, 0.0};  // along which the waves travel; any length but 0
   std::uint64_t seed = 0;
-  Vec<4> period{0.0};  // world units per axis (x, y, z, t); 0: none; else at least 2 kernel radii
+  Vec<4> period{0.0};     // world units per axis (x, y, z, t); 0: none; else at least 2 kernel radii
   Evolution evolution{};  // how it changes with time; by default it does not
+  double filter = 0.0;    // standard deviation of a Gaussian that it is convolved with, world units; 0: none
 
   // Throws std::invalid_argument naming the field, its value and what is allowed.
   void validate() const;

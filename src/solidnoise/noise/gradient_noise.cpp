@@ -21,20 +21,22 @@ GradientNoiseOptions validated(const GradientNoiseOptions& options) {
 }
 
 // The grid along one axis: cells of `steps` lattice units of the given size, changed to fit the period.
-CellAxis make_axis(const GradientNoiseOptions& options, double lattice_unit, int steps, double period) {
+CellAxis make_axis(const GradientNoiseOptions& options, double lattice_unit, int steps, int axis) {
+  const double period = options.period[axis];
   const double size = steps * lattice_unit;
   if (period == 0.0) return CellAxis(size);
   const double cells = std::round(period / size);
   if (cells * steps < kLeastPeriod) {
-    throw std::invalid_argument(
-        fmt::format("period is {}; it must be 0 or at least {:.6g} ({} steps of the lattice)", period,
-                    kLeastPeriod * lattice_unit, kLeastPeriod));
+    throw std::invalid_argument(fmt::format(
+        "period is {} along {}; it must be at least {:.6g} ({} steps of the lattice), or 0 for none", period,
+        "xyzt"[axis], kLeastPeriod * lattice_unit, kLeastPeriod));
   }
   if (options.hash == GradientNoiseOptions::Hash::xor_tables && cells * steps > kLongestTablePeriod) {
-    throw std::invalid_argument(fmt::format(
-        "period is {}; with hash xor_tables it must be at most {:.6g} ({} steps of the lattice): use hash "
-        "integer, or a lower frequency",
-        period, kLongestTablePeriod * lattice_unit, kLongestTablePeriod));
+    throw std::invalid_argument(
+        fmt::format("period is {} along {}; with hash xor-tables it must be at most {:.6g} ({} steps of the "
+                    "lattice): use "
+                    "hash integer, or a lower frequency",
+                    period, "xyzt"[axis], kLongestTablePeriod * lattice_unit, kLongestTablePeriod));
   }
   return CellAxis(period / cells, static_cast<std::int64_t>(cells));
 }
@@ -64,7 +66,7 @@ GradientNoise<Dim>::GradientNoise(const GradientNoiseOptions& options)
   std::array<CellAxis, Dim> axes;
   for (int axis = 0; axis < Dim; ++axis) {
     CellAxis& made = axes[static_cast<std::size_t>(axis)];
-    made = make_axis(options, lattice_unit, steps, options.period[axis]);
+    made = make_axis(options, lattice_unit, steps, axis);
     spacing_[axis] = made.size() / steps;
   }
   const typename GradientField<Dim>::Shape shape{

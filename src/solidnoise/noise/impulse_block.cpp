@@ -27,13 +27,13 @@ double ImpulseBlock<Dim>::Reach::cells() const {
 
 template <int Dim>
 typename ImpulseBlock<Dim>::Reach ImpulseBlock<Dim>::reach_of(const std::array<CellAxis, Dim>& axes,
-                                                              const Box<Dim>& box) {
+                                                              const Box<Dim>& box, const Index<Dim>& cells) {
   Reach reach;
   for (int axis = 0; axis < Dim; ++axis) {
     const CellPosition lower = axes[axis].locate(box.lower[axis]);
     const CellPosition upper = axes[axis].locate(box.upper[axis]);
-    reach.first[axis] = lower.cell - 1;
-    reach.last[axis] = upper.cell + 1;
+    reach.first[axis] = lower.cell - cells[axis];
+    reach.last[axis] = upper.cell + cells[axis];
     reach.from_first[axis] = lower.fraction;
     reach.into_last[axis] = upper.fraction;
   }

@@ -16,8 +16,7 @@ class ImpulseBlock {
   static constexpr int kQuanta = 1 << CellAxis::kFractionBits;  // of a cell
   static constexpr std::int64_t kMaxCellsPerAxis = 1000;        // so that a position fits 32 bits
 
-  // The cells whose impulses may reach some samples, and within them the positions that do, with impulses
-  // reaching at most one cell.
+  // The cells whose impulses may reach some samples, and within them the positions that do.
   struct Reach {
     Index<Dim> first{0};  // cells
     Index<Dim> last{0};
@@ -26,7 +25,8 @@ class ImpulseBlock {
 
     double cells() const;  // in double: may be huge
   };
-  static Reach reach_of(const std::array<CellAxis, Dim>& axes, const Box<Dim>& box);
+  // `cells`: how far an impulse reaches along each axis, rounded up.
+  static Reach reach_of(const std::array<CellAxis, Dim>& axes, const Box<Dim>& box, const Index<Dim>& cells);
 
   // Precondition: at most kMaxCellsPerAxis cells along each axis.
   ImpulseBlock(const ImpulseProcess<Dim>& process, const Reach& reach);

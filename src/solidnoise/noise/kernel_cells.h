@@ -17,6 +17,13 @@ struct KernelCells {
   std::array<double, Dim>
       radius{};         // of the kernel, in cells per axis: 1, or less where a period stretches the cells
   double volume = 1.0;  // of a cell, in world units^Dim
+
+  // Another radius in cells, per axis.
+  std::array<double, Dim> in_cells(double other_radius) const {
+    std::array<double, Dim> cells{};
+    for (int axis = 0; axis < Dim; ++axis) cells[axis] = other_radius / axes[axis].size();
+    return cells;
+  }
 };
 
 // Cells as large as the radius; along an axis with a period, larger by the least that makes the period a

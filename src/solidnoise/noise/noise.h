@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <span>
@@ -20,6 +21,12 @@ struct Samples {
 
   bool wants_gradient() const { return !gradient[0].empty(); }
 };
+
+template <int Dim>
+void fill_with_zero(const Samples<Dim>& samples) {
+  std::fill(samples.values.begin(), samples.values.end(), 0.0f);
+  for (const auto& derivative : samples.gradient) std::fill(derivative.begin(), derivative.end(), 0.0f);
+}
 
 // A noise made ready for one box: what is costly to make (the random impulses) is made once, and any lattice
 // inside the box is then cheap. Immutable; may be shared between threads.

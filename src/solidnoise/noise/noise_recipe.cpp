@@ -93,6 +93,31 @@ NoiseRecipe at_time(const NoiseRecipe& recipe, double time) {
   return moved;
 }
 
+bool can_filter(const NoiseRecipe& recipe) {
+  return std::visit(
+      [](const auto& options) {
+        return requires {
+          options.filter;
+        };
+      },
+      recipe.noise);
+}
+
+NoiseRecipe filtered(const NoiseRecipe& recipe, double deviation) {
+  NoiseRecipe result = recipe;
+  std::visit(
+      [deviation](auto& options) {
+        if constexpr (requires { options.filter; }) {
+          options.filter = std::hypot(options.filter, deviation);
+        } else {
+          throw std::invalid_argument(
+              fmt::format("filter is {}; it must be 0 for gradient noise", deviation));
+        }
+      },
+      result.noise);
+  return result;
+}
+
 template <int Dim>
 std::unique_ptr<Noise<Dim>> make_noise(const NoiseRecipe& recipe) {
   recipe.validate();
@@ -106,7 +131,9 @@ std::unique_ptr<Noise<Dim>> make_noise(const NoiseRecipe& recipe) {
 
   std::vector<typename FractalNoise<Dim>::Octave> octaves;
   for (int k = 0; k < fractal.octaves; ++k) {
-    octaves.push_back({make_noise<Dim>(octave_of(recipe, k)), scale * std::pow(fractal.gain, k)});
+    auto noise = make_noise<Dim>(octave_of(recipe, k));
+    if (noise->variance() == 0.0) continue;  // nothing passes the filter
+    octaves.push_back({std::move(noise), scale * std::pow(fractal.gain, k)});
   }
   return std::make_unique<FractalNoise<Dim>>(std::move(octaves));
 }

@@ -39,7 +39,13 @@ bool evolves(const NoiseRecipe& recipe);
 // The recipe of the noise as it is at a time; the same recipe where the noise does not evolve.
 NoiseRecipe at_time(const NoiseRecipe& recipe, double time);
 
-// Makes the noise, of unit variance unless the recipe's octaves are not renormalised. Dim is 1 to 4.
+// The recipe of the noise convolved with a Gaussian of this standard deviation, world units, too
+// (gaussian_filter.h). Only Gabor noises can be; throws std::invalid_argument for others.
+bool can_filter(const NoiseRecipe& recipe);
+NoiseRecipe filtered(const NoiseRecipe& recipe, double deviation);
+
+// Makes the noise, of unit variance unless the recipe's octaves are not renormalised or the noise is filtered
+// (octaves of which the filter leaves nothing cost nothing). Dim is 1 to 4.
 // Throws std::invalid_argument.
 template <int Dim>
 std::unique_ptr<Noise<Dim>> make_noise(const NoiseRecipe& recipe);

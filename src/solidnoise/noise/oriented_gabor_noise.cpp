@@ -10,6 +10,7 @@
 #include "solidnoise/core/quadrature.h"
 #include "solidnoise/core/special_functions.h"
 #include "solidnoise/noise/bandwidth.h"
+#include "solidnoise/noise/gaussian_filter.h"
 #include "solidnoise/noise/impulse_statistics.h"
 #include "solidnoise/noise/impulse_sums.h"
 #include "solidnoise/noise/kernel_cells.h"
@@ -122,6 +123,12 @@ double mean_over_cone(const RandomPhaseGaborKernel<Dim>& kernel, const Direction
   return 0.25 * kernel.amplitude() * kernel.amplitude() * std::pow(kernel.a(), -2 * Dim) * total / area;
 }
 
+// Of the product of the axes' envelopes times a wave, means over its phase: cos^2 is 1/2 and cos^4 is 3/8.
+KernelMoments envelope_moments(const CompactKernel& envelope, int dimensions) {
+  return {0.5 * std::pow(envelope.energy(), dimensions),
+          0.375 * std::pow(envelope.fourth_moment(), dimensions)};
+}
+
 }  // namespace
 
 template <int Dim>
@@ -130,37 +137,58 @@ OrientedGaborNoise<Dim>::OrientedGaborNoise(const OrientedGaborNoiseOptions& opt
       directions_(make_directions<Dim>(options)),
       kernel_(1.0, gaussian_parameter(options.frequency, options.bandwidth),
               options.frequency * directions_.axis()),
+      frequency_(options.frequency),
       envelope_(compact_envelope(kernel_.a(), Dim, options.error)),
       radius_(kernel_.radius_for_error(options.error)) {
-  // Means over the phase: cos^2 is 1/2 and cos^4 is 3/8.
-  const KernelMoments moments{0.5 * std::pow(envelope_.energy(), Dim),
-                              0.375 * std::pow(envelope_.fourth_moment(), Dim)};
+  const KernelMoments moments = envelope_moments(envelope_, Dim);
   impulses_ = options.impulses > 0.0 ? options.impulses : impulses_for_quality(Dim, radius_, moments);
   density_ = solidnoise::impulse_density(Dim, impulses_, radius_);
-  excess_kurtosis_ = noise_excess_kurtosis(density_, moments);
 
+  // Impulses and amplitude are those of the noise before it is filtered.
   const auto cells = make_kernel_cells<Dim>(envelope_.radius(), options.period);
+  const double amplitude = 1.0 / std::sqrt(noise_variance(density_, moments.second));
+  std::shared_ptr<const ImpulseKernel> kernel;
+  if (options.filter == 0.0 || filter_kernel()) {
+    const KernelMoments filtered = envelope_moments(envelope_, Dim);
+    variance_ = std::pow(kernel_.amplitude(), 2) * filtered.second / moments.second;
+    excess_kurtosis_ = noise_excess_kurtosis(density_, filtered);
+    kernel = std::make_shared<WaveKernel<Dim>>(
+        OrientedSum{support_scale<Dim>(cells.in_cells(envelope_.radius())), to_single_precision(envelope_)},
+        WaveDraw<Dim>(directions_, frequency_, options.evolution), cells.axes);
+  }
   convolution_ = std::make_shared<SparseConvolution<Dim>>(
       ImpulseProcess<Dim>(cells.axes, density_ * cells.volume, derive_seed(options.seed, kImpulseStream)),
-      std::make_shared<WaveKernel<Dim>>(
-          OrientedSum{support_scale<Dim>(cells.radius), to_single_precision(envelope_)},
-          WaveDraw<Dim>(directions_, options.frequency, options.evolution), cells.axes),
-      cells.radius, 1.0 / std::sqrt(noise_variance(density_, moments.second)));
+      kernel, cells.in_cells(envelope_.radius()), kernel_.amplitude() * amplitude);
+}
+
+// Puts the filtered kernel in the place of the kernel; false, and no change, if nothing is left of it.
+template <int Dim>
+bool OrientedGaborNoise<Dim>::filter_kernel() {
+  const GaborKernel<Dim> phased = kernel_.with_phase(0.0).filtered(filter_bandwidth(options_.filter));
+  const RandomPhaseGaborKernel<Dim> filtered(phased.amplitude(), phased.a(), phased.frequency());
+  const FilteredShare share{std::sqrt(filtered.energy() / kernel_.energy()), kernel_.a() / filtered.a()};
+  if (share.nothing(options_.error)) return false;
+  kernel_ = filtered;
+  frequency_ = glm::length(filtered.frequency());
+  envelope_ = compact_envelope(filtered.a(), Dim, share.error(options_.error));
+  radius_ = filtered.radius_for_error(share.error(options_.error));
+  return true;
 }
 
 template <int Dim>
 typename OrientedGaborNoise<Dim>::Wave OrientedGaborNoise<Dim>::wave(std::uint64_t mark) const {
-  return WaveDraw<Dim>(directions_, options_.frequency, options_.evolution)(mark);
+  return WaveDraw<Dim>(directions_, frequency_, options_.evolution)(mark);
 }
 
 template <int Dim>
 double OrientedGaborNoise<Dim>::power_spectrum(const Vec<Dim>& frequency) const {
+  if (variance_ == 0.0) return 0.0;
   if constexpr (Dim > 1) {
     if (options_.anisotropy == 0.0) {
-      return kernel_.isotropic_power_spectrum(glm::length(frequency)) / kernel_.energy();
+      return variance_ * kernel_.isotropic_power_spectrum(glm::length(frequency)) / kernel_.energy();
     }
     if (options_.anisotropy < 1.0) {
-      return mean_over_cone<Dim>(kernel_, directions_, frequency) / kernel_.energy();
+      return variance_ * mean_over_cone<Dim>(kernel_, directions_, frequency) / kernel_.energy();
     }
   }
   // A pair of products of the envelope's transforms; per axis the envelope is exact.
@@ -172,17 +200,18 @@ double OrientedGaborNoise<Dim>::power_spectrum(const Vec<Dim>& frequency) const 
           envelope_.spectrum(std::abs(frequency[axis] - sign * kernel_.frequency()[axis]));
       product *= spectrum * spectrum / envelope_.energy();
     }
-    sum += 0.5 * product;
+    sum += 0.5 * variance_ * product;
   }
   return sum;
 }
 
 template <int Dim>
 typename Noise<Dim>::Band OrientedGaborNoise<Dim>::band() const {
+  if (variance_ == 0.0) return {};
   const auto density = [this](double f) {
     return std::pow(f, Dim - 1) * kernel_.isotropic_power_spectrum(f);
   };
-  return radial_band<Dim>(density, options_.frequency, kernel_.a());
+  return radial_band<Dim>(density, frequency_, kernel_.a());
 }
 
 template class OrientedGaborNoise<1>;

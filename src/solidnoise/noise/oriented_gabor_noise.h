@@ -22,6 +22,8 @@ namespace solidnoise {
 // sample and impulse; its support is a cube in place of a ball. `radius()` is that of the ball whose
 // truncation would give the same error, so that impulses_per_kernel() means what it means in the papers. It
 // needs far fewer impulses than the isotropic kernel for the same excess kurtosis.
+//
+// With options().filter it is that noise convolved with a Gaussian, as GaborNoise is, for any anisotropy.
 template <int Dim>
 class OrientedGaborNoise final : public Noise<Dim> {
  public:
@@ -30,15 +32,17 @@ class OrientedGaborNoise final : public Noise<Dim> {
   explicit OrientedGaborNoise(const OrientedGaborNoiseOptions& options);
 
   const OrientedGaborNoiseOptions& options() const { return options_; }
-  const RandomPhaseGaborKernel<Dim>& kernel() const {
-    return kernel_;
-  }                                                            // along the cone's axis; unit amplitude
-  const CompactKernel& envelope() const { return envelope_; }  // of one axis
+  // The kernel along the cone's axis, of unit amplitude, or filtered if options().filter says so; and the
+  // envelope of one axis as it is evaluated, of unit peak. Of a noise of which the filter leaves nothing, the
+  // unfiltered ones.
+  const RandomPhaseGaborKernel<Dim>& kernel() const { return kernel_; }
+  const CompactKernel& envelope() const { return envelope_; }
+  double frequency() const { return frequency_; }  // of the kernel, cycles per world unit
   const DirectionCone<Dim>& directions() const { return directions_; }
   double radius() const { return radius_; }                       // world units
   double impulses_per_kernel() const { return impulses_; }        // N, mean
   double impulse_density() const { return density_; }             // per world unit^Dim
-  double amplitude() const { return convolution_->amplitude(); }  // of the kernel in the noise
+  double amplitude() const { return convolution_->amplitude(); }  // of the envelope in the noise
 
   using Noise<Dim>::evaluate;
   std::unique_ptr<NoiseBlock<Dim>> block(const Box<Dim>& box) const override {
@@ -47,7 +51,7 @@ class OrientedGaborNoise final : public Noise<Dim> {
   void evaluate(const Points<Dim>& points, const Samples<Dim>& samples) const override {
     convolution_->evaluate(points, samples);
   }
-  double variance() const override { return 1.0; }
+  double variance() const override { return variance_; }
   // Where directions vary, that of the kernel before it was made compact; the two differ by less than
   // options().error of the total.
   double power_spectrum(const Vec<Dim>& frequency) const override;
@@ -63,13 +67,17 @@ class OrientedGaborNoise final : public Noise<Dim> {
   Wave wave(std::uint64_t mark) const;
 
  private:
+  bool filter_kernel();
+
   OrientedGaborNoiseOptions options_;
   DirectionCone<Dim> directions_;
   RandomPhaseGaborKernel<Dim> kernel_;
+  double frequency_;  // of the kernel
   CompactKernel envelope_;
   double radius_ = 0.0;
   double impulses_ = 0.0;
   double density_ = 0.0;
+  double variance_ = 0.0;
   double excess_kurtosis_ = 0.0;
   std::shared_ptr<const SparseConvolution<Dim>> convolution_;
 };

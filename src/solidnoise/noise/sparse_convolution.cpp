@@ -1,5 +1,7 @@
 #include "solidnoise/noise/sparse_convolution.h"
 
+#include <cmath>
+
 #include "solidnoise/noise/impulse_sums.h"
 #include "solidnoise/noise/sparse_convolution_source.h"
 
@@ -14,6 +16,7 @@ SparseConvolution<Dim>::SparseConvolution(ImpulseProcess<Dim> process,
       scale_(support_scale<Dim>(radius)),
       amplitude_(amplitude) {
   for (int axis = 0; axis < Dim; ++axis) {
+    reach_[axis] = static_cast<std::int64_t>(std::ceil(radius[axis]));
     slope_[axis] = static_cast<float>(amplitude / (radius[axis] * process_.axes()[axis].size()));
   }
 }
@@ -35,10 +38,10 @@ void SparseConvolution<Dim>::gather(const Source& source, const Neighborhood& ne
 
   list.clear();
   constexpr int kLast = Dim - 1;
-  Index<Dim> cell = neighborhood.first - std::int64_t{1};
+  Index<Dim> cell = neighborhood.first - reach_;
   while (true) {
     const auto [begin, end] =
-        source.impulses.run(cell, neighborhood.first[kLast] - 1, neighborhood.last[kLast] + 1);
+        source.impulses.run(cell, cell[kLast], neighborhood.last[kLast] + reach_[kLast]);
     if (begin != end) {
       for (int axis = 0; axis < Dim; ++axis) run.position[axis] = source.impulses.position(axis) + begin;
       for (int channel = 0; channel < run.attributes; ++channel) {
@@ -48,8 +51,8 @@ void SparseConvolution<Dim>::gather(const Source& source, const Neighborhood& ne
       cull_impulses(run, box, list);
     }
     int axis = kLast - 1;
-    while (axis >= 0 && ++cell[axis] > neighborhood.last[axis] + 1) {
-      cell[axis] = neighborhood.first[axis] - 1;
+    while (axis >= 0 && ++cell[axis] > neighborhood.last[axis] + reach_[axis]) {
+      cell[axis] = neighborhood.first[axis] - reach_[axis];
       --axis;
     }
     if (axis < 0) return;

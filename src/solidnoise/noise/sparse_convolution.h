@@ -41,9 +41,11 @@ class ImpulseKernel {
 template <int Dim>
 class SparseConvolution {
  public:
-  // `radius` of the kernel's support in cells, per axis; at most 1.
+  // `radius` of the kernel's support in cells, per axis; up to kMostReach. Without a kernel the noise is 0.
   SparseConvolution(ImpulseProcess<Dim> process, std::shared_ptr<const ImpulseKernel> kernel,
                     const std::array<double, Dim>& radius, double amplitude);
+
+  static constexpr double kMostReach = 12.0;
 
   const ImpulseProcess<Dim>& process() const { return process_; }
   double amplitude() const { return amplitude_; }
@@ -60,6 +62,7 @@ class SparseConvolution {
 
   ImpulseProcess<Dim> process_;
   std::shared_ptr<const ImpulseKernel> kernel_;
+  Index<Dim> reach_{1};                // cells beyond that of a sample whose impulses may reach it
   std::array<float, kRoles> scale_{};  // cells to radii, per role; 0 for roles that the noise does not have
   std::array<float, Dim> slope_{};  // derivative per radius to derivative per world unit, times the amplitude
   double amplitude_;

@@ -16,12 +16,14 @@ struct LocatedAxis {
   std::vector<CellPosition> positions;
   int brick_side = 1;  // samples of one brick
 
+  // Impulses reach `reach` cells.
   template <int Dim>
-  LocatedAxis(const Lattice<Dim>& lattice, const CellAxis& cells, int axis) {
+  LocatedAxis(const Lattice<Dim>& lattice, const CellAxis& cells, int axis, std::int64_t reach) {
     positions.reserve(static_cast<std::size_t>(lattice.count[axis]));
     for (int i = 0; i < lattice.count[axis]; ++i)
       positions.push_back(cells.locate(lattice.coordinate(axis, i)));
-    const double samples = CellAxis::kMaxSpan * cells.size() / lattice.step[axis];
+    const double span = std::min(CellAxis::kMaxSpan, CellAxis::kExact - static_cast<double>(reach));
+    const double samples = span * cells.size() / lattice.step[axis];
     brick_side = samples >= SampleBrick::kSide ? SampleBrick::kSide : std::max(1, static_cast<int>(samples));
   }
 };
@@ -32,7 +34,7 @@ template <int Dim>
 class SparseConvolution<Dim>::Block final : public NoiseBlock<Dim> {
  public:
   Block(const SparseConvolution& noise, const Box<Dim>& box) : noise_(noise) {
-    const auto reach = ImpulseBlock<Dim>::reach_of(noise_.process_.axes(), box);
+    const auto reach = ImpulseBlock<Dim>::reach_of(noise_.process_.axes(), box, noise_.reach_);
     bool fits = reach.cells() <= kMaxCellsInBlock;
     for (int axis = 0; axis < Dim; ++axis) {
       fits = fits && reach.last[axis] - reach.first[axis] < ImpulseBlock<Dim>::kMaxCellsPerAxis;
@@ -43,7 +45,9 @@ class SparseConvolution<Dim>::Block final : public NoiseBlock<Dim> {
   void evaluate(const Lattice<Dim>& lattice, const Samples<Dim>& samples) const override {
     std::vector<LocatedAxis> axes;
     axes.reserve(Dim);
-    for (int axis = 0; axis < Dim; ++axis) axes.emplace_back(lattice, noise_.process_.axes()[axis], axis);
+    for (int axis = 0; axis < Dim; ++axis) {
+      axes.emplace_back(lattice, noise_.process_.axes()[axis], axis, noise_.reach_[axis]);
+    }
 
     ImpulseList list(Dim);
     glm::vec<Dim, int> start(0);
@@ -86,7 +90,7 @@ class SparseConvolution<Dim>::Block final : public NoiseBlock<Dim> {
     std::optional<Source> local;
     if (!source_) {
       typename ImpulseBlock<Dim>::Reach reach{
-          neighborhood.first - std::int64_t{1}, neighborhood.last + std::int64_t{1}, {}, {}};
+          neighborhood.first - noise_.reach_, neighborhood.last + noise_.reach_, {}, {}};
       reach.into_last.fill(1.0f);
       local.emplace(noise_.process_, *noise_.kernel_, reach);
     }
@@ -127,8 +131,16 @@ class SparseConvolution<Dim>::Block final : public NoiseBlock<Dim> {
   std::optional<Source> source_;
 };
 
+// Of a noise that is 0.
+template <int Dim>
+class SilentBlock final : public NoiseBlock<Dim> {
+ public:
+  void evaluate(const Lattice<Dim>&, const Samples<Dim>& samples) const override { fill_with_zero(samples); }
+};
+
 template <int Dim>
 std::unique_ptr<NoiseBlock<Dim>> SparseConvolution<Dim>::block(const Box<Dim>& box) const {
+  if (!kernel_) return std::make_unique<SilentBlock<Dim>>();
   return std::make_unique<Block>(*this, box);
 }
 

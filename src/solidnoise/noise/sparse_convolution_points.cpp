@@ -10,6 +10,7 @@ namespace solidnoise {
 
 template <int Dim>
 void SparseConvolution<Dim>::evaluate(const Points<Dim>& points, const Samples<Dim>& samples) const {
+  if (!kernel_) return fill_with_zero(samples);
   // Sort the points by groups of cells, then by cell and part of it: points of one group share their
   // impulses, and those of one cluster are near each other. Groups are in the order of their hashes; two that
   // share one are only slower.
@@ -68,10 +69,8 @@ void SparseConvolution<Dim>::evaluate(const Points<Dim>& points, const Samples<D
     auto group_end = group;
     while (group_end != located.end() && !group_differs(*group, *group_end)) ++group_end;
     auto range = bounds(group, group_end);
-    for (int axis = 0; axis < Dim; ++axis) {
-      --range.first[axis];
-      ++range.last[axis];
-    }
+    range.first -= reach_;
+    range.last += reach_;
     const Source source(process_, *kernel_, range);
 
     for (auto begin = group; begin != group_end;) {

@@ -28,6 +28,7 @@ void visit_band(Options& options, Field& field) {
   field("impulses", options.impulses);
   field("evolve", options.evolution.rate);
   field("loop", options.evolution.loop);
+  field("filter", options.filter);
 }
 
 template <typename Field>

@@ -128,6 +128,7 @@ VolumePlan plan_volume(const VolumeRecipe& recipe, const VolumePart& part) {
 }
 
 std::shared_ptr<const Noise<3>> make_volume_noise(const VolumeRecipe& recipe) {
+  if (recipe.band_limit) throw std::invalid_argument("band_limit needs the size of the voxels");
   std::shared_ptr<const Noise<3>> noise;
   if (recipe.dims == 3) {
     noise = make_noise<3>(at_time(recipe.noise, recipe.time));
@@ -139,11 +140,13 @@ std::shared_ptr<const Noise<3>> make_volume_noise(const VolumeRecipe& recipe) {
 
 Volume make_volume(const VolumeRecipe& recipe, const VolumePlan& plan, const std::string& creator,
                    Progress* progress) {
+  const auto at_voxels = [&](const VolumeRecipe& of) { return at_resolution(of, plan.frame.voxel_size()); };
   if (plan.modification) {
-    const auto field = [&](const VolumeRecipe& of) { return make_volume_field(of, plan); };
-    return make_modified_volume(recipe, *plan.modification, {field, make_volume_noise}, progress);
+    const auto field = [&](const VolumeRecipe& of) { return make_volume_field(at_voxels(of), plan); };
+    const auto noise = [&](const VolumeRecipe& of) { return make_volume_noise(at_voxels(of)); };
+    return make_modified_volume(recipe, *plan.modification, {field, noise}, progress);
   }
-  const std::unique_ptr<Field> field = make_volume_field(recipe, plan);
+  const std::unique_ptr<Field> field = make_volume_field(at_voxels(recipe), plan);
   const Topology topology = make_topology(recipe, plan, progress);
   Volume volume{fill_grids(take_part(topology, plan.part), *field, {1},
                            is_raw(recipe) ? Sparsity::keep : Sparsity::drop, progress)};

@@ -40,7 +40,8 @@ VolumePlan plan_volume(const VolumeRecipe& recipe, const VolumePart& part = {});
 Volume make_volume(const VolumeRecipe& recipe, const VolumePlan& plan, const std::string& creator,
                    Progress* progress = nullptr);
 
-// The noise of a recipe as it is in the volume: a frame of it, where the recipe's noise is of 4 dimensions.
+// The noise of a recipe as it is in the volume: at the recipe's time, and a frame of it where it is of 4
+// dimensions. Of a recipe with band_limit take it at_resolution(); throws std::invalid_argument.
 std::shared_ptr<const Noise<3>> make_volume_noise(const VolumeRecipe& recipe);
 
 }  // namespace solidnoise

@@ -1,5 +1,6 @@
 #include "solidnoise/volume/volume_recipe.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -51,6 +52,10 @@ void VolumeRecipe::validate() const {
   if (dims == 4 && evolves(noise)) {
     throw std::invalid_argument("dims is 4; it must be 3 where the noise evolves");
   }
+  if (band_limit && !may_band_limit(*this)) {
+    throw std::invalid_argument(
+        "band_limit is true; it must be false where dims is 4 and for gradient noise (kensler)");
+  }
   std::visit([](const auto& look) { look.validate(); }, shaping);
   if (modification) modification->validate();
   require_positive("optical_depth", density.optical_depth);
@@ -68,6 +73,19 @@ void VolumeRecipe::validate() const {
   if (voxel) require_positive("voxel", *voxel, "world units");
   require_in_range("dim", dim, 1, 1 << 20, "voxels");
   if (grid.empty()) throw std::invalid_argument("grid is empty; it must be a name");
+}
+
+bool may_band_limit(const VolumeRecipe& recipe) {
+  return recipe.dims == 3 && can_filter(recipe.noise);
+}
+
+VolumeRecipe at_resolution(const VolumeRecipe& recipe, const Vec<3>& voxel_size) {
+  VolumeRecipe resolved = recipe;
+  if (!recipe.band_limit) return resolved;
+  const double longest_side = std::max({voxel_size.x, voxel_size.y, voxel_size.z});
+  resolved.noise = filtered(recipe.noise, kBandLimit * longest_side);
+  resolved.band_limit = false;
+  return resolved;
 }
 
 }  // namespace solidnoise

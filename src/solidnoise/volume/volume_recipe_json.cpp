@@ -149,6 +149,7 @@ Json to_json(const VolumeRecipe& recipe) {
   json["dims"] = recipe.dims;
   json["time"] = recipe.time;
   json["offset"] = {recipe.offset.x, recipe.offset.y, recipe.offset.z};
+  json["band_limit"] = recipe.band_limit;
   json["shaping"] = shaping_to_json(recipe.shaping);
   if (recipe.density.peak) {
     json["density"] = *recipe.density.peak;
@@ -179,6 +180,7 @@ VolumeRecipe volume_recipe_from_json(const Json& json) {
   reader.read("dims", recipe.dims);
   reader.read("time", recipe.time);
   reader.read("offset", recipe.offset);
+  reader.read("band_limit", recipe.band_limit);
   if (auto shaping = reader.object("shaping")) recipe.shaping = shaping_from_json(*shaping);
   reader.read("optical_depth", recipe.density.optical_depth);
   reader.read("density", recipe.density.peak);
