@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -59,15 +60,75 @@ TEST(GaborPeriod, HoldsExactlyForEveryBandwidthErrorAndAxis) {
   });
 }
 
+// Three octaves of each kind of noise, with a period.
+std::vector<NoiseRecipe> octaves_of_each_kind(const Vec<4>& period) {
+  std::vector<NoiseRecipe> recipes(3);
+  recipes[0].noise = GaborNoiseOptions{.frequency = 1.0, .impulses = 20.0, .period = period};
+  recipes[1].noise = OrientedGaborNoiseOptions{.frequency = 1.0, .impulses = 20.0, .period = period};
+  recipes[2].noise = GradientNoiseOptions{.frequency = 1.0, .period = period};
+  for (NoiseRecipe& recipe : recipes) recipe.fractal = {.octaves = 3, .lacunarity = 3.0};
+  return recipes;
+}
+
 TEST(GaborPeriod, HoldsForOctavesAndFrames) {
-  NoiseRecipe recipe;
-  recipe.fractal.octaves = 3;
-  recipe.fractal.lacunarity = 3.0;
   const Vec<4> period(4.7, 5.0, 6.1, 10.0);
-  recipe.noise = GaborNoiseOptions{.frequency = 1.0, .impulses = 20.0, .period = period};
-  for_each_dimension([&]<int Dim>() { expect_period<Dim>(*make_noise<Dim>(recipe), period, 24); });
-  const std::shared_ptr<const Noise<4>> noise = make_noise<4>(recipe);
-  expect_period<3>(*slice(noise, 0.3), period, 24);
+  for (const NoiseRecipe& recipe : octaves_of_each_kind(period)) {
+    SCOPED_TRACE(recipe.noise.index());
+    for_each_dimension([&]<int Dim>() { expect_period<Dim>(*make_noise<Dim>(recipe), period, 24); });
+    const std::shared_ptr<const Noise<4>> noise = make_noise<4>(recipe);
+    expect_period<3>(*slice(noise, 0.3), period, 24);
+  }
+}
+
+// Frames n / 24 and those whole loops away, computed in double precision.
+TEST(GaborPeriod, HoldsInTimeForFramesOfAnyLoop) {
+  for (const double loop : {10.0, 241.0 / 24.0, 31.0 / 3.0}) {
+    for (const NoiseRecipe& recipe : octaves_of_each_kind(Vec<4>(0.0, 0.0, 0.0, loop))) {
+      SCOPED_TRACE(testing::Message() << "kind " << recipe.noise.index() << ", loop " << loop);
+      const std::shared_ptr<const Noise<4>> noise = make_noise<4>(recipe);
+      const Lattice<3> lattice = some_lattice<3>(0.5);
+      const auto frame = [&](double t) { return evaluate_in_one_block<3>(*slice(noise, t), lattice); };
+      for (const int n : {0, 7, 19}) {
+        const Evaluated<3> expected = frame(n / 24.0);
+        for (const int loops : {-3, 1, 100}) EXPECT_EQ(frame(n / 24.0 + loops * loop), expected) << n;
+        EXPECT_NE(frame(n / 24.0 + 0.4 * loop), expected);
+      }
+    }
+  }
+}
+
+// A tile put beside itself: across the seam, values go on along the gradient as they do elsewhere.
+TEST(GaborPeriod, TilesMeetWithoutASeamInValueOrGradient) {
+  constexpr double kPeriod = 6.0;
+  constexpr int kSide = 768;
+  constexpr double kStep = kPeriod / kSide;
+  for (const NoiseRecipe& recipe : octaves_of_each_kind(Vec<4>(kPeriod))) {
+    SCOPED_TRACE(recipe.noise.index());
+    const auto noise = make_noise<2>(recipe);
+    Lattice<2> lattice;
+    lattice.step = Vec<2>(kStep);
+    lattice.count = glm::ivec2(kSide);
+    const Evaluated<2> tile = evaluate_in_one_block<2>(*noise, lattice);
+    // How far the trapezoid rule over the gradient misses the next value, at most, at a line across an axis.
+    const auto miss_at = [&](int axis, int line) {
+      double most = 0.0;
+      const int next = (line + 1) % kSide;
+      for (int i = 0; i < kSide; ++i) {
+        const auto here = static_cast<std::size_t>(axis == 0 ? line * kSide + i : i * kSide + line);
+        const auto there = static_cast<std::size_t>(axis == 0 ? next * kSide + i : i * kSide + next);
+        const auto& slope = tile.gradient[static_cast<std::size_t>(axis)];
+        const double step = 0.5 * kStep * (slope[here] + slope[there]);
+        most = std::max(most, std::abs(tile.values[there] - tile.values[here] - step));
+      }
+      return most;
+    };
+    for (int axis = 0; axis < 2; ++axis) {
+      double elsewhere = 0.0;
+      for (int line = 0; line + 1 < kSide; ++line) elsewhere = std::max(elsewhere, miss_at(axis, line));
+      EXPECT_LE(miss_at(axis, kSide - 1), elsewhere) << "axis " << axis;
+      EXPECT_LT(elsewhere, 0.01);  // else a seam would not be seen
+    }
+  }
 }
 
 TEST(GaborPeriod, HoldsAtAnyPosition) {

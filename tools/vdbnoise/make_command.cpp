@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -27,6 +28,7 @@
 #include "vdbnoise/recipe_source.h"
 #include "vdbnoise/sequence_flags.h"
 #include "vdbnoise/time_flags.h"
+#include "vdbnoise/warnings.h"
 #include "vdbnoise/volume_output.h"
 
 namespace solidnoise {
@@ -99,19 +101,6 @@ void check_memory(const MakeOptions& options, const VolumePlan& plan) {
       plan.modification ? "" : "; make --dim smaller or --voxel larger"));
 }
 
-// Frequencies that the voxels cannot hold come back as others.
-void warn_of_aliasing(const VolumeRecipe& recipe, const VolumePlan& plan) {
-  constexpr double kHighestCyclesPerVoxel = 0.5;
-  const Vec<3>& size = plan.frame.voxel_size();
-  if (recipe.band_limit) return;
-  const double highest = make_volume_noise(recipe)->band().upper * std::max({size.x, size.y, size.z});
-  if (highest <= kHighestCyclesPerVoxel) return;
-  std::cerr << fmt::format(
-      "vdbnoise: warning: the noise reaches {:.2f} cycles per voxel, above 0.5, and will alias; {}make "
-      "--voxel smaller, --frequency lower or --octaves fewer\n",
-      highest, may_band_limit(recipe) ? "give --band-limit, or " : "");
-}
-
 void write_recipe(const MakeOptions& options, const VolumePlan& plan) {
   if (options.write_recipe.empty()) return;
   VolumeRecipe recipe = options.recipe;
@@ -125,7 +114,7 @@ void make_volume_files(const MakeOptions& options) {
   const VolumePlan plan = plan_volume(options.recipe, options.part);
   if (options.out.empty() && options.preview.empty()) return write_recipe(options, plan);
   check_memory(options, plan);
-  if (!options.quiet && options.warns) warn_of_aliasing(options.recipe, plan);
+  if (!options.quiet && options.warns) warn_of_resolution(options.recipe, plan.frame, std::cerr);
 
   Volume volume;
   {

@@ -1,0 +1,50 @@
+#include "vdbnoise/warnings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "solidnoise/volume/make_volume.h"
+
+namespace solidnoise {
+namespace {
+
+// Frequencies that the voxels cannot hold come back as others.
+void warn_of_aliasing(const VolumeRecipe& recipe, const Vec<3>& voxel, std::ostream& stream) {
+  constexpr double kHighestCyclesPerVoxel = 0.5;
+  if (recipe.band_limit) return;
+  const double highest = make_volume_noise(recipe)->band().upper * std::max({voxel.x, voxel.y, voxel.z});
+  if (highest <= kHighestCyclesPerVoxel) return;
+  stream << fmt::format(
+      "vdbnoise: warning: the noise reaches {:.2f} cycles per voxel, above 0.5, and will alias; {}make "
+      "--voxel "
+      "smaller, --frequency lower or --octaves fewer\n",
+      highest, may_band_limit(recipe) ? "give --band-limit, or " : "");
+}
+
+// Tiles meet where the period is a whole number of voxels.
+void warn_of_tiles(const VolumeRecipe& recipe, const Vec<3>& voxel, std::ostream& stream) {
+  const Vec<4> period = std::visit([](const auto& options) { return options.period; }, recipe.noise.noise);
+  for (int axis = 0; axis < 3; ++axis) {
+    const double voxels = period[axis] / voxel[axis];
+    if (std::abs(voxels - std::round(voxels)) <= 1e-6 * voxels) continue;
+    stream << fmt::format(
+        "vdbnoise: warning: the period is {} along {}, {:.6g} voxels; tiles meet where it is a whole number "
+        "of "
+        "them: --voxel {:.6g}\n",
+        period[axis], "xyz"[axis], voxels, period[axis] / std::max(1.0, std::round(voxels)));
+    return;
+  }
+}
+
+}  // namespace
+
+void warn_of_resolution(const VolumeRecipe& recipe, const GridFrame& frame, std::ostream& stream) {
+  warn_of_aliasing(recipe, frame.voxel_size(), stream);
+  warn_of_tiles(recipe, frame.voxel_size(), stream);
+}
+
+}  // namespace solidnoise
