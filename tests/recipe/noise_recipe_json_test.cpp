@@ -38,7 +38,9 @@ TEST(NoiseRecipeJson, RoundTripsEveryNoiseToTheLastBit) {
                                       .impulses = 1e3 / 7.0,
                                       .weights = ImpulseWeights::uniform,
                                       .seed = std::numeric_limits<std::uint64_t>::max(),
-                                      .period = {awkward, 0.0, 64.0, 1e6 / 3.0}},
+                                      .period = {awkward, 0.0, 64.0, 1e6 / 3.0},
+                                      .evolution = {.rate = awkward, .loop = 1e3 / 3.0},
+                                      .filter = 0.1 / 3.0},
                     FractalOptions{.octaves = 5, .lacunarity = 2.0, .gain = awkward, .renormalize = false}};
   NoiseRecipe oriented{OrientedGaborNoiseOptions{.frequency = 5e-324 * 1e300,
                                                  .anisotropy = 1.0 - 0x1p-53,

@@ -70,6 +70,18 @@ TEST(VolumeRecipeJson, RoundTripsWhatIsNotTheDefault) {
   EXPECT_EQ(back.description, recipe.description);
 }
 
+TEST(VolumeRecipeJson, RoundTripsTimeAndBandLimitOfNoiseThatEvolves) {
+  VolumeRecipe recipe;
+  recipe.noise.noise = OrientedGaborNoiseOptions{.evolution = {.rate = 0.1 + 0.2, .loop = 7.0 / 3.0}};
+  recipe.time = 1.0 / 3.0;
+  recipe.band_limit = true;
+  expect_round_trip(recipe);
+  const VolumeRecipe back = volume_recipe_from_json(to_json(recipe));
+  EXPECT_EQ(back.noise, recipe.noise);
+  EXPECT_EQ(back.time, recipe.time);
+  EXPECT_TRUE(back.band_limit);
+}
+
 TEST(VolumeRecipeJson, RefusesWhatIsNoRecipeOfThisVersion) {
   EXPECT_EQ(message_of("{}"), "\"solidnoise\": 1 is missing; this is no recipe");
   EXPECT_EQ(message_of(R"({"solidnoise": 2})"), "solidnoise is 2; this program reads recipes of version 1");
