@@ -1,4 +1,5 @@
 #include <chrono>
+#include <filesystem>
 #include <set>
 #include <string>
 #include <thread>
@@ -96,6 +97,28 @@ TEST(Sequence, WritesTheRecipeOfAllFramesOnce) {
   expect_same_grid(folder.file("s.6.vdb"), folder.file("again.6.vdb"));
 }
 
+// A simulation's frames, each with its own noise; one of them is missing.
+TEST(Sequence, ModifiesAFileOfEachFrame) {
+  const TemporaryFolder folder;
+  const RunOptions in_folder{.folder = folder.path()};
+  run_vdbnoise({"--preset", "smoke", "--dim", "24", "--evolve", "1", "--frames", "8-11", "--out",
+                "sim.####.vdb", "--quiet"},
+               in_folder);
+  std::filesystem::remove(folder.path() / "sim.0009.vdb");
+  const std::vector<std::string> detail{"--combine", "erode", "--frequency", "3", "--quiet"};
+  const ToolResult result = run_vdbnoise(
+      with({"--on", "sim.####.vdb", "--frames", "8-11", "--out", "out.%d.vdb"}, detail), in_folder);
+  EXPECT_EQ(result.status, 1);
+  EXPECT_NE(result.err.find("frame 9: "), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("sim.0009.vdb: cannot be read"), std::string::npos) << result.err;
+  for (const std::string frame : {"8", "10", "11"}) {
+    const std::string number = std::string(4 - frame.size(), '0') + frame;
+    run_vdbnoise(with({"--on", "sim." + number + ".vdb", "--out", "one." + frame + ".vdb"}, detail),
+                 in_folder);
+    EXPECT_TRUE(same_values(folder.file("out." + frame + ".vdb"), folder.file("one." + frame + ".vdb")));
+  }
+}
+
 struct Refusal {
   std::vector<std::string> arguments;
   std::string says;
@@ -116,6 +139,11 @@ TEST(Sequence, RefusesWhatIsNoSequence) {
       {with(kEvolving, {"--out", "s.#.vdb"}),
        "--out is s.#.vdb, which has a place for the number of a frame; give --frames"},
       {with(kEvolving, {"--out", "s.vdb", "--fps", "25"}), "--fps has no effect without --frames"},
+      {{"--on", "s.#.vdb", "--out", "x.vdb"},
+       "s.#.vdb, which has a place for the number of a frame; give --frames"},
+      {{"--on", "s.#.vdb", "--out", "x.#.vdb", "--frames", "1", "--write-recipe", "x.json"},
+       "--write-recipe"},
+      {{"--on", "s.vdb", "--out", "x.vdb", "--shard", "1/2"}, "--shard and --region"},
       {{"--raw", "--frames", "1-2", "--out", "s.#.vdb"},
        "--frames has no effect on a noise that does not change"},
   };

@@ -28,6 +28,21 @@ void parse_shard(const std::string& text, VolumePart& part) {
   }
 }
 
+// Calls `visit` with each file that a recipe reads for what it modifies, and the flag that names it.
+template <typename Recipe, typename Visit>
+void visit_inputs(Recipe& recipe, const Visit& visit) {
+  if (!recipe.modification) return;
+  visit("--on", recipe.modification->on.file);
+  if (recipe.modification->mask) visit("--mask", recipe.modification->mask->file);
+  if (recipe.modification->rest) visit("--rest", recipe.modification->rest->file);
+}
+
+bool has_input_per_frame(const VolumeRecipe& recipe) {
+  bool found = false;
+  visit_inputs(recipe, [&](const char*, const std::string& file) { found |= has_frame_number(file); });
+  return found;
+}
+
 bool changes_with_time(const VolumeRecipe& recipe) {
   return recipe.dims == 4 || evolves(recipe.noise);
 }
@@ -56,6 +71,11 @@ int loop_frames(const MakeOptions& options) {
   return static_cast<int>(whole);
 }
 
+[[noreturn]] void refuse_number(const char* flag, const std::string& path) {
+  throw UsageError(
+      fmt::format("{} is {}, which has a place for the number of a frame; give --frames", flag, path));
+}
+
 }  // namespace
 
 void declare_sequence_flags(FlagSet& flags, MakeOptions& options) {
@@ -81,19 +101,27 @@ void check_sequence(const FlagSet& flags, const MakeOptions& options) {
   if (options.frames.empty()) {
     if (flags.given("--fps")) throw UsageError("--fps has no effect without --frames");
     for (const auto& [flag, path] : {std::pair{"--out", &options.out}, {"--preview", &options.preview}}) {
-      if (has_frame_number(*path)) {
-        throw UsageError(
-            fmt::format("{} is {}, which has a place for the number of a frame; give --frames", flag, *path));
-      }
+      if (has_frame_number(*path)) refuse_number(flag, *path);
     }
+    visit_inputs(options.recipe, [](const char* flag, const std::string& file) {
+      if (has_frame_number(file)) refuse_number(flag, file);
+    });
   } else {
-    if (!changes_with_time(options.recipe)) {
+    if (!changes_with_time(options.recipe) && !has_input_per_frame(options.recipe)) {
       throw UsageError(
-          "--frames has no effect on a noise that does not change; give --evolve or --dims 4 too");
+          "--frames has no effect on a noise that does not change; give --evolve or --dims 4 too, or --on a "
+          "file of each frame, such as smoke.####.vdb");
+    }
+    if (has_input_per_frame(options.recipe) && !options.write_recipe.empty()) {
+      throw UsageError(
+          "--write-recipe is of one volume; leave it out where --on names a file for each frame");
     }
     if (options.out == "-") throw UsageError("--out is -; frames go to files, such as cloud.####.vdb");
     loop_frames(options);
     options_of_frame(options, 0);
+  }
+  if (!options.part.whole() && options.recipe.modification) {
+    throw UsageError("--shard and --region cut volumes that are made; leave them out with --on");
   }
   if (!options.part.whole() && !options.preview.empty()) {
     throw UsageError("--preview shows whole volumes; leave it out with --shard and --region");
@@ -110,6 +138,10 @@ MakeOptions options_of_frame(const MakeOptions& options, std::size_t index) {
   result.write_recipe.clear();
   if (!result.out.empty()) result.out = frame_path("--out", options.out, frame);
   if (!result.preview.empty()) result.preview = frame_path("--preview", options.preview, frame);
+  visit_inputs(result.recipe, [frame](const char* flag, std::string& file) {
+    if (has_frame_number(file)) file = frame_path(flag, file, frame);
+  });
+  if (!changes_with_time(options.recipe)) return result;
   const int loop = loop_frames(options);
   result.recipe.time += (loop == 0 ? frame : frame % loop) / options.fps;
   return result;
