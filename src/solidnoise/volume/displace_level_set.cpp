@@ -1,5 +1,6 @@
 #include "solidnoise/volume/displace_level_set.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -49,14 +50,16 @@ void cut_band(FloatGrid& grid, float background) {
 
 // Distances of the band's width from the zeros of a grid that is active close to them.
 FloatGrid::Ptr measure_distances(FloatGrid::Ptr grid, float background, Progress* progress) {
-  using openvdb::tools::NN_FACE_EDGE_VERTEX;
-  constexpr int kMargin = 2;  // voxels beyond the band, for what looks at neighbours
+  // So many of its steps reach all that is as many voxels away: along the axes, and along diagonals further.
+  using openvdb::tools::NN_FACE_EDGE;
+  const auto steps_to = [](double voxels) { return std::max(1, static_cast<int>(std::ceil(voxels)) - 1); };
+  constexpr int kMargin = 1;  // voxels beyond the band, for what looks at neighbours
   const float voxel = static_cast<float>(grid->voxelSize().x());
   const float wide = background + kMargin * voxel;
   throw_if_cancelled(progress);
   grid = openvdb::tools::sdfToSdf(*grid);
   throw_if_cancelled(progress);
-  grid = openvdb::tools::dilateSdf(*grid, static_cast<int>(std::ceil(wide / voxel)), NN_FACE_EDGE_VERTEX);
+  grid = openvdb::tools::dilateSdf(*grid, steps_to(wide / voxel), NN_FACE_EDGE);
   throw_if_cancelled(progress);
   cut_band(*grid, wide);
 
@@ -104,7 +107,7 @@ FloatGrid::Ptr displace_level_set(const FloatGrid& level_set, const PointField& 
 
   MovedSurface surface = move_surface(*band, noise, amount, progress);
   if (surface.moved->empty()) return level_set.deepCopy();
-  const FloatGrid::Ptr result = measure_distances(surface.values, background, progress);
+  const FloatGrid::Ptr result = measure_distances(std::move(surface.values), background, progress);
   const int reach = static_cast<int>(std::ceil(background / level_set.voxelSize().x())) + 3;
   openvdb::tools::dilateActiveValues(*surface.moved, reach, openvdb::tools::NN_FACE_EDGE_VERTEX,
                                      openvdb::tools::IGNORE_TILES);
@@ -112,8 +115,16 @@ FloatGrid::Ptr displace_level_set(const FloatGrid& level_set, const PointField& 
   return result;
 }
 
-std::uint64_t estimate_displacement_memory(const FloatGrid&, double) {
-  return 0;
+std::uint64_t estimate_displacement_memory(const FloatGrid& level_set, double farthest) {
+  // Measured on spheres of 128 to 1024 voxels, moved by noise of 0.3 to 40 voxels a sigma and 0.02 to 0.13
+  // cycles per voxel: 110 bytes for a voxel of the band that hardly moves, and 2.5 for each voxel of the
+  // longest way, rounded up.
+  constexpr double kStanding = 120.0;
+  constexpr double kMoving = 4.0;
+  const double way = farthest / level_set.voxelSize().x();
+  const double bytes = static_cast<double>(level_set.activeVoxelCount()) * (kStanding + kMoving * way);
+  constexpr double kLargest = 0x1.0p63;
+  return static_cast<std::uint64_t>(std::min(bytes, kLargest));
 }
 
 }  // namespace solidnoise

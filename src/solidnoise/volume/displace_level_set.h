@@ -26,8 +26,8 @@ namespace solidnoise {
 openvdb::FloatGrid::Ptr displace_level_set(const openvdb::FloatGrid& level_set, const PointField& noise,
                                            double amount, Progress* progress = nullptr);
 
-// Bytes that this takes at most, the result and the level set itself included, where the surface moves by no
-// more than `farthest` (world units).
+// Bytes that this takes at most, beside the level set itself, where the surface moves by no more than
+// `farthest` (world units) and does not fold.
 std::uint64_t estimate_displacement_memory(const openvdb::FloatGrid& level_set, double farthest);
 
 }  // namespace solidnoise
