@@ -39,6 +39,7 @@ ClosestPointFinder::Foot ClosestPointFinder::find(const Coord& voxel, const Gues
   constexpr double kStep = 0.7;
   constexpr int kMostSteps = 12;
   constexpr double kSmallEnough = 0.01;  // voxels
+  constexpr double kOnSurface = 0.1;     // voxels, before the last projection
   constexpr double kFarthestOff = 2.0;   // voxels
   const Vec3d from = voxel.asVec3d();
   Vec3d point = guess.point;
@@ -47,7 +48,7 @@ ClosestPointFinder::Foot ClosestPointFinder::find(const Coord& voxel, const Gues
   for (int step = 0; step < kMostSteps; ++step) {
     const Vec3d way = from - point;
     const Vec3d along = way - way.dot(here.normal) * here.normal;
-    if (along.lengthSqr() < kSmallEnough * kSmallEnough) break;
+    if (along.lengthSqr() < kSmallEnough * kSmallEnough && std::abs(here.value) < kOnSurface) break;
     point += kStep * along;
     here = sample(point);
     point -= here.value * here.normal;
@@ -55,7 +56,7 @@ ClosestPointFinder::Foot ClosestPointFinder::find(const Coord& voxel, const Gues
   // Where the surface bends too much for it, or the distance has no slope, the guess must do.
   const double length = (from - point).length();
   const bool settled =
-      std::abs(here.value) < 0.5 && std::abs(length - std::abs(guess.distance)) < kFarthestOff;
+      std::abs(here.value) < kOnSurface && std::abs(length - std::abs(guess.distance)) < kFarthestOff;
   if (!settled) return {guess.point, guess.distance};
   return {point, guess.distance < 0.0 ? -length : length};
 }

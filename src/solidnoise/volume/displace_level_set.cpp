@@ -53,7 +53,7 @@ FloatGrid::Ptr measure_distances(FloatGrid::Ptr grid, float background, Progress
   // So many of its steps reach all that is as many voxels away: along the axes, and along diagonals further.
   using openvdb::tools::NN_FACE_EDGE;
   const auto steps_to = [](double voxels) { return std::max(1, static_cast<int>(std::ceil(voxels)) - 1); };
-  constexpr int kMargin = 1;  // voxels beyond the band, for what looks at neighbours
+  constexpr int kMargin = 2;  // voxels beyond the band, for what looks at neighbours
   const float voxel = static_cast<float>(grid->voxelSize().x());
   const float wide = background + kMargin * voxel;
   throw_if_cancelled(progress);
