@@ -23,6 +23,7 @@
 #include "solidnoise/volume/volume_recipe_json.h"
 #include "vdbnoise/commands.h"
 #include "vdbnoise/describe.h"
+#include "vdbnoise/layer_flags.h"
 #include "vdbnoise/make_options.h"
 #include "vdbnoise/modify_flags.h"
 #include "vdbnoise/recipe_source.h"
@@ -73,6 +74,7 @@ void check_consistency(const FlagSet& flags, const MakeOptions& options) {
     }
   }
   check_modify_flags(flags, options.recipe);
+  check_layer_flags(flags, options.recipe);
   const bool raw = std::holds_alternative<RawShaping>(options.recipe.shaping);
   for (const char* flag : {"--optical-depth", "--density"}) {
     if (raw && flags.given(flag)) throw UsageError(fmt::format("{} has no effect on raw noise", flag));

@@ -14,6 +14,7 @@
 #include "solidnoise/geometry/mesh_format.h"
 #include "solidnoise/volume/volume_recipe_json.h"
 #include "vdbnoise/grid_flags.h"
+#include "vdbnoise/layer_flags.h"
 #include "vdbnoise/modify_flags.h"
 #include "vdbnoise/sequence_flags.h"
 #include "vdbnoise/time_flags.h"
@@ -151,6 +152,7 @@ void declare_make_flags(FlagSet& flags, MakeOptions& options) {
   declare_noise(flags, options.recipe);
   declare_time_flags(flags, options.recipe);
   declare_shaping(flags, options.recipe);
+  declare_layer_flags(flags, options.recipe);
   declare_shape(flags, options.recipe);
   declare_sequence_flags(flags, options);
   declare_modify_flags(flags, options.recipe);

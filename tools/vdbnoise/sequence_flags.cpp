@@ -1,6 +1,7 @@
 #include "vdbnoise/sequence_flags.h"
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,15 +45,25 @@ bool has_input_per_frame(const VolumeRecipe& recipe) {
 }
 
 bool changes_with_time(const VolumeRecipe& recipe) {
-  return recipe.dims == 4 || evolves(recipe.noise);
+  return recipe.dims == 4 || evolves(recipe);
 }
 
-// Units of time; 0: the recipe does not loop.
+double loop_of(const NoiseRecipe& noise, int dims) {
+  if (dims == 4) return std::visit([](const auto& options) { return options.period[3]; }, noise.noise);
+  return evolves(noise) ? evolution_of(noise)->loop : 0.0;
+}
+
+// Units of time; 0: the recipe does not loop, or not all of its noises in the same time.
 double loop_of(const VolumeRecipe& recipe) {
-  if (recipe.dims == 4) {
-    return std::visit([](const auto& options) { return options.period[3]; }, recipe.noise.noise);
+  if (recipe.layers.empty()) return loop_of(recipe.noise, recipe.dims);
+  std::optional<double> loop;
+  for (const NoiseRecipe& noise : noises_of(recipe.layers, recipe.noise)) {
+    if (recipe.dims == 3 && !evolves(noise)) continue;
+    const double of_noise = loop_of(noise, recipe.dims);
+    if (loop.value_or(of_noise) != of_noise) return 0.0;
+    loop = of_noise;
   }
-  return evolves(recipe.noise) ? evolution_of(recipe.noise)->loop : 0.0;
+  return loop.value_or(0.0);
 }
 
 // Frames that a loop has; 0 if the recipe does not loop. Throws UsageError unless they are a whole number.

@@ -16,7 +16,7 @@ namespace {
 void warn_of_aliasing(const VolumeRecipe& recipe, const Vec<3>& voxel, std::ostream& stream) {
   constexpr double kHighestCyclesPerVoxel = 0.5;
   if (recipe.band_limit) return;
-  const double highest = make_volume_noise(recipe)->band().upper * std::max({voxel.x, voxel.y, voxel.z});
+  const double highest = highest_frequency(recipe) * std::max({voxel.x, voxel.y, voxel.z});
   if (highest <= kHighestCyclesPerVoxel) return;
   stream << fmt::format(
       "vdbnoise: warning: the noise reaches {:.2f} cycles per voxel, above 0.5, and will alias; {}make "

@@ -37,7 +37,7 @@ KernelCells<Dim> make_kernel_cells(double radius, const Vec<4>& period);
 RadialPolynomial to_single_precision(const CompactKernel& kernel);
 
 // Streams of random numbers that a noise derives from its seed.
-enum SeedStream : std::uint64_t { kImpulseStream = 1, kOctaveStream = 1000 };
+enum SeedStream : std::uint64_t { kImpulseStream = 1, kOctaveStream = 1000, kChannelStream = 2000 };
 
 extern template KernelCells<1> make_kernel_cells<1>(double, const Vec<4>&);
 extern template KernelCells<2> make_kernel_cells<2>(double, const Vec<4>&);

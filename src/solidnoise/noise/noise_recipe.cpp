@@ -118,6 +118,13 @@ NoiseRecipe filtered(const NoiseRecipe& recipe, double deviation) {
   return result;
 }
 
+NoiseRecipe channel_of(const NoiseRecipe& recipe, int channel) {
+  NoiseRecipe other = recipe;
+  const std::uint64_t stream = kChannelStream + static_cast<std::uint64_t>(channel);
+  std::visit([&](auto& options) { options.seed = derive_seed(options.seed, stream); }, other.noise);
+  return other;
+}
+
 template <int Dim>
 std::unique_ptr<Noise<Dim>> make_noise(const NoiseRecipe& recipe) {
   recipe.validate();

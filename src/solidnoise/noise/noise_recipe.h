@@ -44,6 +44,11 @@ NoiseRecipe at_time(const NoiseRecipe& recipe, double time);
 bool can_filter(const NoiseRecipe& recipe);
 NoiseRecipe filtered(const NoiseRecipe& recipe, double deviation);
 
+// The recipe of a noise that is alike but independent, another one for each channel (0, 1, ...): of the same
+// options, also the period, with a seed that is a hash of the recipe's and the channel. For vectors and
+// colours; none of the channels is the recipe's own noise.
+NoiseRecipe channel_of(const NoiseRecipe& recipe, int channel);
+
 // Makes the noise, of unit variance unless the recipe's octaves are not renormalised or the noise is filtered
 // (octaves of which the filter leaves nothing cost nothing). Dim is 1 to 4.
 // Throws std::invalid_argument.

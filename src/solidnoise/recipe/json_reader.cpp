@@ -79,6 +79,19 @@ void JsonReader::read(const std::string& key, Box<3>& value) {
   value = {{corners[0], corners[1], corners[2]}, {corners[3], corners[4], corners[5]}};
 }
 
+void JsonReader::read(const std::string& key, std::vector<Vec<2>>& pairs) {
+  const Json* const json = find(key);
+  if (!json) return;
+  const auto is_pair = [](const Json& pair) {
+    return pair.is_array() && pair.size() == 2 && pair[0].is_number() && pair[1].is_number();
+  };
+  if (!json->is_array() || !std::all_of(json->begin(), json->end(), is_pair)) {
+    refuse(key, "an array of pairs of numbers");
+  }
+  pairs.clear();
+  for (const Json& pair : *json) pairs.emplace_back(pair[0].get<double>(), pair[1].get<double>());
+}
+
 void JsonReader::read_range(const std::string& key, double& from, double& to) {
   const Json* const json = find(key);
   if (!json) return;
@@ -107,6 +120,17 @@ std::optional<JsonReader> JsonReader::object(const std::string& key) {
   const Json* const json = find(key);
   if (!json) return std::nullopt;
   return JsonReader(*json, path_of(key));
+}
+
+std::vector<JsonReader> JsonReader::objects(const std::string& key) {
+  std::vector<JsonReader> readers;
+  const Json* const json = find(key);
+  if (!json) return readers;
+  if (!json->is_array() || json->empty()) refuse(key, "an array of objects, of one at least");
+  for (std::size_t i = 0; i < json->size(); ++i) {
+    readers.emplace_back((*json)[i], fmt::format("{}[{}]", path_of(key), i));
+  }
+  return readers;
 }
 
 void JsonReader::finish() const {

@@ -32,7 +32,8 @@ class JsonReader {
   void read(const std::string& key, bool& value);
   void read(const std::string& key, std::string& value);
   void read(const std::string& key, std::optional<double>& value);
-  void read(const std::string& key, Box<3>& value);  // x0, y0, z0, x1, y1, z1
+  void read(const std::string& key, Box<3>& value);               // x0, y0, z0, x1, y1, z1
+  void read(const std::string& key, std::vector<Vec<2>>& pairs);  // an array of arrays of two numbers
 
   // One number for both, or an array of two.
   void read_range(const std::string& key, double& from, double& to);
@@ -54,6 +55,10 @@ class JsonReader {
 
   // A reader of the object under a key, if there is one.
   std::optional<JsonReader> object(const std::string& key);
+
+  // Readers of the objects of an array under a key, at "key[0]", "key[1]", ...; none if the key is missing.
+  // An array must have one at least.
+  std::vector<JsonReader> objects(const std::string& key);
 
   // Runs options.validate() and puts the path before what it says.
   template <typename Options>

@@ -13,6 +13,7 @@
 #include "solidnoise/volume/cloud_field.h"
 #include "solidnoise/volume/fill.h"
 #include "solidnoise/volume/finish_volume.h"
+#include "solidnoise/volume/layered_field.h"
 #include "solidnoise/volume/merge_parts.h"
 #include "solidnoise/volume/modified_volume.h"
 #include "solidnoise/volume/shaped_noise_field.h"
@@ -64,11 +65,33 @@ std::unique_ptr<Field> make_cloud(const VolumeRecipe& recipe, const VolumePlan& 
   return make_cloud_field(parts);
 }
 
+std::shared_ptr<const Noise<3>> make_noise_of(VolumeRecipe recipe, const NoiseRecipe& noise) {
+  recipe.noise = noise;
+  return make_volume_noise(recipe);
+}
+
+std::shared_ptr<const LayeredField> make_layers(const VolumeRecipe& recipe) {
+  return make_layered_field(recipe.layers, recipe.noise,
+                            [&](const NoiseRecipe& noise) { return make_noise_of(recipe, noise); });
+}
+
+// What is shaped: the noise, or the layers in its place.
+std::shared_ptr<const Field> make_source(const VolumeRecipe& recipe) {
+  if (!recipe.layers.empty()) return make_layers(recipe);
+  return std::make_shared<NoiseField>(make_volume_noise(recipe));
+}
+
+std::unique_ptr<PointField> make_volume_points(const VolumeRecipe& recipe) {
+  const auto& raw = std::get<RawShaping>(recipe.shaping);
+  if (!recipe.layers.empty()) return make_point_field(make_layers(recipe), raw);
+  return make_point_field(make_volume_noise(recipe), raw);
+}
+
 std::unique_ptr<Field> make_volume_field(const VolumeRecipe& recipe, const VolumePlan& plan) {
   const Overloaded by_shaping{
-      [&](const RawShaping& raw) { return make_field(make_volume_noise(recipe), raw); },
-      [&](const RemapShaping& remap) { return make_field(make_volume_noise(recipe), remap, plan.box); },
-      [&](const VeinShaping& veins) { return make_field(make_volume_noise(recipe), veins); },
+      [&](const RawShaping& raw) { return make_field(make_source(recipe), raw); },
+      [&](const RemapShaping& remap) { return make_field(make_source(recipe), remap, plan.box); },
+      [&](const VeinShaping& veins) { return make_field(make_source(recipe), veins); },
       [&](const CloudShaping& cloud) { return make_cloud(recipe, plan, cloud); },
   };
   return std::visit(by_shaping, recipe.shaping);
@@ -138,13 +161,22 @@ std::shared_ptr<const Noise<3>> make_volume_noise(const VolumeRecipe& recipe) {
   return recipe.offset == Vec<3>(0.0) ? noise : move_noise<3>(noise, recipe.offset);
 }
 
+double highest_frequency(const VolumeRecipe& recipe) {
+  if (recipe.layers.empty()) return make_volume_noise(recipe)->band().upper;
+  double highest = 0.0;
+  for (const NoiseRecipe& noise : noises_of(recipe.layers, recipe.noise)) {
+    highest = std::max(highest, make_noise_of(recipe, noise)->band().upper);
+  }
+  return highest;
+}
+
 Volume make_volume(const VolumeRecipe& recipe, const VolumePlan& plan, const std::string& creator,
                    Progress* progress) {
   const auto at_voxels = [&](const VolumeRecipe& of) { return at_resolution(of, plan.frame.voxel_size()); };
   if (plan.modification) {
     const auto field = [&](const VolumeRecipe& of) { return make_volume_field(at_voxels(of), plan); };
-    const auto noise = [&](const VolumeRecipe& of) { return make_volume_noise(at_voxels(of)); };
-    return make_modified_volume(recipe, *plan.modification, {field, noise}, progress);
+    const auto points = [&](const VolumeRecipe& of) { return make_volume_points(at_voxels(of)); };
+    return make_modified_volume(recipe, *plan.modification, {field, points}, progress);
   }
   const std::unique_ptr<Field> field = make_volume_field(at_voxels(recipe), plan);
   const Topology topology = make_topology(recipe, plan, progress);

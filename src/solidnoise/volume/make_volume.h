@@ -44,4 +44,8 @@ Volume make_volume(const VolumeRecipe& recipe, const VolumePlan& plan, const std
 // dimensions. Of a recipe with band_limit take it at_resolution(); throws std::invalid_argument.
 std::shared_ptr<const Noise<3>> make_volume_noise(const VolumeRecipe& recipe);
 
+// The highest frequency of the recipe's noise, or of those of its layers: the upper end of the band, cycles
+// per world unit. Folds and warps go beyond it.
+double highest_frequency(const VolumeRecipe& recipe);
+
 }  // namespace solidnoise

@@ -22,14 +22,11 @@ VolumeRecipe in_unit_range(VolumeRecipe recipe) {
 
 openvdb::FloatGrid::Ptr make_grid(const VolumeRecipe& recipe, const ModificationPlan& plan,
                                   const ModifyingNoise& noise, Progress* progress) {
-  const auto at_points = [&](const VolumeRecipe& of) {
-    return make_point_field(noise.noise(of), std::get<RawShaping>(of.shaping));
-  };
-  if (plan.modification.displace) return displace(plan, at_points(recipe), progress);
+  if (plan.modification.displace) return displace(plan, noise.points(recipe), progress);
   const Combine how = plan.modification.combine;
   const VolumeRecipe fitting = how == Combine::erode ? in_unit_range(recipe) : recipe;
   FilledGrid filled = plan.on_lattice() ? make_modifying_noise(plan, *noise.field(fitting), progress)
-                                        : make_modifying_noise(plan, *at_points(fitting), progress);
+                                        : make_modifying_noise(plan, *noise.points(fitting), progress);
   if (how == Combine::replace && !is_raw(recipe)) scale_density(recipe, *filled.grid, filled.moments);
   return combine(plan, *filled.grid);
 }

@@ -21,7 +21,7 @@ std::uint64_t estimate_memory(const VolumeRecipe& recipe, const ModificationPlan
 // How the noise of a recipe is made: on a lattice, as it is shaped; and at points, the noise itself.
 struct ModifyingNoise {
   std::function<std::unique_ptr<Field>(const VolumeRecipe&)> field;
-  std::function<std::shared_ptr<const Noise<3>>(const VolumeRecipe&)> noise;
+  std::function<std::unique_ptr<PointField>(const VolumeRecipe&)> points;
 };
 
 // The modified grid, with the recipe in its metadata beside what it had, and the file that it is from.

@@ -37,11 +37,31 @@ class NoisePointField final : public PointField {
   RawShaping::Range range_;
 };
 
+class RangedPointField final : public PointField {
+ public:
+  RangedPointField(std::shared_ptr<const PointField> field, const RawShaping& shaping)
+      : field_(std::move(field)), range_(shaping.range) {}
+
+  void evaluate(std::span<const Vec<3>> positions, std::span<float> values) const override {
+    field_->evaluate(positions, values);
+    to_range(range_, values);
+  }
+
+ private:
+  std::shared_ptr<const PointField> field_;
+  RawShaping::Range range_;
+};
+
 }  // namespace
 
 std::unique_ptr<PointField> make_point_field(std::shared_ptr<const Noise<3>> noise,
                                              const RawShaping& shaping) {
   return std::make_unique<NoisePointField>(std::move(noise), shaping);
+}
+
+std::unique_ptr<PointField> make_point_field(std::shared_ptr<const PointField> field,
+                                             const RawShaping& shaping) {
+  return std::make_unique<RangedPointField>(std::move(field), shaping);
 }
 
 }  // namespace solidnoise

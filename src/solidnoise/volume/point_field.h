@@ -24,4 +24,8 @@ class PointField {
 std::unique_ptr<PointField> make_point_field(std::shared_ptr<const Noise<3>> noise,
                                              const RawShaping& shaping);
 
+// A field of such values in a range.
+std::unique_ptr<PointField> make_point_field(std::shared_ptr<const PointField> field,
+                                             const RawShaping& shaping);
+
 }  // namespace solidnoise

@@ -14,35 +14,35 @@ namespace {
 
 constexpr float kMostSigmas = 6.0f;
 
-// Evaluates a noise and then maps each value, given its place in the lattice.
+// Evaluates a field and then maps each value, given its place in the lattice.
 template <typename Map>
 class MappedBlock final : public FieldBlock {
  public:
-  MappedBlock(std::unique_ptr<NoiseBlock<3>> noise, const Map& map) : noise_(std::move(noise)), map_(map) {}
+  MappedBlock(std::unique_ptr<FieldBlock> source, const Map& map) : source_(std::move(source)), map_(map) {}
 
   void evaluate(const Lattice<3>& lattice, std::span<float> values) const override {
-    noise_->evaluate(lattice, {values});
+    source_->evaluate(lattice, values);
     map_(lattice, values);
   }
 
  private:
-  std::unique_ptr<NoiseBlock<3>> noise_;
+  std::unique_ptr<FieldBlock> source_;
   const Map& map_;  // the field's own, which outlives its blocks
 };
 
 template <typename Map>
 class MappedField final : public Field {
  public:
-  MappedField(std::shared_ptr<const Noise<3>> noise, Map map)
-      : noise_(std::move(noise)), map_(std::move(map)) {}
+  MappedField(std::shared_ptr<const Field> source, Map map)
+      : source_(std::move(source)), map_(std::move(map)) {}
 
   std::unique_ptr<FieldBlock> block(const Box<3>& box) const override {
-    return std::make_unique<MappedBlock<Map>>(noise_->block(box), map_);
+    return std::make_unique<MappedBlock<Map>>(source_->block(box), map_);
   }
   bool empty(const Box<3>& box) const override { return map_.empty(box); }
 
  private:
-  std::shared_ptr<const Noise<3>> noise_;
+  std::shared_ptr<const Field> source_;
   Map map_;
 };
 
@@ -157,21 +157,33 @@ void to_range(RawShaping::Range range, std::span<float> values) {
   for (float& v : values) v = centre + half_width * std::clamp(v / kSigmasToTheEnd, -1.0f, 1.0f);
 }
 
+std::unique_ptr<Field> make_field(std::shared_ptr<const Field> source, const RawShaping& shaping) {
+  return std::make_unique<MappedField<RangeMap>>(std::move(source), RangeMap{shaping.range});
+}
+
+std::unique_ptr<Field> make_field(std::shared_ptr<const Field> source, const RemapShaping& shaping,
+                                  const Box<3>& box) {
+  const Vec<3> centre = (box.lower + box.upper) * 0.5;
+  const Vec<3> radii = (box.upper - box.lower) * 0.5;
+  return std::make_unique<MappedField<RemapMap>>(std::move(source), RemapMap{shaping, centre, radii});
+}
+
+std::unique_ptr<Field> make_field(std::shared_ptr<const Field> source, const VeinShaping& shaping) {
+  const Vec<3> wave = glm::normalize(shaping.direction) / shaping.spacing;
+  return std::make_unique<MappedField<VeinMap>>(std::move(source), VeinMap{shaping, wave});
+}
+
 std::unique_ptr<Field> make_field(std::shared_ptr<const Noise<3>> noise, const RawShaping& shaping) {
-  if (shaping.range == RawShaping::Range::raw) return std::make_unique<NoiseField>(std::move(noise));
-  return std::make_unique<MappedField<RangeMap>>(std::move(noise), RangeMap{shaping.range});
+  return make_field(std::make_shared<NoiseField>(std::move(noise)), shaping);
 }
 
 std::unique_ptr<Field> make_field(std::shared_ptr<const Noise<3>> noise, const RemapShaping& shaping,
                                   const Box<3>& box) {
-  const Vec<3> centre = (box.lower + box.upper) * 0.5;
-  const Vec<3> radii = (box.upper - box.lower) * 0.5;
-  return std::make_unique<MappedField<RemapMap>>(std::move(noise), RemapMap{shaping, centre, radii});
+  return make_field(std::make_shared<NoiseField>(std::move(noise)), shaping, box);
 }
 
 std::unique_ptr<Field> make_field(std::shared_ptr<const Noise<3>> noise, const VeinShaping& shaping) {
-  const Vec<3> wave = glm::normalize(shaping.direction) / shaping.spacing;
-  return std::make_unique<MappedField<VeinMap>>(std::move(noise), VeinMap{shaping, wave});
+  return make_field(std::make_shared<NoiseField>(std::move(noise)), shaping);
 }
 
 }  // namespace solidnoise

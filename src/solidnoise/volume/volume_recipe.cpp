@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -45,16 +46,20 @@ void VolumeRecipe::validate() const {
   require_in_range("dims", dims, 3, 4);
   require_finite("time", time);
   for (int axis = 0; axis < 3; ++axis) require_finite("offset", offset[axis]);
-  if (dims == 3 && time != 0.0 && !evolves(noise)) {
+  validate_layers(layers, noise);
+  if (!layers.empty() && std::holds_alternative<CloudShaping>(shaping)) {
+    throw std::invalid_argument("layers have no effect on a cloud, whose shaping takes the noise's octaves");
+  }
+  if (dims == 3 && time != 0.0 && !evolves(*this)) {
     throw std::invalid_argument(
         fmt::format("time is {}; it must be 0 where dims is 3 and the noise does not evolve", time));
   }
-  if (dims == 4 && evolves(noise)) {
+  if (dims == 4 && evolves(*this)) {
     throw std::invalid_argument("dims is 4; it must be 3 where the noise evolves");
   }
   if (band_limit && !may_band_limit(*this)) {
     throw std::invalid_argument(
-        "band_limit is true; it must be false where dims is 4 and for gradient noise (kensler)");
+        "band_limit is true; it must be false where dims is 4, for gradient noise (kensler) and with layers");
   }
   std::visit([](const auto& look) { look.validate(); }, shaping);
   if (modification) modification->validate();
@@ -76,7 +81,7 @@ void VolumeRecipe::validate() const {
 }
 
 bool may_band_limit(const VolumeRecipe& recipe) {
-  return recipe.dims == 3 && can_filter(recipe.noise);
+  return recipe.dims == 3 && recipe.layers.empty() && can_filter(recipe.noise);
 }
 
 VolumeRecipe at_resolution(const VolumeRecipe& recipe, const Vec<3>& voxel_size) {
@@ -86,6 +91,12 @@ VolumeRecipe at_resolution(const VolumeRecipe& recipe, const Vec<3>& voxel_size)
   resolved.noise = filtered(recipe.noise, kBandLimit * longest_side);
   resolved.band_limit = false;
   return resolved;
+}
+
+bool evolves(const VolumeRecipe& recipe) {
+  if (evolves(recipe.noise)) return true;
+  const std::vector<NoiseRecipe> noises = noises_of(recipe.layers, recipe.noise);
+  return std::any_of(noises.begin(), noises.end(), [](const NoiseRecipe& noise) { return evolves(noise); });
 }
 
 }  // namespace solidnoise

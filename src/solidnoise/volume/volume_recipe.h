@@ -3,10 +3,12 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "solidnoise/core/box.h"
 #include "solidnoise/noise/noise_recipe.h"
 #include "solidnoise/volume/grid_file.h"
+#include "solidnoise/volume/layer.h"
 #include "solidnoise/volume/modification.h"
 #include "solidnoise/volume/preview.h"
 #include "solidnoise/volume/shaping.h"
@@ -49,16 +51,17 @@ struct VolumeRecipe {
   std::string description;  // for people; changes nothing
 
   NoiseRecipe noise;
-  int dims = 3;             // 3, or 4: a frame of a noise that changes in time
-  double time = 0.0;        // of the frame: in the noise's fourth axis, or of its Evolution; else 0
-  Vec<3> offset{0.0};       // moves the noise, world units
-  bool band_limit = false;  // filter the noise at the size of the voxels: at_resolution()
+  std::vector<Layer> layers;  // their sum takes the noise's place; see Layer. Not of a cloud
+  int dims = 3;               // 3, or 4: a frame of a noise that changes in time
+  double time = 0.0;          // of the frame: in the noise's fourth axis, or of its Evolution; else 0
+  Vec<3> offset{0.0};         // moves the noise, world units
+  bool band_limit = false;    // filter the noise at the size of the voxels: at_resolution()
 
   Shaping shaping;
   DensityScale density;
 
-  // Instead of a grid of its own: shape, box and voxels are those of the grid that is modified, whose name and
-  // precision stay, and the density is scaled only where it replaces what was there.
+  // Instead of a grid of its own: shape, box and voxels are those of the grid that is modified, whose name
+  // and precision stay, and the density is scaled only where it replaces what was there.
   std::optional<Modification> modification;
 
   Shape shape;
@@ -75,7 +78,8 @@ struct VolumeRecipe {
   void validate() const;
 };
 
-// Whether a recipe's noise can be filtered: Gabor noises of 3 dimensions. (In 4 the filter would blur time.)
+// Whether a recipe's noise can be filtered: Gabor noises of 3 dimensions. (In 4 the filter would blur time;
+// folds and warps of layers make frequencies of their own.)
 bool may_band_limit(const VolumeRecipe& recipe);
 
 // The recipe as it is on voxels of a size: where band_limit says so, its noise is convolved with a Gaussian
@@ -86,5 +90,8 @@ bool may_band_limit(const VolumeRecipe& recipe);
 // waves of 8 voxels; the interpolation that renderers use is as wide (0.41 voxels, of a tent).
 inline constexpr double kBandLimit = 0.5;
 VolumeRecipe at_resolution(const VolumeRecipe& recipe, const Vec<3>& voxel_size);
+
+// Whether a noise of the recipe evolves, its own or one of a layer.
+bool evolves(const VolumeRecipe& recipe);
 
 }  // namespace solidnoise

@@ -13,6 +13,7 @@
 #include "solidnoise/recipe/noise_recipe_json.h"
 #include "solidnoise/recipe/recipe_header.h"
 #include "solidnoise/volume/grid_file_json.h"
+#include "solidnoise/volume/layer_json.h"
 #include "solidnoise/volume/modification_json.h"
 
 namespace solidnoise {
@@ -146,6 +147,7 @@ Json to_json(const VolumeRecipe& recipe) {
   Json json = recipe_header();
   if (!recipe.description.empty()) json["description"] = recipe.description;
   json["noise"] = to_json(recipe.noise);
+  add_layers(json, recipe.layers);
   json["dims"] = recipe.dims;
   json["time"] = recipe.time;
   json["offset"] = {recipe.offset.x, recipe.offset.y, recipe.offset.z};
@@ -177,6 +179,7 @@ VolumeRecipe volume_recipe_from_json(const Json& json) {
   VolumeRecipe recipe;
   reader.read("description", recipe.description);
   if (auto noise = reader.object("noise")) recipe.noise = noise_recipe_from_json(*noise);
+  read_layers(reader, recipe.layers);
   reader.read("dims", recipe.dims);
   reader.read("time", recipe.time);
   reader.read("offset", recipe.offset);

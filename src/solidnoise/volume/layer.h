@@ -1,0 +1,81 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "solidnoise/core/vec.h"
+#include "solidnoise/noise/noise_recipe.h"
+
+namespace solidnoise {
+
+// Domain warp: a layer is looked up at displaced positions,
+//   p + amount (w0(p), w1(p), w2(p)),
+// w three independent noises of unit variance. Where noise and layer have the same period, so has the result.
+struct Warp {
+  double amount = 0.1;               // standard deviation of each component, world units; at least 0
+  std::optional<NoiseRecipe> noise;  // of which w are channels (channel_of()); none: that of the recipe
+
+  friend bool operator==(const Warp&, const Warp&) = default;
+};
+
+// A node of the tree that a field is made of, plain data. Without layers of its own it is a noise, otherwise
+// what they combine to. Its value v becomes weight ramp(v) + bias.
+//
+// With n the noise of unit variance, n_k its octaves (each of unit variance) and g its gain, a noise becomes
+//   none        n
+//   billow      |n|
+//   turbulence  sum of g^k |n_k|        (Perlin 1985)
+//   ridged      sum of -g^k |n_k|       (Musgrave 1994 without his feedback from octave to octave)
+// less the mean, over the standard deviation, both of Gaussian octaves:
+//   E |n| = sqrt(2 / pi),  Var |n| = 1 - 2 / pi,  times sum of g^k and of g^2k,
+// so that a noise of any fold has mean 0 and variance 1. With Histogram::uniform it is instead mapped to 0..1
+// by its own distribution function, u = (1 + erf(n / sqrt 2)) / 2, erf(|n| / sqrt 2) and 1 - erf(|n| / sqrt
+// 2), which exists in closed form for one octave, or unfolded, or billow.
+struct Layer {
+  enum class Fold { none, ridged, billow, turbulence };
+  enum class Histogram { gaussian, uniform };
+  enum class Combine {
+    sum,
+    product,
+    max,
+    min,
+    mix,  // of three layers a, b, m: a + m (b - a), m clamped to 0..1
+  };
+
+  // Of a noise:
+  std::optional<NoiseRecipe> noise;  // none: that of the recipe; with a seed mixed with the recipe's
+  Fold fold = Fold::none;
+  Histogram histogram = Histogram::gaussian;
+
+  // Of several layers:
+  std::vector<Layer> layers;  // at most kMostLayers in the tree, kDeepestLayer levels of them
+  Combine combine = Combine::sum;
+
+  // Of both:
+  std::vector<Vec<2>> ramp;  // pairs of a value and what it becomes, values increasing; linear between them,
+                             // constant beyond; none or at least 2
+  double weight = 1.0;
+  double bias = 0.0;
+  std::optional<Warp> warp;
+
+  friend bool operator==(const Layer&, const Layer&) = default;
+};
+
+inline constexpr int kMostLayers = 64;
+inline constexpr int kDeepestLayer = 8;
+
+// Throws std::invalid_argument with the place in the tree, such as "layers[1].noise.bandwidth is -1; ...".
+// `own` is the recipe's noise.
+void validate_layers(const std::vector<Layer>& layers, const NoiseRecipe& own);
+
+// Every noise of the tree, also those of warps, as it is made: with its seed mixed with that of `own`, which
+// stands where a layer names none.
+std::vector<NoiseRecipe> noises_of(const std::vector<Layer>& layers, const NoiseRecipe& own);
+
+// Whether a layer or a warp has the recipe's noise.
+bool use_own_noise(const std::vector<Layer>& layers);
+
+// The noise that a layer or warp is made of.
+NoiseRecipe noise_of_layer(const std::optional<NoiseRecipe>& noise, const NoiseRecipe& own);
+
+}  // namespace solidnoise
