@@ -160,19 +160,13 @@ TEST(Meshnoise, InfoPrintsTheMeshAndItsRecipe) {
   EXPECT_TRUE(contains(open, "open") && contains(open, "3 edges at a boundary")) << open;
 }
 
-// Processor time, the best of ten: the rest measures what else the machine does.
-TEST(Meshnoise, HelpStartsInUnderFiftyMilliseconds) {
-  double least = 1e9;
-  for (int i = 0; i < 10; ++i) {
-    const ToolResult result = run_meshnoise({"bake", "--help"});
-    ASSERT_EQ(result.status, 0);
-    least = std::min(least, result.cpu_milliseconds);
-    for (const char* flag : {"--out", "--noise", "--frequency", "--by", "--ramp", "--refine", "--displace",
-                             "--follow", "--preview", "--recipe", "--describe", "--threads"}) {
-      EXPECT_TRUE(contains(result.out, flag)) << flag;
-    }
+TEST(Meshnoise, HelpListsTheFlags) {
+  const ToolResult result = run_meshnoise({"bake", "--help"});
+  ASSERT_EQ(result.status, 0);
+  for (const char* flag : {"--out", "--noise", "--frequency", "--by", "--ramp", "--refine", "--displace",
+                           "--follow", "--preview", "--recipe", "--describe", "--threads"}) {
+    EXPECT_TRUE(contains(result.out, flag)) << flag;
   }
-  EXPECT_LT(least, 50.0);
   for (const char* command : {"bake", "curvature", "info"}) {
     EXPECT_TRUE(contains(run_meshnoise({"--help"}).out, command));
     EXPECT_TRUE(contains(run_meshnoise({command, "--help"}).out, std::string("meshnoise ") + command));

@@ -106,12 +106,7 @@ ToolResult RunningTool::wait() {
   ToolResult result;
   if (terminal_ >= 0) result.err = drain(terminal_);
   int status = 0;
-  rusage usage{};
-  wait4(pid_, &status, 0, &usage);
-  for (const timeval& time : {usage.ru_utime, usage.ru_stime}) {
-    result.cpu_milliseconds +=
-        1e3 * static_cast<double>(time.tv_sec) + 1e-3 * static_cast<double>(time.tv_usec);
-  }
+  waitpid(pid_, &status, 0);
   if (WIFEXITED(status)) result.status = WEXITSTATUS(status);
   if (WIFSIGNALED(status)) result.signal = WTERMSIG(status);
   if (terminal_ >= 0) {

@@ -13,7 +13,6 @@ namespace solidnoise {
 struct ToolResult {
   int status = -1;  // exit status; -1 if a signal ended it
   int signal = 0;   // which one, or 0
-  double cpu_milliseconds = 0.0;
   std::string out;
   std::string err;
 };
