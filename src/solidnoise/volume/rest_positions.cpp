@@ -56,7 +56,7 @@ Vec<3> RestPositions::at(const Vec<3>& world) const {
     total += weight;
   }
   if (total == 0.0) {
-    throw std::invalid_argument(
+    throw std::runtime_error(
         fmt::format("{} has no rest position at ({:.6g}, {:.6g}, {:.6g}), where the other grid has a value",
                     name_, world.x, world.y, world.z));
   }

@@ -17,7 +17,7 @@ class RestPositions {
   // that are not finite. `name` says in messages which grid it is.
   RestPositions(const openvdb::GridBase& grid, const std::string& name);
 
-  // Throws std::invalid_argument, naming the place, if no voxel around it is active.
+  // Throws std::runtime_error, naming the place, if no voxel around it is active.
   Vec<3> at(const Vec<3>& world) const;
 
  private:
