@@ -91,7 +91,9 @@ TEST(CombineValues, BlendsByTheMask) {
   for (auto value = grid->cbeginValueOn(); value; ++value) {
     const float factor = mask_grid->tree().getValue(value.getCoord());
     EXPECT_NEAR(*value, 0.5f + factor * 1.5f, 1e-6f);
-    if (factor == 0.0f) EXPECT_EQ(*value, 0.5f);
+    if (factor == 0.0f) {
+      EXPECT_EQ(*value, 0.5f);
+    }
   }
 }
 
@@ -113,7 +115,7 @@ TEST(GridMask, TakesTheInsideOfALevelSet) {
   EXPECT_EQ(mask.at({0.5, 0.0, 0.0}), 1.0f);
   EXPECT_NEAR(mask.at({1.0, 0.0, 0.0}), 0.5f, 0.02f);
   EXPECT_NEAR(mask.at({1.025, 0.0, 0.0}), 0.25f, 0.02f);
-  EXPECT_EQ(mask.at({1.1, 0.0, 0.0}), 0.0f);
+  EXPECT_EQ(mask.at({1.11, 0.0, 0.0}), 0.0f);
   EXPECT_EQ(mask.at({5.0, 0.0, 0.0}), 0.0f);
 }
 

@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 #include <openvdb/tools/Interpolation.h>
-#include <openvdb/tools/ValueTransformer.h>
 
 #include "solidnoise/volume/require_finite_grid.h"
 
@@ -13,19 +12,6 @@ namespace solidnoise {
 namespace {
 
 using openvdb::FloatGrid;
-
-FloatGrid::Ptr coverage(const FloatGrid& grid) {
-  FloatGrid::Ptr values = grid.deepCopy();
-  const bool is_level_set = grid.getGridClass() == openvdb::GRID_LEVEL_SET;
-  const auto voxel = static_cast<float>(grid.voxelSize().x());
-  openvdb::tools::foreach (values->beginValueAll(), [&](const FloatGrid::ValueAllIter& value) {
-    const float factor = is_level_set ? 0.5f - *value / voxel : *value;
-    value.setValue(std::clamp(factor, 0.0f, 1.0f));
-  });
-  const float background = is_level_set ? 0.5f - grid.background() / voxel : grid.background();
-  values->tree().root().setBackground(std::clamp(background, 0.0f, 1.0f), /*updateChildNodes=*/false);
-  return values;
-}
 
 // 1 at the voxels that are on.
 template <typename Grid, typename IsOn>
@@ -40,10 +26,10 @@ FloatGrid::Ptr indicator(const Grid& grid, const IsOn& is_on) {
   return values;
 }
 
-FloatGrid::ConstPtr factors(const openvdb::GridBase& grid, const std::string& name) {
+FloatGrid::ConstPtr values_of(const openvdb::GridBase& grid, const std::string& name) {
   require_finite_values(grid, name);
   if (grid.activeVoxelCount() == 0) throw std::invalid_argument(name + " has no active voxels");
-  if (grid.isType<FloatGrid>()) return coverage(static_cast<const FloatGrid&>(grid));
+  if (grid.isType<FloatGrid>()) return static_cast<const FloatGrid&>(grid).copy();
   if (grid.isType<openvdb::BoolGrid>()) {
     const auto& bools = static_cast<const openvdb::BoolGrid&>(grid);
     return indicator(bools, [values = bools.getConstAccessor()](const openvdb::Coord& voxel) {
@@ -60,15 +46,15 @@ FloatGrid::ConstPtr factors(const openvdb::GridBase& grid, const std::string& na
 }  // namespace
 
 GridMask::GridMask(const openvdb::GridBase& grid, const std::string& name)
-    : values_(factors(grid, name)), accessor_(values_->getConstAccessor()) {}
+    : values_(values_of(grid, name)),
+      accessor_(values_->getConstAccessor()),
+      is_level_set_(values_->getGridClass() == openvdb::GRID_LEVEL_SET),
+      voxel_(static_cast<float>(values_->voxelSize().x())) {}
 
 float GridMask::at(const Vec<3>& world) const {
   const openvdb::Vec3d index = values_->worldToIndex({world.x, world.y, world.z});
-  return openvdb::tools::BoxSampler::sample(accessor_, index);
-}
-
-std::uint64_t GridMask::memory() const {
-  return values_->memUsage();
+  const float value = openvdb::tools::BoxSampler::sample(accessor_, index);
+  return std::clamp(is_level_set_ ? 0.5f - value / voxel_ : value, 0.0f, 1.0f);
 }
 
 }  // namespace solidnoise

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <memory>
+#include <string>
 
 #include "solidnoise/core/vec.h"
 #include "solidnoise/volume/openvdb.h"
@@ -21,11 +21,11 @@ class GridMask {
 
   float at(const Vec<3>& world) const;
 
-  std::uint64_t memory() const;  // bytes, of the copy that it may make
-
  private:
   openvdb::FloatGrid::ConstPtr values_;
   openvdb::FloatGrid::ConstAccessor accessor_;
+  bool is_level_set_;
+  float voxel_;
 };
 
 }  // namespace solidnoise

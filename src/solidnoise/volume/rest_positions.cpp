@@ -19,7 +19,16 @@ Vec3SGrid::ConstPtr in_single_precision(const openvdb::GridBase& grid, const std
     return Vec3SGrid::ConstPtr(static_cast<const Vec3SGrid&>(grid).copy());
   }
   if (grid.isType<openvdb::Vec3DGrid>()) {
-    return std::make_shared<Vec3SGrid>(static_cast<const openvdb::Vec3DGrid&>(grid));
+    const auto& doubles = static_cast<const openvdb::Vec3DGrid&>(grid);
+    const auto floats = Vec3SGrid::create();
+    floats->setTransform(doubles.transform().copy());
+    floats->setTree(
+        std::make_shared<openvdb::Vec3STree>(doubles.tree(), openvdb::Vec3s(0), openvdb::TopologyCopy()));
+    const auto values = doubles.getConstAccessor();
+    for (auto value = floats->beginValueOn(); value; ++value) {
+      value.setValue(openvdb::Vec3s(values.getValue(value.getCoord())));
+    }
+    return floats;
   }
   throw std::invalid_argument(
       fmt::format("{} is of type {}; rest positions must be of vec3s or vec3d", name, grid.valueType()));
