@@ -35,6 +35,7 @@ class KnownSpectrum : public Noise<2> {
   std::unique_ptr<NoiseBlock<2>> block(const Box<2>&) const override { return nullptr; }
   void evaluate(const Points<2>&, const Samples<2>&) const override {}
   double variance() const override { return 1.0; }
+  Vec<2> gradient_variance() const override { return Vec<2>(0.0); }
   double power_spectrum(const Vec<2>& f) const override {
     return band_density(std::hypot(f.x, stretch_ * f.y));
   }

@@ -18,6 +18,7 @@ class Ramp final : public Noise<3> {
   std::unique_ptr<NoiseBlock<3>> block(const Box<3>&) const override { return std::make_unique<Block>(); }
   void evaluate(const Points<3>&, const Samples<3>&) const override {}
   double variance() const override { return 1.0; }
+  Vec<3> gradient_variance() const override { return {1.0, 0.0, 0.0}; }
   double power_spectrum(const Vec<3>&) const override { return 0.0; }
   double excess_kurtosis() const override { return 0.0; }
   Band band() const override { return {}; }

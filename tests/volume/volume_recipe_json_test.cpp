@@ -82,6 +82,30 @@ TEST(VolumeRecipeJson, RoundTripsTimeAndBandLimitOfNoiseThatEvolves) {
   EXPECT_TRUE(back.band_limit);
 }
 
+TEST(VolumeRecipeJson, RoundTripsOutputs) {
+  VolumeRecipe velocity;
+  velocity.output = {Output::curl};
+  velocity.speed = 1.0 / 3.0;
+  velocity.boundary = Boundary{{"rock.vdb", "surface", "0123456789abcdef"}, 0.1};
+  expect_round_trip(velocity);
+  const VolumeRecipe back = volume_recipe_from_json(to_json(velocity));
+  EXPECT_EQ(back.output, velocity.output);
+  EXPECT_EQ(back.speed, velocity.speed);
+  EXPECT_EQ(back.boundary, velocity.boundary);
+  EXPECT_EQ(grid_names(back), std::vector<std::string>{"vel"});
+
+  VolumeRecipe both;
+  both.output = {Output::gradient, Output::value};
+  expect_round_trip(both);
+  EXPECT_EQ(volume_recipe_from_json(to_json(both)).output, both.output);
+  EXPECT_EQ(grid_names(both), (std::vector<std::string>{"gradient", "density"}));
+
+  // What was written before there were outputs is written still.
+  const Json plain = to_json(VolumeRecipe{});
+  EXPECT_EQ(plain.at("grid"), "density");
+  for (const char* key : {"output", "speed", "boundary"}) EXPECT_FALSE(plain.contains(key)) << key;
+}
+
 TEST(VolumeRecipeJson, RefusesWhatIsNoRecipeOfThisVersion) {
   EXPECT_EQ(message_of("{}"), "\"solidnoise\": 1 is missing; this is no recipe");
   EXPECT_EQ(message_of(R"({"solidnoise": 2})"), "solidnoise is 2; this program reads recipes of version 1");
@@ -104,6 +128,14 @@ TEST(VolumeRecipeJson, MessagesGiveThePathInTheTree) {
   EXPECT_EQ(with(R"("dims": 5)"), "dims is 5; it must be between 3 and 4");
   EXPECT_EQ(with(R"("time": 1)"), "time is 1; it must be 0 where dims is 3 and the noise does not evolve");
   EXPECT_EQ(with(R"("box": [0, 0, 0, 1, 1])"), "box is [0,0,0,1,1]; it must be an array of 6 numbers");
+  EXPECT_EQ(with(R"("grid": "")"), "grid is empty; it must be a name");
+  EXPECT_EQ(with(R"("output": "curl", "speed": -1)"),
+            "speed is -1; it must be greater than 0 (world units per second)");
+  EXPECT_EQ(with(R"("output": "curl", "boundary": {"file": ""})"),
+            "boundary.file is empty; it must be a .vdb");
+  EXPECT_EQ(with(R"("output": "curl", "boundary": {"file": "a.vdb"}, "boundary_width": 0)"),
+            "boundary_width is 0; it must be greater than 0 (world units)");
+  EXPECT_EQ(with(R"("output": "curl", "boundary_width": 1)"), "boundary_width applies to a boundary only");
   EXPECT_EQ(with(R"("half": 1)"), "half is 1; it must be true or false");
   EXPECT_EQ(with(R"("voxel": 0.1, "dim": 3)"), "voxel and dim contradict each other; give one of them");
   EXPECT_EQ(with(R"("density": 1, "optical_depth": 3)"),

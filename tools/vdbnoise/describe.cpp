@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <variant>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -106,6 +108,19 @@ Json describe_grid(const VolumePlan& plan) {
   return json;
 }
 
+// The grids that would be in the file, in their order.
+Json describe_outputs(const VolumeRecipe& recipe) {
+  const std::vector<std::string> names = grid_names(recipe);
+  Json json = Json::array();
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    Json grid = Json::object();
+    grid["name"] = names[i];
+    grid["components"] = components_of(recipe.output[i]);
+    json.push_back(grid);
+  }
+  return json;
+}
+
 }  // namespace
 
 Json describe_volume(const VolumeRecipe& recipe) {
@@ -114,6 +129,7 @@ Json describe_volume(const VolumeRecipe& recipe) {
   Json json = Json::object();
   json["noise"] = describe_noise(at_resolution(recipe, voxel), std::max({voxel.x, voxel.y, voxel.z}));
   json["grid"] = describe_grid(plan);
+  json["grids"] = describe_outputs(recipe);
   json["recipe"] = to_json(recipe);
   return json;
 }

@@ -28,7 +28,8 @@ void print_metadata(const std::map<std::string, std::string>& metadata) {
 }
 
 void print_grid(const GridSummary& grid) {
-  std::cout << fmt::format("grid {}: {}, {}{}\n", grid.name, grid.value_type, grid.grid_class,
+  const std::string vectors = grid.vector_type.empty() ? "" : fmt::format(", {}", grid.vector_type);
+  std::cout << fmt::format("grid {}: {}{}, {}{}\n", grid.name, grid.value_type, vectors, grid.grid_class,
                            grid.saved_as_half ? ", stored as half" : "");
   const Vec<3>& voxel = grid.voxel_size;
   std::cout << fmt::format("  voxel size {} x {} x {}\n", voxel.x, voxel.y, voxel.z);

@@ -19,18 +19,18 @@
 #include "common/usage_error.h"
 #include "solidnoise/image/image_file.h"
 #include "solidnoise/volume/make_volume.h"
-#include "solidnoise/volume/preview.h"
 #include "solidnoise/volume/volume_recipe_json.h"
 #include "vdbnoise/commands.h"
 #include "vdbnoise/describe.h"
 #include "vdbnoise/layer_flags.h"
 #include "vdbnoise/make_options.h"
 #include "vdbnoise/modify_flags.h"
+#include "vdbnoise/output_flags.h"
 #include "vdbnoise/recipe_source.h"
 #include "vdbnoise/sequence_flags.h"
 #include "vdbnoise/time_flags.h"
-#include "vdbnoise/warnings.h"
 #include "vdbnoise/volume_output.h"
+#include "vdbnoise/warnings.h"
 
 namespace solidnoise {
 namespace {
@@ -57,8 +57,8 @@ VolumeRecipe choose_recipe(const FlagSet& flags, bool quiet) {
     return loaded.recipe;
   }
   const bool noise_itself = flags.given("--raw") || flags.given("--on");
-  const std::string_view otherwise = noise_itself ? "raw" : kDefaultPreset;
-  return load_preset(flags.value_of("--preset").value_or(std::string(otherwise)));
+  const std::string otherwise(noise_itself ? "raw" : kDefaultPreset);
+  return load_preset(flags.value_of("--preset").value_or(preset_for_output(flags).value_or(otherwise)));
 }
 
 // What the flags leave without effect is refused rather than ignored.
@@ -108,6 +108,7 @@ void write_recipe(const MakeOptions& options, const VolumePlan& plan) {
   VolumeRecipe recipe = options.recipe;
   recipe.shape = plan.shape;
   if (plan.modification) recipe.modification = plan.modification->modification;
+  recipe.boundary = plan.boundary;
   write_text_file(options.write_recipe, format_json(to_json(recipe)));
 }
 
@@ -126,10 +127,7 @@ void make_volume_files(const MakeOptions& options) {
     volume = make_volume(options.recipe, plan, kVdbnoise, &progress);
     progress.begin(options.task_prefix + "writing");
     std::optional<Image> preview;
-    if (!options.preview.empty()) {
-      const auto density = openvdb::gridPtrCast<openvdb::FloatGrid>(volume.grids.front().grid);
-      preview = render_preview(*density, {.up = options.recipe.up});
-    }
+    if (!options.preview.empty()) preview = picture_of(volume, options.recipe);
     throw_if_cancelled(&progress);
     if (!options.out.empty()) {
       VdbWriteOptions write;

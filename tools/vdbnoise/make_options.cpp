@@ -16,6 +16,7 @@
 #include "vdbnoise/grid_flags.h"
 #include "vdbnoise/layer_flags.h"
 #include "vdbnoise/modify_flags.h"
+#include "vdbnoise/output_flags.h"
 #include "vdbnoise/sequence_flags.h"
 #include "vdbnoise/time_flags.h"
 
@@ -52,9 +53,13 @@ void turn_up(VolumeRecipe& recipe, UpAxis up) {
 void declare_output(FlagSet& flags, MakeOptions& options) {
   flags.group("Output");
   keep(flags, "--out", "FILE.vdb", "Where the grid goes; - for the standard output", options.out);
-  keep(flags, "--preview", "FILE.png", "A picture of the volume, rendered by OpenVDB", options.preview);
+  keep(flags, "--preview", "FILE.png",
+       "A picture of the volume, rendered by OpenVDB; of vectors, colours and phases one of a slice",
+       options.preview);
   flags.toggle("--force", "Replace files that exist", [&] { options.existing = Existing::replace; });
-  keep(flags, "--grid", "NAME", "Name of the grid (default density)", options.recipe.grid);
+  declare_output_flags(flags, options.recipe);
+  keep(flags, "--grid", "NAME", "Name of the grid (default density; of others than values, see the docs)",
+       options.recipe.grid);
   flags.toggle("--half", "Store 16-bit floats: half the size, 3 digits", [&] { options.recipe.half = true; });
   declare_choice(flags, "--codec", kCodecChoices,
                  "Compression of the file; zip gains nothing on fog volumes (default blosc)",

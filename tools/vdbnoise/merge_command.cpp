@@ -9,7 +9,6 @@
 #include "common/usage_error.h"
 #include "solidnoise/image/image_file.h"
 #include "solidnoise/volume/merge_parts.h"
-#include "solidnoise/volume/preview.h"
 #include "vdbnoise/commands.h"
 #include "vdbnoise/volume_output.h"
 
@@ -20,14 +19,6 @@ constexpr char kDescription[] =
     "Joins the parts of a volume, made by --shard or --region, to what vdbnoise makes of the recipe in one\n"
     "piece, bit for bit.\n"
     "  vdbnoise merge part1.vdb part2.vdb --out whole.vdb";
-
-// A picture of the volume, where one is wanted.
-std::optional<Image> picture_of(const MergedVolume& merged, const std::string& preview) {
-  if (preview.empty()) return std::nullopt;
-  const auto density = openvdb::gridPtrCast<openvdb::FloatGrid>(merged.volume.grids.front().grid);
-  if (!density) throw std::runtime_error("--preview shows densities; leave it out for vectors");
-  return render_preview(*density, {.up = merged.recipe.up});
-}
 
 }  // namespace
 
@@ -57,7 +48,8 @@ int run_merge(const std::vector<std::string>& arguments) {
     progress.begin("merging");
     merged = merge_parts({files.begin(), files.end()}, kVdbnoise, &progress);
     progress.begin("writing");
-    const std::optional<Image> picture = picture_of(merged, preview);
+    std::optional<Image> picture;
+    if (!preview.empty()) picture = picture_of(merged.volume, merged.recipe);
     write.codec = merged.recipe.codec;
     write.creator = kVdbnoise;
     write.frame = merged.frame;

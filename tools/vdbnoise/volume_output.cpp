@@ -1,11 +1,15 @@
 #include "vdbnoise/volume_output.h"
 
+#include <cmath>
+#include <cstddef>
 #include <iostream>
 #include <unistd.h>
 
 #include <fmt/format.h>
 
 #include "common/usage_error.h"
+#include "solidnoise/volume/preview.h"
+#include "solidnoise/volume/slice_preview.h"
 
 namespace solidnoise {
 namespace {
@@ -16,10 +20,16 @@ void print_statistics(const MeasuredGrid& measured, const std::string& where) {
   std::cerr << fmt::format("{}: grid {}, {} active voxels in {} x {} x {}, voxel size {:.6g}\n", where,
                            measured.grid->getName(), measured.moments.front().count(), dim.x(), dim.y(),
                            dim.z(), size.x());
-  for (const Moments& moments : measured.moments) {
-    std::cerr << fmt::format("min {:.6g}  max {:.6g}  mean {:.6g}  sigma {:.6g}\n", moments.min(),
+  const bool is_vector = measured.moments.size() > 1;
+  double mean_square = 0.0;
+  for (std::size_t i = 0; i < measured.moments.size(); ++i) {
+    const Moments& moments = measured.moments[i];
+    std::cerr << (is_vector ? fmt::format("{}: ", "xyz"[i]) : "")
+              << fmt::format("min {:.6g}  max {:.6g}  mean {:.6g}  sigma {:.6g}\n", moments.min(),
                              moments.max(), moments.mean(), moments.sigma());
+    mean_square += moments.mean() * moments.mean() + moments.sigma() * moments.sigma();
   }
+  if (is_vector) std::cerr << fmt::format("root mean square length {:.6g}\n", std::sqrt(mean_square));
 }
 
 }  // namespace
@@ -49,6 +59,12 @@ void write_volume(const std::string& path, const Volume& volume, const VdbWriteO
   if (kept.metadata["creator"]) kept.creator.clear();
   grids.assign(volume.file->grids.begin(), volume.file->grids.end());
   write_vdb(path, grids, kept);
+}
+
+Image picture_of(const Volume& volume, const VolumeRecipe& recipe) {
+  if (recipe.output.front() != Output::value) return render_slice(volume, recipe);
+  const auto density = openvdb::gridPtrCast<openvdb::FloatGrid>(volume.grids.front().grid);
+  return render_preview(*density, {.up = recipe.up});
 }
 
 void print_statistics(const Volume& volume, const std::string& where) {

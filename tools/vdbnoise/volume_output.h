@@ -2,8 +2,10 @@
 
 #include <string>
 
+#include "solidnoise/core/image.h"
 #include "solidnoise/volume/vdb_write.h"
 #include "solidnoise/volume/volume.h"
+#include "solidnoise/volume/volume_recipe.h"
 
 namespace solidnoise {
 
@@ -14,6 +16,9 @@ void check_output_names(const std::string& out, const std::string& preview);
 // Writes all grids of a volume, with the rest of the file that one was modified in. Throws as write_vdb()
 // does.
 void write_volume(const std::string& path, const Volume& volume, const VdbWriteOptions& options);
+
+// The picture that --preview shows: of a density, or of a slice of what is none.
+Image picture_of(const Volume& volume, const VolumeRecipe& recipe);
 
 // Tells on the standard error what a file holds.
 void print_statistics(const Volume& volume, const std::string& where);

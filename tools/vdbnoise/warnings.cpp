@@ -40,11 +40,23 @@ void warn_of_tiles(const VolumeRecipe& recipe, const Vec<3>& voxel, std::ostream
   }
 }
 
+// The second derivatives of a cheap isotropic kernel have a step at its radius, which differences see.
+void warn_of_divergence(const VolumeRecipe& recipe, std::ostream& stream) {
+  constexpr double kSmoothError = 0.001;
+  const auto* const gabor = std::get_if<GaborNoiseOptions>(&recipe.noise.noise);
+  if (recipe.output.front() != Output::curl || !gabor || gabor->error <= kSmoothError) return;
+  stream << fmt::format(
+      "vdbnoise: warning: with --noise gabor and --error {} finite differences will find some divergence; "
+      "--noise gabor-oriented or --error {} have less\n",
+      gabor->error, kSmoothError);
+}
+
 }  // namespace
 
 void warn_of_resolution(const VolumeRecipe& recipe, const GridFrame& frame, std::ostream& stream) {
   warn_of_aliasing(recipe, frame.voxel_size(), stream);
   warn_of_tiles(recipe, frame.voxel_size(), stream);
+  warn_of_divergence(recipe, stream);
 }
 
 }  // namespace solidnoise

@@ -96,6 +96,18 @@ double CompactKernel::derivative(double r) const {
   return by_t * (-2.0 * r / (radius_ * radius_));
 }
 
+double CompactKernel::gradient_energy() const {
+  // A polynomial in r of degree 4 (d + 2) + n - 3: this rule is exact.
+  const QuadratureRule rule = gauss_legendre(2 * (degree() + 2) + dimensions_);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+    const double r = 0.5 * radius_ * (1.0 + rule.nodes[i]);
+    const double slope = derivative(r);
+    sum += rule.weights[i] * std::pow(r, dimensions_ - 1) * slope * slope;
+  }
+  return 0.5 * radius_ * unit_sphere_area(dimensions_) * sum;
+}
+
 double CompactKernel::horner_rounding_error() const {
   for (const double c : power_) {
     if (std::abs(c) > std::numeric_limits<float>::max()) return std::numeric_limits<double>::infinity();

@@ -43,6 +43,7 @@ class CompactKernel {
 
   double energy() const { return energy_; }                  // integral of g_t^2 over space
   double fourth_moment() const { return fourth_moment_; }    // integral of g_t^4 over space
+  double gradient_energy() const;                            // integral of (d g_t / dr)^2 over space
   double relative_error() const { return relative_error_; }  // sqrt(integral (g - g_t)^2 / integral g^2)
 
  private:

@@ -5,6 +5,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "solidnoise/core/quadrature.h"
+
 namespace solidnoise {
 namespace {
 
@@ -76,6 +78,20 @@ Vec<Dim> DirectionCone<Dim>::draw(RandomStream& stream) const {
   if (Dim == 1 || anisotropy_ == 1.0) return axis_;
   const Polar polar = polar_angle(stream.next_unit());
   return at(polar, draw_around<Dim>(stream));
+}
+
+template <int Dim>
+Vec<Dim> DirectionCone<Dim>::second_moments() const {
+  double along = 1.0;  // the axis' own
+  const Polar edge = polar_angle(1.0);
+  if (Dim > 1 && edge.sine > 0.0) {
+    const double widest = std::atan2(edge.sine, edge.cosine);
+    const auto area = [](double angle) { return std::pow(std::sin(angle), Dim - 2); };
+    along = integrate([&](double angle) { return std::pow(std::cos(angle), 2) * area(angle); }, 0.0, widest) /
+            integrate(area, 0.0, widest);
+  }
+  const double across = Dim > 1 ? (1.0 - along) / (Dim - 1) : 0.0;
+  return Vec<Dim>(across) + (along - across) * axis_ * axis_;
 }
 
 template class DirectionCone<1>;

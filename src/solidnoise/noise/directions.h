@@ -21,6 +21,9 @@ class DirectionCone {
 
   Vec<Dim> draw(RandomStream& stream) const;
 
+  // The mean of d_i^2 for each coordinate; the sum of all is 1.
+  Vec<Dim> second_moments() const;
+
   // An angle from the axis.
   struct Polar {
     double cosine = 1.0;

@@ -88,6 +88,15 @@ double FractalNoise<Dim>::variance() const {
 }
 
 template <int Dim>
+Vec<Dim> FractalNoise<Dim>::gradient_variance() const {
+  Vec<Dim> sum(0.0);
+  for (const Octave& octave : octaves_) {
+    sum += octave.amplitude * octave.amplitude * octave.noise->gradient_variance();
+  }
+  return sum;
+}
+
+template <int Dim>
 double FractalNoise<Dim>::power_spectrum(const Vec<Dim>& frequency) const {
   double sum = 0.0;
   for (const Octave& octave : octaves_) {

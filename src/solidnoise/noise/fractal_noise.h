@@ -37,6 +37,7 @@ class FractalNoise final : public Noise<Dim> {
   std::unique_ptr<NoiseBlock<Dim>> block(const Box<Dim>& box) const override;
   void evaluate(const Points<Dim>& points, const Samples<Dim>& samples) const override;
   double variance() const override;
+  Vec<Dim> gradient_variance() const override;
   double power_spectrum(const Vec<Dim>& frequency) const override;
   double excess_kurtosis() const override;
   typename Noise<Dim>::Band band() const override;

@@ -126,6 +126,11 @@ bool GaborNoise<Dim>::filter_kernel() {
 }
 
 template <int Dim>
+Vec<Dim> GaborNoise<Dim>::gradient_variance() const {
+  return Vec<Dim>(variance() * compact_.gradient_energy() / (Dim * compact_.energy()));
+}
+
+template <int Dim>
 double GaborNoise<Dim>::power_spectrum(const Vec<Dim>& frequency) const {
   const double spectrum = compact_.spectrum(glm::length(frequency));
   return variance_ == 0.0 ? 0.0 : spectrum * spectrum / unfiltered_energy_;

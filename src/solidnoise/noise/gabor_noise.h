@@ -52,6 +52,7 @@ class GaborNoise final : public Noise<Dim> {
     convolution_->evaluate(points, samples);
   }
   double variance() const override { return variance_; }
+  Vec<Dim> gradient_variance() const override;
   double power_spectrum(const Vec<Dim>& frequency) const override;
   double excess_kurtosis() const override { return excess_kurtosis_; }
   typename Noise<Dim>::Band band() const override;

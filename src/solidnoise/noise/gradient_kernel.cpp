@@ -120,6 +120,20 @@ double GradientKernel<Dim>::mean_variance() const {
 }
 
 template <int Dim>
+double GradientKernel<Dim>::mean_gradient_variance() const {
+  const double n = Dim;
+  const double integral = integrate(
+      [&](double r) {
+        const double t = 1.0 - 0.25 * r * r;
+        const double s = value(r);
+        const double r_slope = -0.5 * r * r * t * t * t * (5.0 * c1_ * t - 4.0 * c2_);  // r s'
+        return std::pow(r, n - 1.0) * (n * s * s + 2.0 * s * r_slope + r_slope * r_slope);
+      },
+      0.0, kRadius);
+  return density_ * unit_sphere_area(Dim) / (n * n) * integral;
+}
+
+template <int Dim>
 double GradientKernel<Dim>::potential_transform(double f) const {
   return 0.4 * c2_ * ball_power_transform(Dim, 5, f) - c1_ / 3.0 * ball_power_transform(Dim, 6, f);
 }

@@ -42,6 +42,10 @@ class GradientKernel {
   // s(r)^2.
   double mean_variance() const;
 
+  // Variance of a component of the noise's gradient, averaged over a lattice cell, per lattice unit squared:
+  // density (S_n / n^2) times the integral of r^(n-1) (n s^2 + 2 r s s' + r^2 s'^2).
+  double mean_gradient_variance() const;
+
   // S(f), f >= 0 in cycles per lattice unit; its integral over R^Dim is mean_variance().
   double power_spectrum(double f) const;
 

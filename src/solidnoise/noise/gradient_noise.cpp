@@ -85,6 +85,11 @@ void GradientNoise<Dim>::evaluate(const Points<Dim>& points, const Samples<Dim>&
 }
 
 template <int Dim>
+Vec<Dim> GradientNoise<Dim>::gradient_variance() const {
+  return variance() * kernel_.mean_gradient_variance() / kernel_.mean_variance() / (spacing_ * spacing_);
+}
+
+template <int Dim>
 double GradientNoise<Dim>::power_spectrum(const Vec<Dim>& frequency) const {
   double squared = 0.0;
   double cell_volume = 1.0;

@@ -39,6 +39,7 @@ class GradientNoise final : public Noise<Dim> {
   std::unique_ptr<NoiseBlock<Dim>> block(const Box<Dim>& box) const override;
   void evaluate(const Points<Dim>& points, const Samples<Dim>& samples) const override;
   double variance() const override { return 1.0; }
+  Vec<Dim> gradient_variance() const override;
   double power_spectrum(const Vec<Dim>& frequency) const override;
   double excess_kurtosis() const override { return kernel_.excess_kurtosis(); }
   typename Noise<Dim>::Band band() const override;

@@ -41,6 +41,7 @@ class MovedNoise final : public Noise<Dim> {
     noise_->evaluate(moved, samples);
   }
   double variance() const override { return noise_->variance(); }
+  Vec<Dim> gradient_variance() const override { return noise_->gradient_variance(); }
   double power_spectrum(const Vec<Dim>& frequency) const override {
     return noise_->power_spectrum(frequency);
   }

@@ -55,6 +55,11 @@ class Noise {
   // stationary, the variance averaged over a lattice cell.
   virtual double variance() const = 0;
 
+  // Variance of each component of the gradient, per world unit squared; the mean is 0:
+  //   E[(dn/dx_i)^2] = integral of (2 pi f_i)^2 power_spectrum(f),
+  // for gradient noise averaged over a lattice cell, as the variance.
+  virtual Vec<Dim> gradient_variance() const = 0;
+
   // Two-sided power spectral density at a frequency (cycles per world unit); integrates to variance() over
   // R^Dim.
   virtual double power_spectrum(const Vec<Dim>& frequency) const = 0;

@@ -145,9 +145,30 @@ std::unique_ptr<Noise<Dim>> make_noise(const NoiseRecipe& recipe) {
   return std::make_unique<FractalNoise<Dim>>(std::move(octaves));
 }
 
+void require_phase(const NoiseRecipe& recipe) {
+  if (!std::holds_alternative<OrientedGaborNoiseOptions>(recipe.noise)) {
+    throw std::invalid_argument("the noise has neither phase nor intensity; it must be gabor-oriented");
+  }
+  if (recipe.fractal.octaves != 1) {
+    throw std::invalid_argument(fmt::format(
+        "octaves is {}; it must be 1 for phase and intensity: of several octaves, each has its own",
+        recipe.fractal.octaves));
+  }
+}
+
+template <int Dim>
+std::unique_ptr<Noise<Dim>> make_quadrature(const NoiseRecipe& recipe) {
+  recipe.validate();
+  require_phase(recipe);
+  return std::make_unique<OrientedGaborNoise<Dim>>(std::get<OrientedGaborNoiseOptions>(recipe.noise), -0.25);
+}
+
 template std::unique_ptr<Noise<1>> make_noise<1>(const NoiseRecipe&);
 template std::unique_ptr<Noise<2>> make_noise<2>(const NoiseRecipe&);
 template std::unique_ptr<Noise<3>> make_noise<3>(const NoiseRecipe&);
 template std::unique_ptr<Noise<4>> make_noise<4>(const NoiseRecipe&);
+template std::unique_ptr<Noise<2>> make_quadrature<2>(const NoiseRecipe&);
+template std::unique_ptr<Noise<3>> make_quadrature<3>(const NoiseRecipe&);
+template std::unique_ptr<Noise<4>> make_quadrature<4>(const NoiseRecipe&);
 
 }  // namespace solidnoise

@@ -55,4 +55,14 @@ NoiseRecipe channel_of(const NoiseRecipe& recipe, int channel);
 template <int Dim>
 std::unique_ptr<Noise<Dim>> make_noise(const NoiseRecipe& recipe);
 
+// Throws std::invalid_argument unless the recipe is of oriented Gabor noise of one octave.
+void require_phase(const NoiseRecipe& recipe);
+
+// Makes the noise that is a quarter of a wave behind the recipe's: the same impulses with sin in place of
+// cos. The two are the real and the imaginary part of a phasor,
+//   sum over impulses of envelope(d) exp(i (2 pi w.d + phase))
+// (Tricard et al. 2019), and have the same statistics. Throws std::invalid_argument as require_phase does.
+template <int Dim>
+std::unique_ptr<Noise<Dim>> make_quadrature(const NoiseRecipe& recipe);
+
 }  // namespace solidnoise

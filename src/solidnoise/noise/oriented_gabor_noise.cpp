@@ -34,8 +34,9 @@ DirectionCone<Dim> make_directions(const OrientedGaborNoiseOptions& options) {
 template <int Dim>
 class WaveDraw {
  public:
-  WaveDraw(const DirectionCone<Dim>& directions, double frequency, const Evolution& evolution)
-      : directions_(directions), frequency_(frequency) {
+  WaveDraw(const DirectionCone<Dim>& directions, double frequency, const Evolution& evolution,
+           double phase_shift)
+      : directions_(directions), frequency_(frequency), phase_shift_(phase_shift) {
     if (evolution.moves()) turns_.emplace(evolution);
   }
 
@@ -43,12 +44,14 @@ class WaveDraw {
     RandomStream stream(mark);
     double phase = stream.next_unit();
     if (turns_) phase += turns_->at(mark);
-    return {frequency_ * directions_.draw(stream), phase < 1.0 ? phase : phase - 1.0};
+    phase += phase_shift_;
+    return {frequency_ * directions_.draw(stream), phase - std::floor(phase)};
   }
 
  private:
   DirectionCone<Dim> directions_;
   double frequency_;
+  double phase_shift_;  // cycles
   std::optional<ImpulseTurns> turns_;
 };
 
@@ -132,8 +135,9 @@ KernelMoments envelope_moments(const CompactKernel& envelope, int dimensions) {
 }  // namespace
 
 template <int Dim>
-OrientedGaborNoise<Dim>::OrientedGaborNoise(const OrientedGaborNoiseOptions& options)
+OrientedGaborNoise<Dim>::OrientedGaborNoise(const OrientedGaborNoiseOptions& options, double phase_shift)
     : options_(options),
+      phase_shift_(phase_shift),
       directions_(make_directions<Dim>(options)),
       kernel_(1.0, gaussian_parameter(options.frequency, options.bandwidth),
               options.frequency * directions_.axis()),
@@ -154,7 +158,7 @@ OrientedGaborNoise<Dim>::OrientedGaborNoise(const OrientedGaborNoiseOptions& opt
     excess_kurtosis_ = noise_excess_kurtosis(density_, filtered);
     kernel = std::make_shared<WaveKernel<Dim>>(
         OrientedSum{support_scale<Dim>(cells.in_cells(envelope_.radius())), to_single_precision(envelope_)},
-        WaveDraw<Dim>(directions_, frequency_, options.evolution), cells.axes);
+        WaveDraw<Dim>(directions_, frequency_, options.evolution, phase_shift), cells.axes);
   }
   convolution_ = std::make_shared<SparseConvolution<Dim>>(
       ImpulseProcess<Dim>(cells.axes, density_ * cells.volume, derive_seed(options.seed, kImpulseStream)),
@@ -177,7 +181,16 @@ bool OrientedGaborNoise<Dim>::filter_kernel() {
 
 template <int Dim>
 typename OrientedGaborNoise<Dim>::Wave OrientedGaborNoise<Dim>::wave(std::uint64_t mark) const {
-  return WaveDraw<Dim>(directions_, frequency_, options_.evolution)(mark);
+  return WaveDraw<Dim>(directions_, frequency_, options_.evolution, phase_shift_)(mark);
+}
+
+// The derivative of envelope times wave, squared and averaged over the phase: that of the envelope and that
+// of the wave each add half of theirs.
+template <int Dim>
+Vec<Dim> OrientedGaborNoise<Dim>::gradient_variance() const {
+  const double wave_number = 2.0 * std::numbers::pi * frequency_;
+  const double of_envelope = envelope_.gradient_energy() / envelope_.energy();
+  return variance() * (of_envelope + wave_number * wave_number * directions_.second_moments());
 }
 
 template <int Dim>

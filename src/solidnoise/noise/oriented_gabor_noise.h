@@ -29,7 +29,9 @@ class OrientedGaborNoise final : public Noise<Dim> {
  public:
   // Throws std::invalid_argument: options.validate(), a period below two half-widths of the support, or a
   // direction without a component in the first Dim axes.
-  explicit OrientedGaborNoise(const OrientedGaborNoiseOptions& options);
+  // `phase_shift` in cycles is added to the phase of every impulse: another one gives another part of the
+  // same phasor, 0 the noise of the options.
+  explicit OrientedGaborNoise(const OrientedGaborNoiseOptions& options, double phase_shift = 0.0);
 
   const OrientedGaborNoiseOptions& options() const { return options_; }
   // The kernel along the cone's axis, of unit amplitude, or filtered if options().filter says so; and the
@@ -52,6 +54,7 @@ class OrientedGaborNoise final : public Noise<Dim> {
     convolution_->evaluate(points, samples);
   }
   double variance() const override { return variance_; }
+  Vec<Dim> gradient_variance() const override;
   // Where directions vary, that of the kernel before it was made compact; the two differ by less than
   // options().error of the total.
   double power_spectrum(const Vec<Dim>& frequency) const override;
@@ -70,6 +73,7 @@ class OrientedGaborNoise final : public Noise<Dim> {
   bool filter_kernel();
 
   OrientedGaborNoiseOptions options_;
+  double phase_shift_;
   DirectionCone<Dim> directions_;
   RandomPhaseGaborKernel<Dim> kernel_;
   double frequency_;  // of the kernel

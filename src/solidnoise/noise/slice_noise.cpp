@@ -52,6 +52,7 @@ class SliceNoise final : public Noise<3> {
   }
 
   double variance() const override { return noise_->variance(); }
+  Vec<3> gradient_variance() const override { return {noise_->gradient_variance()}; }
 
   double power_spectrum(const Vec<3>& frequency) const override {
     constexpr int kPanels = 16;

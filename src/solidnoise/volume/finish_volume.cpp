@@ -1,6 +1,8 @@
 #include "solidnoise/volume/finish_volume.h"
 
+#include <cstddef>
 #include <variant>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -12,16 +14,23 @@
 namespace solidnoise {
 namespace {
 
-Metadata describe(const VolumeRecipe& recipe, const Moments& moments) {
+// A statistic of each component: a number for a grid of floats, a vector for one of vectors.
+template <typename Statistic>
+MetadataValue of_components(const std::vector<Moments>& moments, const Statistic& statistic) {
+  if (moments.size() == 1) return statistic(moments[0]);
+  return Vec<3>(statistic(moments[0]), statistic(moments[1]), statistic(moments[2]));
+}
+
+Metadata describe(const VolumeRecipe& recipe, const std::vector<Moments>& moments) {
   return {
       {kRecipeKey, format_json(to_json(recipe))},
       {"solidnoise:algorithm", std::int64_t{kAlgorithmVersion}},
       {"solidnoise:seed", std::to_string(seed_of(recipe.noise))},
       {"solidnoise:up_axis", std::string(name_of(kUpAxisChoices, recipe.up))},
-      {"solidnoise:min", moments.min()},
-      {"solidnoise:max", moments.max()},
-      {"solidnoise:mean", moments.mean()},
-      {"solidnoise:sigma", moments.sigma()},
+      {"solidnoise:min", of_components(moments, [](const Moments& m) { return m.min(); })},
+      {"solidnoise:max", of_components(moments, [](const Moments& m) { return m.max(); })},
+      {"solidnoise:mean", of_components(moments, [](const Moments& m) { return m.mean(); })},
+      {"solidnoise:sigma", of_components(moments, [](const Moments& m) { return m.sigma(); })},
   };
 }
 
@@ -36,24 +45,27 @@ void scale_density(const VolumeRecipe& recipe, openvdb::FloatGrid& grid, Moments
   moments = measure(grid);
 }
 
-void note_recipe(const VolumeRecipe& recipe, const Moments& moments, openvdb::GridBase& grid) {
+void note_recipe(const VolumeRecipe& recipe, const std::vector<Moments>& moments, openvdb::GridBase& grid) {
   set_metadata(grid, describe(recipe, moments));
 }
 
 void finish_volume(const VolumeRecipe& recipe, const std::string& creator, Volume& volume) {
   const bool raw = std::holds_alternative<RawShaping>(recipe.shaping);
-  for (MeasuredGrid& measured : volume.grids) {
+  const std::vector<std::string> names = grid_names(recipe);
+  for (std::size_t i = 0; i < volume.grids.size(); ++i) {
+    MeasuredGrid& measured = volume.grids[i];
     openvdb::GridBase& grid = *measured.grid;
     if (!raw) {
       auto& density = dynamic_cast<openvdb::FloatGrid&>(grid);
       scale_density(recipe, density, measured.moments.front());
-      set_fog_volume(density, recipe.grid, creator);
+      set_fog_volume(density, names[i], creator);
     } else {
-      grid.setName(recipe.grid);
+      grid.setName(names[i]);
       grid.setCreator(creator);
+      set_vector_type(grid, recipe.output[i]);
     }
     grid.setSaveFloatAsHalf(recipe.half);
-    note_recipe(recipe, measured.moments.front(), grid);
+    note_recipe(recipe, measured.moments, grid);
   }
 }
 

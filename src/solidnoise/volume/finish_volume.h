@@ -15,7 +15,7 @@ void finish_volume(const VolumeRecipe& recipe, const std::string& creator, Volum
 
 // What it does to one grid's values, and to one grid's metadata beside name and creator.
 void scale_density(const VolumeRecipe& recipe, openvdb::FloatGrid& grid, Moments& moments);
-void note_recipe(const VolumeRecipe& recipe, const Moments& moments, openvdb::GridBase& grid);
+void note_recipe(const VolumeRecipe& recipe, const std::vector<Moments>& moments, openvdb::GridBase& grid);
 
 // Name of the metadata of a grid that holds its recipe, as JSON.
 inline constexpr char kRecipeKey[] = "solidnoise:recipe";

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -11,6 +13,7 @@
 #include "solidnoise/noise/moved_noise.h"
 #include "solidnoise/noise/slice_noise.h"
 #include "solidnoise/volume/cloud_field.h"
+#include "solidnoise/volume/derived_volume.h"
 #include "solidnoise/volume/fill.h"
 #include "solidnoise/volume/finish_volume.h"
 #include "solidnoise/volume/layered_field.h"
@@ -88,6 +91,7 @@ std::unique_ptr<PointField> make_volume_points(const VolumeRecipe& recipe) {
 }
 
 std::unique_ptr<Field> make_volume_field(const VolumeRecipe& recipe, const VolumePlan& plan) {
+  if (!is_scalar(recipe)) return make_derived_field(recipe, plan);
   const Overloaded by_shaping{
       [&](const RawShaping& raw) { return make_field(make_source(recipe), raw); },
       [&](const RemapShaping& remap) { return make_field(make_source(recipe), remap, plan.box); },
@@ -112,6 +116,33 @@ void plan_modification(const VolumeRecipe& recipe, VolumePlan& plan) {
   plan.modification = std::move(modification);
 }
 
+// The noise that `make(dimensions, noise recipe)` makes, as it is in the volume: at its time and place.
+template <typename Make>
+std::shared_ptr<const Noise<3>> make_framed(const VolumeRecipe& recipe, const Make& make) {
+  std::shared_ptr<const Noise<3>> noise;
+  if (recipe.dims == 3) {
+    noise = make(std::integral_constant<int, 3>(), at_time(recipe.noise, recipe.time));
+  } else {
+    noise = slice(make(std::integral_constant<int, 4>(), recipe.noise), recipe.time);
+  }
+  return recipe.offset == Vec<3>(0.0) ? noise : move_noise<3>(noise, recipe.offset);
+}
+
+// Reads the surface that a velocity is to stay off, if there is one.
+void plan_boundary(const VolumeRecipe& recipe, VolumePlan& plan) {
+  plan.boundary = recipe.boundary;
+  if (!plan.boundary) return;
+  const openvdb::FloatGrid::Ptr surface = read_float_grid(plan.boundary->surface, "--boundary");
+  try {
+    require_level_set(*surface);
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(fmt::format("{}: {}", plan.boundary->surface.file, error.what()));
+  }
+  const double frequency = std::visit([](const auto& noise) { return noise.frequency; }, recipe.noise.noise);
+  plan.boundary_distance =
+      std::make_shared<DistanceSpline>(surface, plan.boundary->width.value_or(1.0 / frequency));
+}
+
 }  // namespace
 
 VolumePlan plan_volume(const VolumeRecipe& recipe, const VolumePart& part) {
@@ -125,12 +156,15 @@ VolumePlan plan_volume(const VolumeRecipe& recipe, const VolumePart& part) {
     plan_modification(recipe, plan);
     return plan;
   }
+  plan_boundary(recipe, plan);
+  const std::vector<int> components = components_of(recipe.output);
+  const int channels = std::accumulate(components.begin(), components.end(), 0);
   if (auto* shape = std::get_if<GridShape>(&plan.shape)) {
     plan.grid = read_grid(*shape, "--shape");
     plan.frame = GridFrame(plan.grid->transform());
     plan.voxels = plan.grid->evalActiveVoxelBoundingBox();
     plan.box = plan.frame.bounds(plan.voxels);
-    plan.memory = estimate_part_memory(estimate_memory(*plan.grid), plan.frame, part);
+    plan.memory = estimate_part_memory(estimate_memory(*plan.grid, channels), plan.frame, part);
     return plan;
   }
   if (auto* shape = std::get_if<MeshShape>(&plan.shape)) {
@@ -146,19 +180,20 @@ VolumePlan plan_volume(const VolumeRecipe& recipe, const VolumePart& part) {
   }
   plan.frame = GridFrame(recipe.voxel ? *recipe.voxel : voxel_size_for_dim(plan.box, recipe.dim));
   plan.voxels = plan.frame.voxels_in(plan.box);
-  plan.memory = estimate_part_memory(estimate_memory(plan.voxels), plan.frame, part);
+  plan.memory = estimate_part_memory(estimate_memory(plan.voxels, channels), plan.frame, part);
   return plan;
 }
 
 std::shared_ptr<const Noise<3>> make_volume_noise(const VolumeRecipe& recipe) {
   if (recipe.band_limit) throw std::invalid_argument("band_limit needs the size of the voxels");
-  std::shared_ptr<const Noise<3>> noise;
-  if (recipe.dims == 3) {
-    noise = make_noise<3>(at_time(recipe.noise, recipe.time));
-  } else {
-    noise = slice(make_noise<4>(recipe.noise), recipe.time);
-  }
-  return recipe.offset == Vec<3>(0.0) ? noise : move_noise<3>(noise, recipe.offset);
+  return make_framed(
+      recipe, [](auto dim, const NoiseRecipe& noise) { return make_noise<decltype(dim)::value>(noise); });
+}
+
+std::shared_ptr<const Noise<3>> make_volume_quadrature(const VolumeRecipe& recipe) {
+  return make_framed(recipe, [](auto dim, const NoiseRecipe& noise) {
+    return make_quadrature<decltype(dim)::value>(noise);
+  });
 }
 
 double highest_frequency(const VolumeRecipe& recipe) {
@@ -180,10 +215,11 @@ Volume make_volume(const VolumeRecipe& recipe, const VolumePlan& plan, const std
   }
   const std::unique_ptr<Field> field = make_volume_field(at_voxels(recipe), plan);
   const Topology topology = make_topology(recipe, plan, progress);
-  Volume volume{fill_grids(take_part(topology, plan.part), *field, {1},
+  Volume volume{fill_grids(take_part(topology, plan.part), *field, components_of(recipe.output),
                            is_raw(recipe) ? Sparsity::keep : Sparsity::drop, progress)};
   VolumeRecipe noted = recipe;
   noted.shape = plan.shape;
+  noted.boundary = plan.boundary;
   if (plan.part.whole()) {
     finish_volume(noted, creator, volume);
   } else {

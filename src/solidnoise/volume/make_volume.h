@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "solidnoise/core/box.h"
 #include "solidnoise/core/progress.h"
+#include "solidnoise/volume/distance_spline.h"
 #include "solidnoise/volume/grid_frame.h"
 #include "solidnoise/volume/modify_volume.h"
 #include "solidnoise/volume/openvdb.h"
@@ -28,6 +30,9 @@ struct VolumePlan {
   std::optional<TriangleMesh> mesh;  // of a MeshShape
   openvdb::GridBase::Ptr grid;       // of a GridShape
   std::optional<ModificationPlan> modification;
+
+  std::optional<Boundary> boundary;  // the recipe's, with the digest of its file
+  std::shared_ptr<const DistanceSpline> boundary_distance;
 };
 
 // Validates the recipe and reads the file that its shape names. Throws std::invalid_argument (options) and
@@ -43,6 +48,9 @@ Volume make_volume(const VolumeRecipe& recipe, const VolumePlan& plan, const std
 // The noise of a recipe as it is in the volume: at the recipe's time, and a frame of it where it is of 4
 // dimensions. Of a recipe with band_limit take it at_resolution(); throws std::invalid_argument.
 std::shared_ptr<const Noise<3>> make_volume_noise(const VolumeRecipe& recipe);
+
+// The same of make_quadrature(): a quarter of a wave behind the recipe's noise.
+std::shared_ptr<const Noise<3>> make_volume_quadrature(const VolumeRecipe& recipe);
 
 // The highest frequency of the recipe's noise, or of those of its layers: the upper end of the band, cycles
 // per world unit. Folds and warps go beyond it.

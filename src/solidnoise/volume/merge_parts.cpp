@@ -104,9 +104,10 @@ void note_part(const VolumeRecipe& recipe, const std::string& creator, const Top
                const VolumePart& part, Volume& volume) {
   const std::string which =
       part.shards == 1 ? "region" : fmt::format("shard {} of {}", part.shard, part.shards);
-  for (MeasuredGrid& measured : volume.grids) {
-    openvdb::GridBase& grid = *measured.grid;
-    grid.setName(recipe.grid);
+  const std::vector<std::string> names = grid_names(recipe);
+  for (std::size_t i = 0; i < volume.grids.size(); ++i) {
+    openvdb::GridBase& grid = *volume.grids[i].grid;
+    grid.setName(names[i]);
     grid.setCreator(creator);
     set_metadata(grid, {{kRecipeKey, format_json(to_json(recipe))},
                         {"solidnoise:part", which},

@@ -62,7 +62,7 @@ Volume make_modified_volume(const VolumeRecipe& recipe, const ModificationPlan& 
   const Moments moments = measure(*grid);
   VolumeRecipe noted = recipe;
   noted.modification = plan.modification;
-  note_recipe(noted, moments, *grid);
+  note_recipe(noted, {moments}, *grid);
   VdbFile file{plan.file.metadata, replace_target(plan, grid)};
   return {{{grid, {moments}}}, std::move(file)};
 }

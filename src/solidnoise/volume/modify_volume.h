@@ -18,7 +18,7 @@ namespace solidnoise {
 // What a modification reads, checked; nothing of it changes.
 struct ModificationPlan {
   Modification modification;  // with the digests of its files
-  VdbFile file;           // all that the grid's file holds
+  VdbFile file;               // all that the grid's file holds
   std::size_t target = 0;     // the grid's place in it
   openvdb::GridBase::Ptr mask;
   openvdb::GridBase::Ptr rest;

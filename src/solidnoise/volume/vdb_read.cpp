@@ -92,6 +92,9 @@ GridSummary summarize(VdbReader& reader, std::size_t index) {
   summary.name = reader.grid_name(index);
   summary.value_type = grid->valueType();
   summary.grid_class = openvdb::GridBase::gridClassToString(grid->getGridClass());
+  if (summary.value_type.starts_with("vec")) {
+    summary.vector_type = openvdb::GridBase::vecTypeToString(grid->getVectorType());
+  }
   summary.saved_as_half = grid->saveFloatAsHalf();
   const openvdb::Vec3d voxel = grid->transform().voxelSize();
   summary.voxel_size = {voxel.x(), voxel.y(), voxel.z()};

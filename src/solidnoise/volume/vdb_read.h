@@ -17,6 +17,8 @@ struct GridSummary {
   std::string name;
   std::string value_type;  // "float", "vec3s", ...
   std::string grid_class;  // "fog volume", "level set", "staggered", "unknown"
+  std::string
+      vector_type;  // of vectors: how a transform turns them, "covariant", "invariant", ...; else empty
   bool saved_as_half = false;
   Vec<3> voxel_size{0.0};  // world units
   std::uint64_t active_voxels = 0;

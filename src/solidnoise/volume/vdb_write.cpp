@@ -83,6 +83,8 @@ void set_metadata(openvdb::MetaMap& target, const Metadata& metadata) {
       target.insertMeta(name, openvdb::Int64Metadata(*integer));
     } else if (const auto* real = std::get_if<double>(&value)) {
       target.insertMeta(name, openvdb::DoubleMetadata(*real));
+    } else if (const auto* vector = std::get_if<Vec<3>>(&value)) {
+      target.insertMeta(name, openvdb::Vec3DMetadata(openvdb::Vec3d(vector->x, vector->y, vector->z)));
     } else {
       target.insertMeta(name, openvdb::BoolMetadata(std::get<bool>(value)));
     }

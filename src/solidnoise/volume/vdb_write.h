@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "solidnoise/core/output_file.h"
+#include "solidnoise/core/vec.h"
 #include "solidnoise/volume/openvdb.h"
 
 namespace solidnoise {
@@ -18,7 +19,7 @@ namespace solidnoise {
 // no room.
 enum class Codec { none, zip, blosc };
 
-using MetadataValue = std::variant<std::string, std::int64_t, double, bool>;
+using MetadataValue = std::variant<std::string, std::int64_t, double, bool, Vec<3>>;
 using Metadata = std::map<std::string, MetadataValue>;
 
 // Sets the grid's metadata; a name that is there already gets the new value.

@@ -9,6 +9,50 @@
 #include "solidnoise/core/check.h"
 
 namespace solidnoise {
+namespace {
+
+bool contains(const std::vector<Output>& outputs, Output output) {
+  return std::find(outputs.begin(), outputs.end(), output) != outputs.end();
+}
+
+void validate_output(const VolumeRecipe& recipe) {
+  validate_outputs(recipe.output);
+  const std::string output = format_outputs(recipe.output);
+  if (recipe.output.size() > 1 && !recipe.grid.empty()) {
+    throw std::invalid_argument(fmt::format(
+        "grid is {}; it must be left out where output is {}, which makes several", recipe.grid, output));
+  }
+  if (!is_scalar(recipe)) {
+    if (recipe.modification) {
+      throw std::invalid_argument(
+          fmt::format("output is {}; it must be value where a grid that exists is worked on", output));
+    }
+    if (!recipe.layers.empty()) {
+      throw std::invalid_argument(fmt::format("output is {}; layers have their value only", output));
+    }
+    const auto* const raw = std::get_if<RawShaping>(&recipe.shaping);
+    if (!raw) {
+      throw std::invalid_argument(
+          fmt::format("output is {}; shaped noise has its value only: it must be raw", output));
+    }
+    if (raw->range != RawShaping::Range::raw && !contains(recipe.output, Output::color)) {
+      throw std::invalid_argument(fmt::format("output is {}; the range must be raw", output));
+    }
+  }
+  if (contains(recipe.output, Output::phase) || contains(recipe.output, Output::intensity)) {
+    require_phase(recipe.noise);
+  }
+  require_positive("speed", recipe.speed, "world units per second");
+  if (!contains(recipe.output, Output::curl)) {
+    if (recipe.speed != 1.0) {
+      throw std::invalid_argument(fmt::format("speed is {}; it applies to output curl only", recipe.speed));
+    }
+    if (recipe.boundary) throw std::invalid_argument("boundary applies to output curl only");
+  }
+  if (recipe.boundary) recipe.boundary->validate();
+}
+
+}  // namespace
 
 void RawShaping::validate() const {}
 
@@ -77,7 +121,18 @@ void VolumeRecipe::validate() const {
   }
   if (voxel) require_positive("voxel", *voxel, "world units");
   require_in_range("dim", dim, 1, 1 << 20, "voxels");
-  if (grid.empty()) throw std::invalid_argument("grid is empty; it must be a name");
+  validate_output(*this);
+}
+
+std::vector<std::string> grid_names(const VolumeRecipe& recipe) {
+  if (!recipe.grid.empty()) return {recipe.grid};
+  std::vector<std::string> names;
+  for (const Output output : recipe.output) names.emplace_back(default_grid_name(output));
+  return names;
+}
+
+bool is_scalar(const VolumeRecipe& recipe) {
+  return recipe.output == std::vector{Output::value};
 }
 
 bool may_band_limit(const VolumeRecipe& recipe) {

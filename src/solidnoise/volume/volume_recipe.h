@@ -10,6 +10,7 @@
 #include "solidnoise/volume/grid_file.h"
 #include "solidnoise/volume/layer.h"
 #include "solidnoise/volume/modification.h"
+#include "solidnoise/volume/output.h"
 #include "solidnoise/volume/preview.h"
 #include "solidnoise/volume/shaping.h"
 #include "solidnoise/volume/vdb_write.h"
@@ -57,8 +58,12 @@ struct VolumeRecipe {
   Vec<3> offset{0.0};         // moves the noise, world units
   bool band_limit = false;    // filter the noise at the size of the voxels: at_resolution()
 
-  Shaping shaping;
+  Shaping shaping;  // RawShaping where the output is not the value; then also Range::raw, but for colours
   DensityScale density;
+
+  std::vector<Output> output{Output::value};  // what grids are made, in this order; see validate_outputs
+  double speed = 1.0;                // of Output::curl: root mean square, world units per second; > 0
+  std::optional<Boundary> boundary;  // of Output::curl
 
   // Instead of a grid of its own: shape, box and voxels are those of the grid that is modified, whose name
   // and precision stay, and the density is scaled only where it replaces what was there.
@@ -70,13 +75,19 @@ struct VolumeRecipe {
   int dim = 256;                                    // voxels along the longest side; 1 to 2^20
   UpAxis up = UpAxis::y;
 
-  std::string grid = "density";  // the grid's name; not empty
-  bool half = false;             // store 16-bit floats
+  std::string grid;   // the grid's name, where there is one; empty: as default_grid_name() says
+  bool half = false;  // store 16-bit floats
   Codec codec = Codec::blosc;
 
   // Throws std::invalid_argument naming the field, its value and what is allowed.
   void validate() const;
 };
+
+// The name of the grid of each output.
+std::vector<std::string> grid_names(const VolumeRecipe& recipe);
+
+// Whether the recipe makes one grid of values, and no other.
+bool is_scalar(const VolumeRecipe& recipe);
 
 // Whether a recipe's noise can be filtered: Gabor noises of 3 dimensions. (In 4 the filter would blur time;
 // folds and warps of layers make frequencies of their own.)

@@ -121,6 +121,21 @@ Shaping shaping_from_json(JsonReader& reader) {
   return shaping;
 }
 
+void add_boundary(Json& json, const Boundary& boundary) {
+  json["boundary"] = Json::object();
+  add_grid_file(json["boundary"], boundary.surface);
+  if (boundary.width) json["boundary_width"] = *boundary.width;
+}
+
+void read_boundary(JsonReader& reader, std::optional<Boundary>& boundary) {
+  std::optional<GridFile> surface;
+  std::optional<double> width;
+  read_grid_file(reader, "boundary", surface);
+  reader.read("boundary_width", width);
+  if (width && !surface) throw std::invalid_argument("boundary_width applies to a boundary only");
+  if (surface) boundary = Boundary{*surface, width};
+}
+
 void refuse_both(const JsonReader& reader, const char* one, const char* other) {
   if (!reader.has(one) || !reader.has(other)) return;
   throw std::invalid_argument(fmt::format("{} and {} contradict each other; give one of them", one, other));
@@ -153,6 +168,9 @@ Json to_json(const VolumeRecipe& recipe) {
   json["offset"] = {recipe.offset.x, recipe.offset.y, recipe.offset.z};
   json["band_limit"] = recipe.band_limit;
   json["shaping"] = shaping_to_json(recipe.shaping);
+  if (!is_scalar(recipe)) json["output"] = format_outputs(recipe.output);
+  if (recipe.speed != 1.0) json["speed"] = recipe.speed;
+  if (recipe.boundary) add_boundary(json, *recipe.boundary);
   if (recipe.density.peak) {
     json["density"] = *recipe.density.peak;
   } else {
@@ -164,7 +182,7 @@ Json to_json(const VolumeRecipe& recipe) {
     add_shape(json, recipe);
   }
   json["up"] = name_of(kUpAxisChoices, recipe.up);
-  if (!recipe.modification) json["grid"] = recipe.grid;
+  if (!recipe.modification && recipe.output.size() == 1) json["grid"] = grid_names(recipe).front();
   json["half"] = recipe.half;
   json["codec"] = name_of(kCodecChoices, recipe.codec);
   return json;
@@ -185,6 +203,11 @@ VolumeRecipe volume_recipe_from_json(const Json& json) {
   reader.read("offset", recipe.offset);
   reader.read("band_limit", recipe.band_limit);
   if (auto shaping = reader.object("shaping")) recipe.shaping = shaping_from_json(*shaping);
+  std::string output = format_outputs(recipe.output);
+  reader.read("output", output);
+  recipe.output = parse_outputs(output);
+  reader.read("speed", recipe.speed);
+  read_boundary(reader, recipe.boundary);
   reader.read("optical_depth", recipe.density.optical_depth);
   reader.read("density", recipe.density.peak);
   read_modification(reader, recipe.modification);
@@ -199,6 +222,9 @@ VolumeRecipe volume_recipe_from_json(const Json& json) {
   reader.read("dim", recipe.dim);
   reader.read("up", kUpAxisChoices, recipe.up);
   reader.read("grid", recipe.grid);
+  if (reader.has("grid") && recipe.grid.empty()) {
+    throw std::invalid_argument("grid is empty; it must be a name");
+  }
   reader.read("half", recipe.half);
   reader.read("codec", kCodecChoices, recipe.codec);
   reader.finish();
