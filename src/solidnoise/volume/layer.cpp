@@ -67,6 +67,7 @@ class Validation {
   explicit Validation(const NoiseRecipe& own) : own_(own) {}
 
   void visit_all(const std::string& path, const std::vector<Layer>& layers, int depth) {
+    if (layers.empty()) return;
     if (depth > kDeepestLayer) {
       throw std::invalid_argument(
           fmt::format("{} is at level {}; layers can be {} deep", path, depth, kDeepestLayer));

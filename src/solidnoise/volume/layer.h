@@ -12,8 +12,8 @@ namespace solidnoise {
 //   p + amount (w0(p), w1(p), w2(p)),
 // w three independent noises of unit variance. Where noise and layer have the same period, so has the result.
 struct Warp {
-  double amount = 0.1;               // standard deviation of each component, world units; at least 0
-  std::optional<NoiseRecipe> noise;  // of which w are channels (channel_of()); none: that of the recipe
+  double amount = 0.1;                 // standard deviation of each component, world units; at least 0
+  std::optional<NoiseRecipe> noise{};  // of which w are channels (channel_of()); none: that of the recipe
 
   friend bool operator==(const Warp&, const Warp&) = default;
 };
@@ -43,20 +43,20 @@ struct Layer {
   };
 
   // Of a noise:
-  std::optional<NoiseRecipe> noise;  // none: that of the recipe; with a seed mixed with the recipe's
+  std::optional<NoiseRecipe> noise{};  // none: that of the recipe; with a seed mixed with the recipe's
   Fold fold = Fold::none;
   Histogram histogram = Histogram::gaussian;
 
   // Of several layers:
-  std::vector<Layer> layers;  // at most kMostLayers in the tree, kDeepestLayer levels of them
+  std::vector<Layer> layers{};  // at most kMostLayers in the tree, kDeepestLayer levels of them
   Combine combine = Combine::sum;
 
   // Of both:
-  std::vector<Vec<2>> ramp;  // pairs of a value and what it becomes, values increasing; linear between them,
-                             // constant beyond; none or at least 2
+  std::vector<Vec<2>> ramp{};  // pairs of a value and what it becomes, values increasing; linear between
+                               // them, constant beyond; none or at least 2
   double weight = 1.0;
   double bias = 0.0;
-  std::optional<Warp> warp;
+  std::optional<Warp> warp{};
 
   friend bool operator==(const Layer&, const Layer&) = default;
 };
