@@ -167,7 +167,8 @@ TEST(DisplaceLevelSet, WorksWithNoiseOfSeveralOctaves) {
 }
 
 // Growing a ball by a constant gives a larger ball; the distance is known everywhere. 20 voxels are far
-// outside of the band of 3. Sweeping, of first order, errs by up to a twentieth of the way along diagonals.
+// outside of the band of 3. Sweeping is of first order, so that its error grows
+// with the way, most along diagonals.
 TEST(DisplaceLevelSet, ReachesFarBeyondTheBand) {
   class Constant final : public PointField {
     void evaluate(std::span<const Vec<3>>, std::span<float> values) const override {

@@ -116,7 +116,7 @@ FloatGrid::Ptr displace_level_set(const FloatGrid& level_set, const PointField& 
 }
 
 std::uint64_t estimate_displacement_memory(const FloatGrid& level_set, double farthest) {
-  // Measured on spheres of 128 to 1024 voxels, moved by noise of 0.3 to 40 voxels a sigma and 0.02 to 0.13
+  // Measured on spheres of 128 and 256 voxels, moved by noise of 0.3 to 40 voxels a sigma and 0.02 to 0.13
   // cycles per voxel: 110 bytes for a voxel of the band that hardly moves, and 2.5 for each voxel of the
   // longest way, rounded up.
   constexpr double kStanding = 120.0;
