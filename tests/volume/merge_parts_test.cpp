@@ -1,6 +1,9 @@
 #include "solidnoise/volume/merge_parts.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <filesystem>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -9,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "solidnoise/volume/make_volume.h"
+#include "solidnoise/volume/vdb_read.h"
 #include "solidnoise/volume/vdb_write.h"
 #include "solidnoise/volume/volume_recipe_json.h"
 
@@ -117,6 +121,21 @@ TEST_F(MergeParts, RefusesMissingDoubleAndForeignParts) {
   expect_refused({parts[0], parts[1], foreign}, foreign.string() + ": is not of the same volume as ");
   const std::filesystem::path whole = write_part(recipe, {});
   expect_refused({whole}, whole.string() + ": is not a part of a volume");
+}
+
+// A part of which nothing is dense has no leaves in its file: given twice, it must not pass for another one.
+TEST_F(MergeParts, RefusesAnEmptyPartInThePlaceOfAnother) {
+  std::vector<std::filesystem::path> parts = write_shards(cloud(), 40);
+  std::map<std::string, std::vector<std::size_t>> empty;  // by the number of leaves before those are dropped
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const GridSummary grid = read_vdb_summary(parts[i]).grids[0];
+    if (grid.active_voxels == 0) empty[grid.metadata.at("solidnoise:part_leaves")].push_back(i);
+  }
+  const auto alike =
+      std::find_if(empty.begin(), empty.end(), [](const auto& same) { return same.second.size() > 1; });
+  ASSERT_NE(alike, empty.end());
+  parts[alike->second[0]] = parts[alike->second[1]];
+  expect_refused(parts, "are not the parts of the volume");
 }
 
 }  // namespace

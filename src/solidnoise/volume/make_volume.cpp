@@ -215,7 +215,8 @@ Volume make_volume(const VolumeRecipe& recipe, const VolumePlan& plan, const std
   }
   const std::unique_ptr<Field> field = make_volume_field(at_voxels(recipe), plan);
   const Topology topology = make_topology(recipe, plan, progress);
-  Volume volume{fill_grids(take_part(topology, plan.part), *field, components_of(recipe.output),
+  const Topology part = take_part(topology, plan.part);
+  Volume volume{fill_grids(part, *field, components_of(recipe.output),
                            is_raw(recipe) ? Sparsity::keep : Sparsity::drop, progress)};
   VolumeRecipe noted = recipe;
   noted.shape = plan.shape;
@@ -223,7 +224,7 @@ Volume make_volume(const VolumeRecipe& recipe, const VolumePlan& plan, const std
   if (plan.part.whole()) {
     finish_volume(noted, creator, volume);
   } else {
-    note_part(noted, creator, topology, plan.part, volume);
+    note_part(noted, creator, topology, part, volume);
   }
   return volume;
 }

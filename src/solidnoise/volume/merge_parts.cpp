@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "solidnoise/core/random.h"
 #include "solidnoise/recipe/json.h"
 #include "solidnoise/volume/finish_volume.h"
 #include "solidnoise/volume/statistics.h"
@@ -18,39 +19,79 @@
 namespace solidnoise {
 namespace {
 
-// Leaves of the topology, before empty ones are dropped: of the part, and of the whole.
-constexpr char kPartLeavesKey[] = "solidnoise:part_leaves";
-constexpr char kWholeLeavesKey[] = "solidnoise:whole_leaves";
+// Leaves of the topology, before empty ones are dropped: how many there are, and a number that tells which.
+// Those of disjoint parts add up to those of the whole.
+struct Census {
+  std::int64_t leaves = 0;
+  std::int64_t fingerprint = 0;  // the sum of the hashes of the leaves' origins, modulo 2^64
+
+  void add(const Census& other) {
+    leaves += other.leaves;
+    fingerprint = static_cast<std::int64_t>(static_cast<std::uint64_t>(fingerprint) +
+                                            static_cast<std::uint64_t>(other.fingerprint));
+  }
+
+  friend bool operator==(const Census&, const Census&) = default;
+};
+
+// Metadata of a census, of the part and of the whole.
+struct CensusKeys {
+  const char* leaves;
+  const char* fingerprint;
+};
+constexpr CensusKeys kPartKeys{"solidnoise:part_leaves", "solidnoise:part_fingerprint"};
+constexpr CensusKeys kWholeKeys{"solidnoise:whole_leaves", "solidnoise:whole_fingerprint"};
 
 struct Part {
   std::filesystem::path path;
   std::string recipe;  // JSON
-  std::int64_t leaves = 0;
-  std::int64_t whole_leaves = 0;
+  Census own;
+  Census whole;
   VdbFile file;
 };
+
+Census take_census(const Topology& topology) {
+  Census census;
+  for (auto leaf = topology.mask->cbeginLeaf(); leaf; ++leaf) {
+    const openvdb::Coord& origin = leaf->origin();
+    const std::uint64_t hash = hash_cell<3>({origin.x(), origin.y(), origin.z()}, 0);
+    census.add({1, static_cast<std::int64_t>(hash)});
+  }
+  return census;
+}
+
+void note_census(const Census& census, const CensusKeys& keys, openvdb::GridBase& grid) {
+  set_metadata(grid, {{keys.leaves, census.leaves}, {keys.fingerprint, census.fingerprint}});
+}
+
+std::optional<Census> noted_census(const openvdb::GridBase& grid, const CensusKeys& keys) {
+  const auto leaves = grid.getMetadata<openvdb::Int64Metadata>(keys.leaves);
+  const auto fingerprint = grid.getMetadata<openvdb::Int64Metadata>(keys.fingerprint);
+  if (leaves == nullptr || fingerprint == nullptr) return std::nullopt;
+  return Census{leaves->value(), fingerprint->value()};
+}
 
 [[noreturn]] void refuse(const Part& part, const std::string& what) {
   throw std::runtime_error(fmt::format("{}: {}", part.path.string(), what));
 }
 
 Part read_part(const std::filesystem::path& path) {
-  Part part{path, {}, 0, 0, read_grids(path)};
+  Part part{path, {}, {}, {}, read_grids(path)};
   const openvdb::GridBase& grid = *part.file.grids.front();
   const auto recipe = grid.getMetadata<openvdb::StringMetadata>(kRecipeKey);
-  const auto leaves = grid.getMetadata<openvdb::Int64Metadata>(kPartLeavesKey);
-  const auto whole = grid.getMetadata<openvdb::Int64Metadata>(kWholeLeavesKey);
-  if (recipe == nullptr || leaves == nullptr || whole == nullptr) {
+  const std::optional<Census> own = noted_census(grid, kPartKeys);
+  const std::optional<Census> whole = noted_census(grid, kWholeKeys);
+  if (recipe == nullptr || !own || !whole) {
     refuse(part, "is not a part of a volume; parts are made by --shard or --region");
   }
   part.recipe = recipe->value();
-  part.leaves = leaves->value();
-  part.whole_leaves = whole->value();
+  part.own = *own;
+  part.whole = *whole;
   return part;
 }
 
 void require_same_volume(const Part& part, const Part& first) {
-  const bool same = part.recipe == first.recipe && part.whole_leaves == first.whole_leaves &&
+  const bool same = part.recipe == first.recipe && part.whole == first.whole &&
                     part.file.grids.size() == first.file.grids.size() &&
                     part.file.metadata == first.file.metadata;
   if (!same) refuse(part, fmt::format("is not of the same volume as {}", first.path.string()));
@@ -100,19 +141,18 @@ openvdb::GridBase::Ptr empty_like(const openvdb::GridBase& grid) {
 
 }  // namespace
 
-void note_part(const VolumeRecipe& recipe, const std::string& creator, const Topology& topology,
-               const VolumePart& part, Volume& volume) {
-  const std::string which =
-      part.shards == 1 ? "region" : fmt::format("shard {} of {}", part.shard, part.shards);
+void note_part(const VolumeRecipe& recipe, const std::string& creator, const Topology& whole,
+               const Topology& part, Volume& volume) {
   const std::vector<std::string> names = grid_names(recipe);
+  const Census own = take_census(part);
+  const Census all = take_census(whole);
   for (std::size_t i = 0; i < volume.grids.size(); ++i) {
     openvdb::GridBase& grid = *volume.grids[i].grid;
     grid.setName(names[i]);
     grid.setCreator(creator);
-    set_metadata(grid, {{kRecipeKey, format_json(to_json(recipe))},
-                        {"solidnoise:part", which},
-                        {kPartLeavesKey, static_cast<std::int64_t>(take_part(topology, part).leaf_count())},
-                        {kWholeLeavesKey, static_cast<std::int64_t>(topology.leaf_count())}});
+    set_metadata(grid, {{kRecipeKey, format_json(to_json(recipe))}});
+    note_census(own, kPartKeys, grid);
+    note_census(all, kWholeKeys, grid);
   }
 }
 
@@ -123,19 +163,23 @@ MergedVolume merge_parts(const std::vector<std::filesystem::path>& files, const 
   std::vector<openvdb::GridBase::Ptr> whole;
   for (const openvdb::GridBase::Ptr& grid : first.file.grids) whole.push_back(empty_like(*grid));
   add_part(first, whole);
-  std::int64_t leaves = first.leaves;
+  Census joined = first.own;
   for (std::size_t i = 1; i < files.size(); ++i) {
     throw_if_cancelled(progress);
     if (progress != nullptr) progress->advance(i, files.size());
     Part part = read_part(files[i]);
     require_same_volume(part, first);
     add_part(part, whole);
-    leaves += part.leaves;
+    joined.add(part.own);
   }
-  if (leaves != first.whole_leaves) {
+  if (joined != first.whole) {
+    const char* const fault = joined.leaves < first.whole.leaves ? "parts are missing"
+                              : joined.leaves > first.whole.leaves
+                                  ? "some are there twice"
+                                  : "some are there twice, others are missing";
     throw std::runtime_error(
-        fmt::format("the parts have {} leaves where the volume has {}: {}", leaves, first.whole_leaves,
-                    leaves < first.whole_leaves ? "parts are missing" : "a part is there twice"));
+        fmt::format("these are not the parts of the volume: they have {} leaves, it has {}; {}",
+                    joined.leaves, first.whole.leaves, fault));
   }
 
   MergedVolume merged;

@@ -8,16 +8,16 @@
 #include "solidnoise/core/progress.h"
 #include "solidnoise/volume/topology.h"
 #include "solidnoise/volume/volume.h"
-#include "solidnoise/volume/volume_part.h"
 #include "solidnoise/volume/volume_recipe.h"
 
 namespace solidnoise {
 
 // Notes in the metadata of a part's grids the recipe of the whole, and what merge_parts() needs to know that
 // all parts are there. The values stay as they are: what depends on all of the volume, such as the scale of
-// densities, and rounding to 16 bits, comes when the parts are joined. `topology` is that of the whole.
-void note_part(const VolumeRecipe& recipe, const std::string& creator, const Topology& topology,
-               const VolumePart& part, Volume& volume);
+// densities, and rounding to 16 bits, comes when the parts are joined. `whole` and `part` are their
+// topologies.
+void note_part(const VolumeRecipe& recipe, const std::string& creator, const Topology& whole,
+               const Topology& part, Volume& volume);
 
 struct MergedVolume {
   VolumeRecipe recipe;
