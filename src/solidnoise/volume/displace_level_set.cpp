@@ -12,6 +12,7 @@
 #include <openvdb/tree/LeafManager.h>
 
 #include "solidnoise/core/check.h"
+#include "solidnoise/volume/interrupter.h"
 #include "solidnoise/volume/move_surface.h"
 
 namespace solidnoise {
@@ -22,16 +23,6 @@ using openvdb::FloatTree;
 using openvdb::MaskTree;
 using Leaf = FloatTree::LeafNodeType;
 using Leaves = openvdb::tree::LeafManager<FloatTree>;
-
-// Lets OpenVDB's tools, which ask now and then, be cancelled.
-class Interrupter final : public openvdb::util::NullInterrupter {
- public:
-  explicit Interrupter(Progress* progress) : progress_(progress) {}
-  bool wasInterrupted(int = -1) override { return progress_ != nullptr && progress_->cancelled(); }
-
- private:
-  Progress* progress_;
-};
 
 // Cuts the band to values under `background`, which takes the background's place. Tiles are not in it.
 void cut_band(FloatGrid& grid, float background) {

@@ -6,22 +6,13 @@
 #include <openvdb/tools/LevelSetUtil.h>
 #include <openvdb/tools/MeshToVolume.h>
 
+#include "solidnoise/volume/interrupter.h"
 #include "solidnoise/volume/topology.h"
 
 namespace solidnoise {
 namespace {
 
 using MaskLeaf = openvdb::MaskTree::LeafNodeType;
-
-// OpenVDB asks this now and then whether to go on; it then returns early, with a grid that means nothing.
-class Interrupter final : public openvdb::util::NullInterrupter {
- public:
-  explicit Interrupter(Progress* progress) : progress_(progress) {}
-  bool wasInterrupted(int = -1) override { return progress_ != nullptr && progress_->cancelled(); }
-
- private:
-  Progress* progress_;
-};
 
 // The mesh in index space, moved by whole leaves close to the origin, because meshToVolume computes in single
 // precision.
