@@ -17,10 +17,10 @@
 #include "ratio_reporter.h"
 #include "reference/gabor_reference.h"
 #include "reference/kensler_reference.h"
-#include "solidnoise/noise/bandwidth.h"
-#include "solidnoise/noise/gabor_noise.h"
-#include "solidnoise/noise/gradient_noise.h"
-#include "solidnoise/noise/oriented_gabor_noise.h"
+#include "solidnoise/noise/gabor/gabor_noise.h"
+#include "solidnoise/noise/gabor/oriented_gabor_noise.h"
+#include "solidnoise/noise/gradient/gradient_noise.h"
+#include "solidnoise/noise/kernel/bandwidth.h"
 
 namespace solidnoise::bench {
 namespace {

@@ -13,11 +13,11 @@
 
 #include "reference/gabor_reference.h"
 #include "reference/surface_gabor_reference.h"
-#include "solidnoise/noise/bandwidth.h"
-#include "solidnoise/noise/gabor_noise.h"
-#include "solidnoise/noise/projected_gradient_noise.h"
-#include "solidnoise/noise/surface_gabor_noise.h"
-#include "solidnoise/noise/varying_gabor_noise.h"
+#include "solidnoise/noise/gabor/gabor_noise.h"
+#include "solidnoise/noise/gabor/surface_gabor_noise.h"
+#include "solidnoise/noise/gabor/varying_gabor_noise.h"
+#include "solidnoise/noise/gradient/projected_gradient_noise.h"
+#include "solidnoise/noise/kernel/bandwidth.h"
 
 namespace solidnoise::bench {
 namespace {

@@ -9,11 +9,17 @@ if(SOLIDNOISE_WARNINGS_AS_ERRORS)
   list(APPEND _warnings -Werror)
 endif()
 
-# solidnoise_library(NAME PUBLIC ... PRIVATE ...): the library of the folder NAME, made of all its .cpp files,
-# with the libraries that its headers (PUBLIC) and its sources (PRIVATE) use.
+# solidnoise_library(NAME PUBLIC ... PRIVATE ...): the library of the folder NAME, made of all the .cpp files in it and
+# its folders, but for those that have a CMakeLists.txt of their own, with the libraries that its headers (PUBLIC) and
+# its sources (PRIVATE) use.
 function(solidnoise_library name)
   cmake_parse_arguments(arg "" "" "PUBLIC;PRIVATE" ${ARGN})
-  file(GLOB _sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
+  file(GLOB_RECURSE _sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
+  file(GLOB_RECURSE _others CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*/CMakeLists.txt)
+  foreach(_other IN LISTS _others)
+    get_filename_component(_folder ${_other} DIRECTORY)
+    list(FILTER _sources EXCLUDE REGEX "^${_folder}/")
+  endforeach()
   if(NOT _sources)
     return()
   endif()

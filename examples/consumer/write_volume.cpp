@@ -3,7 +3,7 @@
 
 #include "solidnoise/noise/noise_recipe.h"
 #include "solidnoise/volume/fill.h"
-#include "solidnoise/volume/vdb_write.h"
+#include "solidnoise/volume/vdb/vdb_write.h"
 
 int main() {
   const std::shared_ptr<const solidnoise::Noise<3>> noise =

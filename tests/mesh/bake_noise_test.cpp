@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
-#include "solidnoise/noise/gabor_noise.h"
-#include "solidnoise/noise/gradient_noise.h"
+#include "solidnoise/noise/gabor/gabor_noise.h"
+#include "solidnoise/noise/gradient/gradient_noise.h"
 #include "solidnoise/noise/noise_recipe.h"
 #include "support/message_of.h"
 

@@ -1,4 +1,4 @@
-#include "solidnoise/noise/bandwidth.h"
+#include "solidnoise/noise/kernel/bandwidth.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,4 +1,4 @@
-#include "solidnoise/noise/compact_kernel.h"
+#include "solidnoise/noise/kernel/compact_kernel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 
 #include "solidnoise/core/quadrature.h"
 #include "solidnoise/core/special_functions.h"
-#include "solidnoise/noise/bandwidth.h"
+#include "solidnoise/noise/kernel/bandwidth.h"
 
 namespace solidnoise {
 namespace {

@@ -1,4 +1,4 @@
-#include "solidnoise/noise/directions.h"
+#include "solidnoise/noise/gabor/directions.h"
 
 #include <array>
 #include <cmath>
@@ -12,7 +12,7 @@
 
 #include "solidnoise/core/quadrature.h"
 #include "solidnoise/core/special_functions.h"
-#include "solidnoise/noise/oriented_gabor_noise.h"
+#include "solidnoise/noise/gabor/oriented_gabor_noise.h"
 
 namespace solidnoise {
 namespace {

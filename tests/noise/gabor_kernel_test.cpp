@@ -1,4 +1,4 @@
-#include "solidnoise/noise/gabor_kernel.h"
+#include "solidnoise/noise/kernel/gabor_kernel.h"
 
 #include <cmath>
 #include <complex>

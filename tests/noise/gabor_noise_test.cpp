@@ -1,4 +1,4 @@
-#include "solidnoise/noise/gabor_noise.h"
+#include "solidnoise/noise/gabor/gabor_noise.h"
 
 #include <cmath>
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "solidnoise/noise/oriented_gabor_noise.h"
+#include "solidnoise/noise/gabor/oriented_gabor_noise.h"
 #include "support/each_dimension.h"
 #include "support/evaluated.h"
 #include "support/gabor_noises.h"

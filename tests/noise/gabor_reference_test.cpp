@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "solidnoise/noise/isotropic_gabor_kernel.h"
+#include "solidnoise/noise/kernel/isotropic_gabor_kernel.h"
 
 namespace solidnoise {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "solidnoise/core/quadrature.h"
 #include "solidnoise/core/special_functions.h"
-#include "solidnoise/noise/impulse_statistics.h"
+#include "solidnoise/noise/convolution/impulse_statistics.h"
 #include "solidnoise/noise/slice_noise.h"
 #include "support/each_dimension.h"
 #include "support/gabor_noises.h"

@@ -1,4 +1,4 @@
-#include "solidnoise/noise/gaussian_filter.h"
+#include "solidnoise/noise/kernel/gaussian_filter.h"
 
 #include <cmath>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "solidnoise/noise/gradient_kernel.h"
+#include "solidnoise/noise/kernel/gradient_kernel.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "solidnoise/noise/gradient_lattice.h"
+#include "solidnoise/noise/gradient/gradient_lattice.h"
 
 #include <algorithm>
 #include <array>

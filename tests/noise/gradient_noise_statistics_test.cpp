@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "solidnoise/core/random.h"
-#include "solidnoise/noise/gradient_noise.h"
+#include "solidnoise/noise/gradient/gradient_noise.h"
 #include "support/each_dimension.h"
 #include "support/gradient_noises.h"
 

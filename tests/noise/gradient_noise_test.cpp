@@ -1,4 +1,4 @@
-#include "solidnoise/noise/gradient_noise.h"
+#include "solidnoise/noise/gradient/gradient_noise.h"
 
 #include <array>
 #include <cmath>

@@ -5,10 +5,10 @@
 
 #include "solidnoise/core/quadrature.h"
 #include "solidnoise/core/special_functions.h"
-#include "solidnoise/noise/gabor_noise.h"
-#include "solidnoise/noise/gradient_noise.h"
+#include "solidnoise/noise/gabor/gabor_noise.h"
+#include "solidnoise/noise/gabor/oriented_gabor_noise.h"
+#include "solidnoise/noise/gradient/gradient_noise.h"
 #include "solidnoise/noise/noise_recipe.h"
-#include "solidnoise/noise/oriented_gabor_noise.h"
 #include "solidnoise/noise/slice_noise.h"
 #include "support/each_dimension.h"
 

@@ -1,4 +1,4 @@
-#include "solidnoise/noise/impulse_process.h"
+#include "solidnoise/noise/convolution/impulse_process.h"
 
 #include <array>
 #include <cmath>

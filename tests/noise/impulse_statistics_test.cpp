@@ -1,4 +1,4 @@
-#include "solidnoise/noise/impulse_statistics.h"
+#include "solidnoise/noise/convolution/impulse_statistics.h"
 
 #include <cmath>
 
@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "solidnoise/core/random.h"
-#include "solidnoise/noise/bandwidth.h"
-#include "solidnoise/noise/gabor_kernel.h"
-#include "solidnoise/noise/isotropic_gabor_kernel.h"
+#include "solidnoise/noise/kernel/bandwidth.h"
+#include "solidnoise/noise/kernel/gabor_kernel.h"
+#include "solidnoise/noise/kernel/isotropic_gabor_kernel.h"
 #include "support/golden.h"
 #include "support/relative_error.h"
 

@@ -1,4 +1,4 @@
-#include "solidnoise/noise/isotropic_gabor_kernel.h"
+#include "solidnoise/noise/kernel/isotropic_gabor_kernel.h"
 
 #include <algorithm>
 #include <cmath>

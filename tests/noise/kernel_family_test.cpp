@@ -1,4 +1,4 @@
-#include "solidnoise/noise/kernel_family.h"
+#include "solidnoise/noise/kernel/kernel_family.h"
 
 #include <cmath>
 #include <numbers>
@@ -8,7 +8,7 @@
 
 #include "solidnoise/core/quadrature.h"
 #include "solidnoise/core/special_functions.h"
-#include "solidnoise/noise/bandwidth.h"
+#include "solidnoise/noise/kernel/bandwidth.h"
 #include "support/message_of.h"
 
 namespace solidnoise {

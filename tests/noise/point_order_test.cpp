@@ -1,4 +1,4 @@
-#include "solidnoise/noise/point_order.h"
+#include "solidnoise/noise/point/point_order.h"
 
 #include <algorithm>
 #include <cmath>

@@ -10,7 +10,7 @@
 #include "reference/projected_kensler_reference.h"
 #include "solidnoise/core/quadrature.h"
 #include "solidnoise/core/special_functions.h"
-#include "solidnoise/noise/projected_gradient_noise.h"
+#include "solidnoise/noise/gradient/projected_gradient_noise.h"
 #include "support/independent_values.h"
 #include "support/message_of.h"
 #include "support/scattered.h"

@@ -1,4 +1,4 @@
-#include "solidnoise/noise/scale_transition.h"
+#include "solidnoise/noise/point/scale_transition.h"
 
 #include <cmath>
 

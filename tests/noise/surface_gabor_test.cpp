@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "reference/varying_gabor_reference.h"
-#include "solidnoise/noise/surface_gabor_noise.h"
+#include "solidnoise/noise/gabor/surface_gabor_noise.h"
 #include "support/message_of.h"
 #include "support/scattered.h"
 #include "support/simd_targets.h"

@@ -7,8 +7,8 @@
 
 #include "solidnoise/core/quadrature.h"
 #include "solidnoise/core/special_functions.h"
-#include "solidnoise/noise/gabor_noise.h"
-#include "solidnoise/noise/varying_gabor_noise.h"
+#include "solidnoise/noise/gabor/gabor_noise.h"
+#include "solidnoise/noise/gabor/varying_gabor_noise.h"
 #include "support/independent_values.h"
 #include "support/scattered.h"
 

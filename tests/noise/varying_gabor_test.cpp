@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "reference/varying_gabor_reference.h"
-#include "solidnoise/noise/varying_gabor_noise.h"
+#include "solidnoise/noise/gabor/varying_gabor_noise.h"
 #include "support/message_of.h"
 #include "support/scattered.h"
 #include "support/simd_targets.h"

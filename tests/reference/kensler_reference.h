@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "solidnoise/core/random.h"
-#include "solidnoise/noise/gradient_lattice.h"
+#include "solidnoise/noise/gradient/gradient_lattice.h"
 
 // Kensler's gradient noise point by point, for comparison with the library.
 namespace solidnoise::reference {

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "solidnoise/core/random.h"
-#include "solidnoise/noise/gradient_lattice.h"
+#include "solidnoise/noise/gradient/gradient_lattice.h"
 
 namespace solidnoise::reference {
 

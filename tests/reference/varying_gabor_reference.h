@@ -8,7 +8,7 @@
 
 #include "reference/gabor_kernels.h"
 #include "solidnoise/core/random.h"
-#include "solidnoise/noise/impulse_process.h"
+#include "solidnoise/noise/convolution/impulse_process.h"
 
 // Gabor noise whose kernel belongs to the evaluation point, as it is defined: one point, one impulse at a
 // time, in double precision. It has in common with the library the random numbers only.

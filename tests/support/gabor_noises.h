@@ -11,8 +11,8 @@
 #include <gtest/gtest.h>
 
 #include "reference/gabor_reference.h"
-#include "solidnoise/noise/gabor_noise.h"
-#include "solidnoise/noise/oriented_gabor_noise.h"
+#include "solidnoise/noise/gabor/gabor_noise.h"
+#include "solidnoise/noise/gabor/oriented_gabor_noise.h"
 
 namespace solidnoise {
 

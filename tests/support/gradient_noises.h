@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "reference/kensler_reference.h"
-#include "solidnoise/noise/gradient_noise.h"
+#include "solidnoise/noise/gradient/gradient_noise.h"
 #include "support/evaluated.h"
 
 namespace solidnoise {

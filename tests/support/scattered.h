@@ -9,8 +9,8 @@
 
 #include "solidnoise/core/points.h"
 #include "solidnoise/core/random.h"
-#include "solidnoise/noise/surface_points.h"
-#include "solidnoise/noise/varying_parameters.h"
+#include "solidnoise/noise/gabor/varying_parameters.h"
+#include "solidnoise/noise/point/surface_points.h"
 
 namespace solidnoise {
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "solidnoise/volume/field.h"
+#include "solidnoise/volume/field/field.h"
 
 namespace solidnoise {
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <span>
 
-#include "solidnoise/volume/field.h"
+#include "solidnoise/volume/field/field.h"
 
 namespace solidnoise {
 

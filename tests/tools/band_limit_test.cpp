@@ -8,7 +8,7 @@
 
 #include "solidnoise/core/quadrature.h"
 #include "solidnoise/noise/noise_recipe.h"
-#include "solidnoise/volume/vdb_read.h"
+#include "solidnoise/volume/vdb/vdb_read.h"
 #include "tools/run_vdbnoise.h"
 
 namespace solidnoise {

@@ -10,8 +10,8 @@
 #include <openvdb/tools/Diagnostics.h>
 #include <openvdb/tools/LevelSetSphere.h>
 
-#include "solidnoise/volume/vdb_read.h"
-#include "solidnoise/volume/vdb_write.h"
+#include "solidnoise/volume/vdb/vdb_read.h"
+#include "solidnoise/volume/vdb/vdb_write.h"
 #include "tools/run_vdbnoise.h"
 #include "tools/same_grid.h"
 

@@ -10,8 +10,8 @@
 
 #include "solidnoise/volume/make_volume.h"
 #include "solidnoise/volume/statistics.h"
-#include "solidnoise/volume/vdb_read.h"
-#include "solidnoise/volume/vdb_write.h"
+#include "solidnoise/volume/vdb/vdb_read.h"
+#include "solidnoise/volume/vdb/vdb_write.h"
 #include "tools/run_vdbnoise.h"
 
 namespace solidnoise {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "solidnoise/volume/vdb_read.h"
+#include "solidnoise/volume/vdb/vdb_read.h"
 
 namespace solidnoise {
 

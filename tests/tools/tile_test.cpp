@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "solidnoise/volume/vdb_read.h"
+#include "solidnoise/volume/vdb/vdb_read.h"
 #include "tools/run_vdbnoise.h"
 
 namespace solidnoise {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "solidnoise/volume/finish_volume.h"
-#include "solidnoise/volume/vdb_read.h"
+#include "solidnoise/volume/vdb/vdb_read.h"
 #include "solidnoise/volume/volume_recipe_json.h"
 #include "tools/run_vdbnoise.h"
 #include "tools/same_grid.h"

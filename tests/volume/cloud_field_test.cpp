@@ -1,4 +1,4 @@
-#include "solidnoise/volume/cloud_field.h"
+#include "solidnoise/volume/field/cloud_field.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "solidnoise/volume/cloud_puffs.h"
+#include "solidnoise/volume/field/cloud_puffs.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "solidnoise/volume/cloud_union.h"
+#include "solidnoise/volume/field/cloud_union.h"
 
 #include <array>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "solidnoise/volume/combine.h"
+#include "solidnoise/volume/modify/combine.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "solidnoise/volume/curl_field.h"
+#include "solidnoise/volume/field/curl_field.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "solidnoise/volume/derived_fields.h"
+#include "solidnoise/volume/field/derived_fields.h"
 
 #include <cmath>
 #include <numbers>

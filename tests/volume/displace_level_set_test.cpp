@@ -1,4 +1,4 @@
-#include "solidnoise/volume/displace_level_set.h"
+#include "solidnoise/volume/modify/displace_level_set.h"
 
 #include <cmath>
 #include <limits>

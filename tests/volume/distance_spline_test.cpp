@@ -1,4 +1,4 @@
-#include "solidnoise/volume/distance_spline.h"
+#include "solidnoise/volume/field/distance_spline.h"
 
 #include <cmath>
 #include <stdexcept>

@@ -1,4 +1,4 @@
-#include "solidnoise/volume/file_digest.h"
+#include "solidnoise/volume/vdb/file_digest.h"
 
 #include <fstream>
 

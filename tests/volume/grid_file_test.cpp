@@ -1,13 +1,13 @@
-#include "solidnoise/volume/grid_file.h"
+#include "solidnoise/volume/vdb/grid_file.h"
 
 #include <stdexcept>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "solidnoise/volume/file_digest.h"
-#include "solidnoise/volume/grid_file_json.h"
-#include "solidnoise/volume/vdb_write.h"
+#include "solidnoise/volume/vdb/file_digest.h"
+#include "solidnoise/volume/vdb/grid_file_json.h"
+#include "solidnoise/volume/vdb/vdb_write.h"
 #include "support/message_of.h"
 #include "support/temporary_folder.h"
 

@@ -1,4 +1,4 @@
-#include "solidnoise/volume/grid_frame.h"
+#include "solidnoise/volume/topology/grid_frame.h"
 
 #include <cmath>
 #include <limits>

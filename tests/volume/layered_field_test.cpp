@@ -1,4 +1,4 @@
-#include "solidnoise/volume/layered_field.h"
+#include "solidnoise/volume/field/layered_field.h"
 
 #include <algorithm>
 #include <array>
@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "solidnoise/core/special_functions.h"
-#include "solidnoise/noise/gabor_noise.h"
-#include "solidnoise/volume/value_maps.h"
+#include "solidnoise/noise/gabor/gabor_noise.h"
+#include "solidnoise/volume/field/value_maps.h"
 #include "support/independent_values.h"
 
 namespace solidnoise {

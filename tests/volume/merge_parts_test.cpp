@@ -12,8 +12,8 @@
 #include <nlohmann/json.hpp>
 
 #include "solidnoise/volume/make_volume.h"
-#include "solidnoise/volume/vdb_read.h"
-#include "solidnoise/volume/vdb_write.h"
+#include "solidnoise/volume/vdb/vdb_read.h"
+#include "solidnoise/volume/vdb/vdb_write.h"
 #include "solidnoise/volume/volume_recipe_json.h"
 
 namespace solidnoise {

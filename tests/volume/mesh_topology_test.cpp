@@ -9,7 +9,7 @@
 
 #include "solidnoise/geometry/write_mesh.h"
 #include "solidnoise/volume/make_volume.h"
-#include "solidnoise/volume/topology.h"
+#include "solidnoise/volume/topology/topology.h"
 #include "support/message_of.h"
 #include "support/temporary_folder.h"
 

@@ -1,4 +1,4 @@
-#include "solidnoise/volume/preview.h"
+#include "solidnoise/volume/preview/preview.h"
 
 #include <cmath>
 #include <stdexcept>

@@ -1,4 +1,4 @@
-#include "solidnoise/volume/shaped_noise_field.h"
+#include "solidnoise/volume/field/shaped_noise_field.h"
 
 #include <array>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "solidnoise/volume/slice_preview.h"
+#include "solidnoise/volume/preview/slice_preview.h"
 
 #include <cmath>
 #include <stdexcept>

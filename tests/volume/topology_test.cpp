@@ -1,4 +1,4 @@
-#include "solidnoise/volume/topology.h"
+#include "solidnoise/volume/topology/topology.h"
 
 #include <cmath>
 #include <numbers>

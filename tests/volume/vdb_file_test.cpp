@@ -13,8 +13,8 @@
 #include <gtest/gtest.h>
 
 #include "solidnoise/volume/fill.h"
-#include "solidnoise/volume/vdb_read.h"
-#include "solidnoise/volume/vdb_write.h"
+#include "solidnoise/volume/vdb/vdb_read.h"
+#include "solidnoise/volume/vdb/vdb_write.h"
 #include "support/message_of.h"
 #include "support/temporary_folder.h"
 #include "support/wave_field.h"

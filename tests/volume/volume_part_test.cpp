@@ -1,4 +1,4 @@
-#include "solidnoise/volume/volume_part.h"
+#include "solidnoise/volume/topology/volume_part.h"
 
 #include <stdexcept>
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "solidnoise/mesh/bake_recipe_json.h"
-#include "solidnoise/noise/surface_gabor_noise.h"
+#include "solidnoise/noise/gabor/surface_gabor_noise.h"
 
 namespace solidnoise {
 namespace {

@@ -9,9 +9,9 @@
 
 #include "solidnoise/analysis/expected_spectrum.h"
 #include "solidnoise/analysis/radial_spectrum.h"
-#include "solidnoise/noise/gabor_noise.h"
-#include "solidnoise/noise/impulse_statistics.h"
-#include "solidnoise/noise/oriented_gabor_noise.h"
+#include "solidnoise/noise/convolution/impulse_statistics.h"
+#include "solidnoise/noise/gabor/gabor_noise.h"
+#include "solidnoise/noise/gabor/oriented_gabor_noise.h"
 #include "solidnoise/volume/statistics.h"
 
 namespace solidnoise {

@@ -10,7 +10,7 @@
 #include "solidnoise/analysis/radial_spectrum.h"
 #include "solidnoise/noise/noise.h"
 #include "solidnoise/recipe/json.h"
-#include "solidnoise/volume/openvdb.h"
+#include "solidnoise/volume/vdb/openvdb.h"
 #include "solidnoise/volume/volume_recipe.h"
 
 namespace solidnoise {

@@ -15,7 +15,7 @@
 #include "solidnoise/recipe/noise_recipe_json.h"
 #include "solidnoise/volume/finish_volume.h"
 #include "solidnoise/volume/make_volume.h"
-#include "solidnoise/volume/vdb_read.h"
+#include "solidnoise/volume/vdb/vdb_read.h"
 #include "solidnoise/volume/volume_recipe_json.h"
 #include "vdbnoise/analysis_report.h"
 #include "vdbnoise/commands.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "solidnoise/volume/grid_frame.h"
+#include "solidnoise/volume/topology/grid_frame.h"
 
 namespace solidnoise {
 namespace {

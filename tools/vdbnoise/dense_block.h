@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "solidnoise/analysis/dense_field.h"
-#include "solidnoise/volume/openvdb.h"
+#include "solidnoise/volume/vdb/openvdb.h"
 
 namespace solidnoise {
 

@@ -9,9 +9,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "solidnoise/noise/gabor_noise.h"
-#include "solidnoise/noise/gradient_noise.h"
-#include "solidnoise/noise/oriented_gabor_noise.h"
+#include "solidnoise/noise/gabor/gabor_noise.h"
+#include "solidnoise/noise/gabor/oriented_gabor_noise.h"
+#include "solidnoise/noise/gradient/gradient_noise.h"
 #include "solidnoise/recipe/noise_recipe_json.h"
 #include "solidnoise/volume/make_volume.h"
 #include "solidnoise/volume/volume_recipe_json.h"

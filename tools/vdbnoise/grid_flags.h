@@ -4,7 +4,7 @@
 #include <string>
 
 #include "common/flag_set.h"
-#include "solidnoise/volume/grid_file.h"
+#include "solidnoise/volume/vdb/grid_file.h"
 
 namespace solidnoise {
 

@@ -5,7 +5,7 @@
 #include "common/exit_status.h"
 #include "common/flag_set.h"
 #include "solidnoise/volume/finish_volume.h"
-#include "solidnoise/volume/vdb_read.h"
+#include "solidnoise/volume/vdb/vdb_read.h"
 #include "vdbnoise/commands.h"
 
 namespace solidnoise {

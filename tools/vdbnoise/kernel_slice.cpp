@@ -4,9 +4,9 @@
 #include <numbers>
 #include <variant>
 
-#include "solidnoise/noise/gabor_noise.h"
-#include "solidnoise/noise/gradient_noise.h"
-#include "solidnoise/noise/oriented_gabor_noise.h"
+#include "solidnoise/noise/gabor/gabor_noise.h"
+#include "solidnoise/noise/gabor/oriented_gabor_noise.h"
+#include "solidnoise/noise/gradient/gradient_noise.h"
 
 namespace solidnoise {
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "common/flag_set.h"
-#include "solidnoise/volume/vdb_write.h"
-#include "solidnoise/volume/volume_part.h"
+#include "solidnoise/volume/topology/volume_part.h"
+#include "solidnoise/volume/vdb/vdb_write.h"
 #include "solidnoise/volume/volume_recipe.h"
 
 namespace solidnoise {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "common/usage_error.h"
-#include "solidnoise/volume/modification_json.h"
+#include "solidnoise/volume/modify/modification_json.h"
 #include "vdbnoise/grid_flags.h"
 
 namespace solidnoise {

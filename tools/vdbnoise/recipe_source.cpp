@@ -10,7 +10,7 @@
 #include "common/recipe_file.h"
 #include "common/text_file.h"
 #include "solidnoise/volume/finish_volume.h"
-#include "solidnoise/volume/vdb_read.h"
+#include "solidnoise/volume/vdb/vdb_read.h"
 #include "solidnoise/volume/volume_recipe_json.h"
 
 namespace solidnoise {

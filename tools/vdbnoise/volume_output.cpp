@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "common/usage_error.h"
-#include "solidnoise/volume/preview.h"
-#include "solidnoise/volume/slice_preview.h"
+#include "solidnoise/volume/preview/preview.h"
+#include "solidnoise/volume/preview/slice_preview.h"
 
 namespace solidnoise {
 namespace {

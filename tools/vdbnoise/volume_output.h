@@ -3,7 +3,7 @@
 #include <string>
 
 #include "solidnoise/core/image.h"
-#include "solidnoise/volume/vdb_write.h"
+#include "solidnoise/volume/vdb/vdb_write.h"
 #include "solidnoise/volume/volume.h"
 #include "solidnoise/volume/volume_recipe.h"
 

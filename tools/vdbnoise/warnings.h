@@ -2,7 +2,7 @@
 
 #include <iosfwd>
 
-#include "solidnoise/volume/grid_frame.h"
+#include "solidnoise/volume/topology/grid_frame.h"
 #include "solidnoise/volume/volume_recipe.h"
 
 namespace solidnoise {

@@ -14,7 +14,7 @@
 #include "solidnoise/core/random.h"
 #include "solidnoise/mesh/surface_octave.h"
 #include "solidnoise/mesh/vertex_batches.h"
-#include "solidnoise/noise/kernel_cells.h"
+#include "solidnoise/noise/convolution/kernel_cells.h"
 
 namespace solidnoise {
 namespace {

@@ -2,11 +2,11 @@
 
 #include <type_traits>
 
-#include "solidnoise/noise/gabor_noise.h"
-#include "solidnoise/noise/gradient_noise.h"
-#include "solidnoise/noise/projected_gradient_noise.h"
-#include "solidnoise/noise/surface_gabor_noise.h"
-#include "solidnoise/noise/varying_gabor_noise.h"
+#include "solidnoise/noise/gabor/gabor_noise.h"
+#include "solidnoise/noise/gabor/surface_gabor_noise.h"
+#include "solidnoise/noise/gabor/varying_gabor_noise.h"
+#include "solidnoise/noise/gradient/gradient_noise.h"
+#include "solidnoise/noise/gradient/projected_gradient_noise.h"
 
 namespace solidnoise {
 namespace {

@@ -4,9 +4,9 @@
 #include <span>
 
 #include "solidnoise/mesh/surface_recipe.h"
+#include "solidnoise/noise/gabor/varying_parameters.h"
 #include "solidnoise/noise/noise.h"
-#include "solidnoise/noise/surface_points.h"
-#include "solidnoise/noise/varying_parameters.h"
+#include "solidnoise/noise/point/surface_points.h"
 
 namespace solidnoise {
 

@@ -1,7 +1,7 @@
 #include "solidnoise/mesh/surface_recipe.h"
 
 #include "solidnoise/core/check.h"
-#include "solidnoise/noise/surface_gabor_options.h"
+#include "solidnoise/noise/gabor/surface_gabor_options.h"
 
 namespace solidnoise {
 

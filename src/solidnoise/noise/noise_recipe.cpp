@@ -8,10 +8,10 @@
 #include <fmt/format.h>
 
 #include "solidnoise/core/random.h"
-#include "solidnoise/noise/gabor_noise.h"
-#include "solidnoise/noise/gradient_noise.h"
-#include "solidnoise/noise/kernel_cells.h"
-#include "solidnoise/noise/oriented_gabor_noise.h"
+#include "solidnoise/noise/convolution/kernel_cells.h"
+#include "solidnoise/noise/gabor/gabor_noise.h"
+#include "solidnoise/noise/gabor/oriented_gabor_noise.h"
+#include "solidnoise/noise/gradient/gradient_noise.h"
 
 namespace solidnoise {
 namespace {

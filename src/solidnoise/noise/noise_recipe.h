@@ -5,8 +5,8 @@
 #include <variant>
 
 #include "solidnoise/noise/fractal_noise.h"
-#include "solidnoise/noise/gabor_options.h"
-#include "solidnoise/noise/gradient_noise_options.h"
+#include "solidnoise/noise/gabor/gabor_options.h"
+#include "solidnoise/noise/gradient/gradient_noise_options.h"
 #include "solidnoise/noise/noise.h"
 
 namespace solidnoise {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "solidnoise/core/up_axis.h"
-#include "solidnoise/noise/gabor_options.h"
-#include "solidnoise/noise/gradient_noise_options.h"
+#include "solidnoise/noise/gabor/gabor_options.h"
+#include "solidnoise/noise/gradient/gradient_noise_options.h"
 
 namespace solidnoise {
 

@@ -3,8 +3,8 @@
 #include <utility>
 #include <vector>
 
-#include "solidnoise/volume/curl_field.h"
-#include "solidnoise/volume/derived_fields.h"
+#include "solidnoise/volume/field/curl_field.h"
+#include "solidnoise/volume/field/derived_fields.h"
 
 namespace solidnoise {
 namespace {

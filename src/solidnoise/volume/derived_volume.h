@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "solidnoise/volume/field.h"
+#include "solidnoise/volume/field/field.h"
 #include "solidnoise/volume/make_volume.h"
 #include "solidnoise/volume/volume_recipe.h"
 

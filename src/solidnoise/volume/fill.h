@@ -3,11 +3,11 @@
 #include <vector>
 
 #include "solidnoise/core/progress.h"
-#include "solidnoise/volume/field.h"
+#include "solidnoise/volume/field/field.h"
 #include "solidnoise/volume/grid_sink.h"
-#include "solidnoise/volume/openvdb.h"
 #include "solidnoise/volume/statistics.h"
-#include "solidnoise/volume/topology.h"
+#include "solidnoise/volume/topology/topology.h"
+#include "solidnoise/volume/vdb/openvdb.h"
 
 namespace solidnoise {
 

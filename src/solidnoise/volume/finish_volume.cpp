@@ -8,7 +8,7 @@
 
 #include "solidnoise/recipe/json.h"
 #include "solidnoise/volume/fill.h"
-#include "solidnoise/volume/vdb_write.h"
+#include "solidnoise/volume/vdb/vdb_write.h"
 #include "solidnoise/volume/volume_recipe_json.h"
 
 namespace solidnoise {

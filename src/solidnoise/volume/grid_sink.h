@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "solidnoise/volume/grid_frame.h"
-#include "solidnoise/volume/openvdb.h"
 #include "solidnoise/volume/statistics.h"
+#include "solidnoise/volume/topology/grid_frame.h"
+#include "solidnoise/volume/vdb/openvdb.h"
 
 namespace solidnoise {
 

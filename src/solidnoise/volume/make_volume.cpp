@@ -12,15 +12,15 @@
 #include "solidnoise/geometry/read_mesh.h"
 #include "solidnoise/noise/moved_noise.h"
 #include "solidnoise/noise/slice_noise.h"
-#include "solidnoise/volume/cloud_field.h"
 #include "solidnoise/volume/derived_volume.h"
+#include "solidnoise/volume/field/cloud_field.h"
+#include "solidnoise/volume/field/layered_field.h"
+#include "solidnoise/volume/field/shaped_noise_field.h"
 #include "solidnoise/volume/fill.h"
 #include "solidnoise/volume/finish_volume.h"
-#include "solidnoise/volume/layered_field.h"
 #include "solidnoise/volume/merge_parts.h"
-#include "solidnoise/volume/modified_volume.h"
-#include "solidnoise/volume/shaped_noise_field.h"
-#include "solidnoise/volume/topology.h"
+#include "solidnoise/volume/modify/modified_volume.h"
+#include "solidnoise/volume/topology/topology.h"
 
 namespace solidnoise {
 namespace {

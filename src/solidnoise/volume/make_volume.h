@@ -8,13 +8,13 @@
 
 #include "solidnoise/core/box.h"
 #include "solidnoise/core/progress.h"
-#include "solidnoise/volume/distance_spline.h"
-#include "solidnoise/volume/grid_frame.h"
-#include "solidnoise/volume/modify_volume.h"
-#include "solidnoise/volume/openvdb.h"
-#include "solidnoise/volume/triangle_mesh.h"
+#include "solidnoise/volume/field/distance_spline.h"
+#include "solidnoise/volume/modify/modify_volume.h"
+#include "solidnoise/volume/topology/grid_frame.h"
+#include "solidnoise/volume/topology/triangle_mesh.h"
+#include "solidnoise/volume/topology/volume_part.h"
+#include "solidnoise/volume/vdb/openvdb.h"
 #include "solidnoise/volume/volume.h"
-#include "solidnoise/volume/volume_part.h"
 #include "solidnoise/volume/volume_recipe.h"
 
 namespace solidnoise {

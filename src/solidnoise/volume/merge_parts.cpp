@@ -12,8 +12,8 @@
 #include "solidnoise/recipe/json.h"
 #include "solidnoise/volume/finish_volume.h"
 #include "solidnoise/volume/statistics.h"
-#include "solidnoise/volume/vdb_read.h"
-#include "solidnoise/volume/vdb_write.h"
+#include "solidnoise/volume/vdb/vdb_read.h"
+#include "solidnoise/volume/vdb/vdb_write.h"
 #include "solidnoise/volume/volume_recipe_json.h"
 
 namespace solidnoise {

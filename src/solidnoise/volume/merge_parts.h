@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "solidnoise/core/progress.h"
-#include "solidnoise/volume/topology.h"
+#include "solidnoise/volume/topology/topology.h"
 #include "solidnoise/volume/volume.h"
 #include "solidnoise/volume/volume_recipe.h"
 

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "solidnoise/volume/grid_file.h"
-#include "solidnoise/volume/openvdb.h"
+#include "solidnoise/volume/vdb/grid_file.h"
+#include "solidnoise/volume/vdb/openvdb.h"
 
 namespace solidnoise {
 

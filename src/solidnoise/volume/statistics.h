@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "solidnoise/core/moments.h"
-#include "solidnoise/volume/openvdb.h"
+#include "solidnoise/volume/vdb/openvdb.h"
 
 namespace solidnoise {
 

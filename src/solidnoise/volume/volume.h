@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "solidnoise/volume/grid_sink.h"
-#include "solidnoise/volume/vdb_read.h"
+#include "solidnoise/volume/vdb/vdb_read.h"
 
 namespace solidnoise {
 

@@ -7,13 +7,13 @@
 
 #include "solidnoise/core/box.h"
 #include "solidnoise/noise/noise_recipe.h"
-#include "solidnoise/volume/grid_file.h"
-#include "solidnoise/volume/layer.h"
-#include "solidnoise/volume/modification.h"
+#include "solidnoise/volume/field/layer.h"
+#include "solidnoise/volume/field/shaping.h"
+#include "solidnoise/volume/modify/modification.h"
 #include "solidnoise/volume/output.h"
-#include "solidnoise/volume/preview.h"
-#include "solidnoise/volume/shaping.h"
-#include "solidnoise/volume/vdb_write.h"
+#include "solidnoise/volume/preview/preview.h"
+#include "solidnoise/volume/vdb/grid_file.h"
+#include "solidnoise/volume/vdb/vdb_write.h"
 
 namespace solidnoise {
 

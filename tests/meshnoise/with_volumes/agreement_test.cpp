@@ -6,7 +6,7 @@
 
 #include "meshnoise/run_meshnoise.h"
 #include "meshnoise/sample_torus.h"
-#include "solidnoise/volume/vdb_read.h"
+#include "solidnoise/volume/vdb/vdb_read.h"
 #include "tools/run_vdbnoise.h"
 
 namespace solidnoise {

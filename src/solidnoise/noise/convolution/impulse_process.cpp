@@ -1,0 +1,47 @@
+#include "solidnoise/noise/convolution/impulse_process.h"
+
+#include <cmath>
+#include <limits>
+
+namespace solidnoise {
+namespace {
+
+// Cumulative Poisson probabilities in units of 2^-64, up to where the rest is below 2^-64.
+std::vector<std::uint64_t> cumulative_poisson(double mean) {
+  std::vector<std::uint64_t> cumulative;
+  double sum = 0.0;
+  for (int count = 0;; ++count) {
+    const double probability = std::exp(count * std::log(mean) - mean - std::lgamma(count + 1.0));
+    sum += probability;
+    const bool past_mode = count > mean;
+    if (past_mode && (probability < 0x1.0p-64 || sum >= 1.0)) break;
+    cumulative.push_back(sum >= 1.0 ? std::numeric_limits<std::uint64_t>::max()
+                                    : static_cast<std::uint64_t>(std::ldexp(sum, 64)));
+  }
+  return cumulative;
+}
+
+}  // namespace
+
+template <int Dim>
+ImpulseProcess<Dim>::ImpulseProcess(const std::array<CellAxis, Dim>& axes, double mean_per_cell,
+                                    std::uint64_t key)
+    : axes_(axes), mean_per_cell_(mean_per_cell), key_(key), cumulative_(cumulative_poisson(mean_per_cell)) {
+  guide_ = static_cast<int>(mean_per_cell);
+}
+
+template <int Dim>
+int ImpulseProcess<Dim>::draw_count(std::uint64_t uniform) const {
+  const int highest = static_cast<int>(cumulative_.size());
+  int count = guide_ < highest ? guide_ : highest - 1;
+  while (count > 0 && uniform < cumulative_[count - 1]) --count;
+  while (count < highest && uniform >= cumulative_[count]) ++count;
+  return count;
+}
+
+template class ImpulseProcess<1>;
+template class ImpulseProcess<2>;
+template class ImpulseProcess<3>;
+template class ImpulseProcess<4>;
+
+}  // namespace solidnoise

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "solidnoise/noise/gabor/gabor_options.h"
+
+namespace solidnoise {
+
+// A sparse convolution noise is the sum of kernels g at the points of a Poisson process, each with a random
+// weight W of mean 0, independent of all others:
+//   noise(x) = sum of W_i g(x - x_i);   density: mean impulses per unit of n-dimensional volume.
+// By Campbell's theorem its k-th cumulant is density E[W^k] times the integral of g^k (Lagae et al. 2011,
+// eqs. 14 to 17, for the second). Where the kernel itself is random, as with a random phase, use its mean
+// integrals, and weights of 1.
+
+// Mean impulses per unit volume, for `impulses` mean impulses in a ball of a radius > 0, in n dimensions; and
+// back.
+double impulse_density(int n, double impulses, double radius);
+double impulses_in_ball(int n, double density, double radius);
+
+// Moments of an impulse's weight; by default those of weights that are 1 or -1.
+struct WeightMoments {
+  double second = 1.0;  // E[W^2]
+  double fourth = 1.0;  // E[W^4]
+};
+WeightMoments weight_moments(ImpulseWeights weights);  // uniform on [-1, 1]: 1/3 and 1/5
+
+// Of weights times sqrt(2) cos(2 pi a), a uniform: those of weights that turn with time (Evolution). The
+// second moment stays, the fourth is 3/2 of what it was.
+WeightMoments turning(const WeightMoments& weights);
+
+// Integrals of powers of a kernel over space.
+struct KernelMoments {
+  double second = 0.0;  // of g^2: energy()
+  double fourth = 0.0;  // of g^4: fourth_moment()
+};
+
+// Variance of the noise. Put |G(f)|^2, or the kernel's autocorrelation, in place of the integral of g^2 and
+// it is the power spectrum, or the covariance.
+double noise_variance(double density, double energy, const WeightMoments& weights = {});
+
+// How far from Gaussian the noise is: E[noise^4] / E[noise^2]^2 - 3. Inversely proportional to the density.
+double noise_excess_kurtosis(double density, const KernelMoments& kernel, const WeightMoments& weights = {});
+
+// The density at which the noise has a given excess kurtosis > 0.
+double density_for_excess_kurtosis(double kurtosis, const KernelMoments& kernel,
+                                   const WeightMoments& weights = {});
+
+// The fewest impulses, a whole number, in a ball of this radius that bring the excess kurtosis to
+// kDefaultKurtosis: from there on the eye takes the noise for Gaussian.
+inline constexpr double kDefaultKurtosis = 0.5;
+double impulses_for_quality(int n, double radius, const KernelMoments& kernel,
+                            const WeightMoments& weights = {});
+
+}  // namespace solidnoise

@@ -1,0 +1,77 @@
+// The factors of an oriented kernel, for one instruction set. Included once per target; see
+// impulse_sums_simd.cpp.
+#include <numbers>
+
+#include <hwy/highway.h>
+
+#include "solidnoise/noise/convolution/cosine-inl.h"
+#include "solidnoise/noise/convolution/impulse_sums.h"
+#include "solidnoise/noise/convolution/polynomial-inl.h"
+
+#if defined(SOLIDNOISE_ORIENTED_FACTOR_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef SOLIDNOISE_ORIENTED_FACTOR_INL
+#undef SOLIDNOISE_ORIENTED_FACTOR_INL
+#else
+#define SOLIDNOISE_ORIENTED_FACTOR_INL
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace solidnoise {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+template <class V>
+struct Complex {
+  V re, im;
+};
+
+template <class V>
+HWY_INLINE Complex<V> Multiply(const Complex<V>& a, const Complex<V>& b) {
+  return {hn::NegMulAdd(a.im, b.im, hn::Mul(a.re, b.re)), hn::MulAdd(a.im, b.re, hn::Mul(a.re, b.im))};
+}
+
+// sum + Re(a b)
+template <class V>
+HWY_INLINE V AddRealProduct(const Complex<V>& a, const Complex<V>& b, V sum) {
+  return hn::NegMulAdd(a.im, b.im, hn::MulAdd(a.re, b.re, sum));
+}
+
+// One axis' factor of a kernel and its derivative by the offset in half-widths.
+template <class V>
+struct AxisFactor {
+  Complex<V> value;
+  Complex<V> derivative;
+};
+
+// `offset` from the impulse in cells, `wave` in cycles per cell, `phase` in cycles.
+template <Derivatives kDerivatives, class D, class Kernel, class V = hn::Vec<D>>
+HWY_INLINE AxisFactor<V> FactorAlongAxis(D d, const Kernel& envelope, V offset, V wave, V phase,
+                                         float scale) {
+  const V half = hn::Set(d, 0.5f);
+  const V scaled = hn::Mul(offset, hn::Set(d, scale));
+  const V v = hn::Max(hn::NegMulAdd(scaled, scaled, half), hn::Set(d, -0.5f));
+  const V t = hn::Add(v, half);
+  const V t2 = hn::Mul(t, t);
+  const V shape = envelope.value(d, v);
+  const V amplitude = hn::Mul(t2, shape);
+  V cosine, sine;
+  CosineSine(d, hn::MulAdd(offset, wave, phase), cosine, sine);
+
+  AxisFactor<V> factor{{hn::Mul(amplitude, cosine), hn::Mul(amplitude, sine)}, {hn::Zero(d), hn::Zero(d)}};
+  if constexpr (kDerivatives == Derivatives::gradient) {
+    // d amplitude / d scaled = -2 scaled (2 t P + t^2 P'); d wave / d scaled = i 2 pi wave / scale.
+    const V slope = envelope.derivative(d, v);
+    const V by_v = hn::MulAdd(t2, slope, hn::Mul(hn::Add(t, t), shape));
+    const V amplitude_slope = hn::Mul(hn::Mul(hn::Set(d, -2.0f), scaled), by_v);
+    const V turning = hn::Mul(hn::Mul(amplitude, wave), hn::Set(d, 2.0f * std::numbers::pi_v<float> / scale));
+    factor.derivative = {hn::NegMulAdd(turning, sine, hn::Mul(amplitude_slope, cosine)),
+                         hn::MulAdd(turning, cosine, hn::Mul(amplitude_slope, sine))};
+  }
+  return factor;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace solidnoise
+HWY_AFTER_NAMESPACE();
+
+#endif  // SOLIDNOISE_ORIENTED_FACTOR_INL

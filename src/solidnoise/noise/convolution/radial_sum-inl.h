@@ -1,0 +1,371 @@
+// Sums of isotropic kernels, for one instruction set. Included once per target; see impulse_sums_simd.cpp.
+#include <bit>
+#include <cstdint>
+#include <memory>
+#include <utility>
+
+#include <hwy/highway.h>
+
+#include "solidnoise/noise/convolution/impulse_cull-inl.h"
+#include "solidnoise/noise/convolution/impulse_sums.h"
+#include "solidnoise/noise/convolution/polynomial-inl.h"
+
+#if defined(SOLIDNOISE_RADIAL_SUM_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef SOLIDNOISE_RADIAL_SUM_INL
+#undef SOLIDNOISE_RADIAL_SUM_INL
+#else
+#define SOLIDNOISE_RADIAL_SUM_INL
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace solidnoise {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+// w t^2 P(v) and, where wanted, its derivative by v, of one vector of samples and one impulse.
+template <class D, class Kernel, class V = hn::Vec<D>>
+struct RadialTerm {
+  HWY_INLINE RadialTerm(D d, const Kernel& kernel, V v, V weight) {
+    const V half = hn::Set(d, 0.5f);
+    const V t = hn::Add(v, half);
+    weighted_t = hn::MulAdd(v, weight, hn::Mul(weight, half));
+    weighted_t2 = hn::Mul(weighted_t, t);
+    polynomial = kernel.value(d, v);
+  }
+
+  HWY_INLINE V derivative(D d, const Kernel& kernel, V v) const {
+    return hn::MulAdd(weighted_t2, kernel.derivative(d, v),
+                      hn::Mul(hn::Add(weighted_t, weighted_t), polynomial));
+  }
+
+  V weighted_t;
+  V weighted_t2;
+  V polynomial;
+};
+
+// Squared excess (see Excess) of each impulse over an interval of one axis.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V SquaredExcess(D d, const float* positions, float lower, float upper, float scale) {
+  const V excess = Excess(d, hn::LoadU(d, positions), lower, upper, scale);
+  return hn::Mul(excess, excess);
+}
+
+// A brick is summed in columns of 2 x 4 samples in (y, z), and these in pairs of x: small units, for what
+// reaches one of them should reach most of its samples.
+struct Column {
+  static constexpr int kY = 4;
+  static constexpr int kZ = 4;
+  static constexpr int kSamples = kY * kZ;
+};
+constexpr int kPair = 2;
+constexpr int kPairs = SampleBrick::kSide / kPair;
+
+// What the sums need to know of each impulse, computed once per brick or column. Offsets in radii.
+class PreparedImpulses {
+ public:
+  PreparedImpulses(const RadialSum& sum, const ImpulseList& list, const SampleBrick& brick,
+                   Derivatives derivatives);
+
+  // Makes what depends on y and z for the column that starts at (y, z).
+  void enter_column(int y, int z);
+
+  // Bit k: whether impulse `from + k` reaches the column, or the pair of planes of the column.
+  std::uint64_t reaching_column(std::size_t from) const;
+  std::uint64_t reaching_pair(std::size_t from, int pair) const;
+
+  std::size_t size() const { return list_.size(); }
+  const float* x_offset(int x) const { return x_offset_ + static_cast<std::size_t>(x) * stride_; }
+  const float* x_squared(int x) const { return x_squared_ + static_cast<std::size_t>(x) * stride_; }
+  const float* time_offset() const { return time_offset_; }
+  const float* weight() const { return list_.attribute(0); }
+  // Per impulse, of the column's samples: 1/2 minus the squared offset in y, z and time; and the offsets.
+  const float* rest(std::size_t i) const { return rest_ + i * Column::kSamples; }
+  const float* y_offset(std::size_t i) const { return y_offset_ + i * Column::kSamples; }
+  const float* z_offset(std::size_t i) const { return z_offset_ + i * Column::kSamples; }
+
+ private:
+  const RadialSum& sum_;
+  const ImpulseList& list_;
+  const SampleBrick& brick_;
+  Derivatives derivatives_;
+  std::size_t stride_;
+  std::unique_ptr<float[]> memory_;
+  float* x_offset_;
+  float* x_squared_;
+  float* pair_excess_;  // squared, of each pair of planes
+  float* time_offset_;
+  float* rest_in_time_;   // 1/2 minus the squared offset in time
+  float* column_excess_;  // squared, of the column and the time
+  float* rest_;
+  float* y_offset_;
+  float* z_offset_;
+};
+
+inline PreparedImpulses::PreparedImpulses(const RadialSum& sum, const ImpulseList& list,
+                                          const SampleBrick& brick, Derivatives derivatives)
+    : sum_(sum),
+      list_(list),
+      brick_(brick),
+      derivatives_(derivatives),
+      stride_(list.size() + ImpulseList::kPadding) {
+  constexpr std::size_t kScalars = 2 * SampleBrick::kSide + kPairs + 3;
+  memory_ = std::make_unique_for_overwrite<float[]>((kScalars + 3 * Column::kSamples) * stride_);
+  float* next = memory_.get();
+  const auto take = [&](std::size_t count) { return std::exchange(next, next + count * stride_); };
+  x_offset_ = take(SampleBrick::kSide);
+  x_squared_ = take(SampleBrick::kSide);
+  pair_excess_ = take(kPairs);
+  time_offset_ = take(1);
+  rest_in_time_ = take(1);
+  column_excess_ = take(1);
+  rest_ = take(Column::kSamples);
+  y_offset_ = take(Column::kSamples);
+  z_offset_ = take(Column::kSamples);
+
+  const hn::CappedTag<float, 16> d;
+  using V = hn::Vec<decltype(d)>;
+  const auto offset = [&](float sample, Role role, std::size_t i) HWY_ATTR {
+    return hn::Mul(hn::Sub(hn::Set(d, sample), hn::LoadU(d, list.position(role) + i)),
+                   hn::Set(d, sum.scale[role]));
+  };
+  const float* const x = brick.coordinate[kX];
+  const int planes_used = (brick.count[kX] + kPair - 1) / kPair * kPair;
+  for (std::size_t i = 0; i < list.size(); i += hn::Lanes(d)) {
+    for (int k = 0; k < planes_used; ++k) {
+      const V x_offset = offset(x[k], kX, i);
+      hn::StoreU(x_offset, d, x_offset_ + static_cast<std::size_t>(k) * stride_ + i);
+      hn::StoreU(hn::Mul(x_offset, x_offset), d, x_squared_ + static_cast<std::size_t>(k) * stride_ + i);
+    }
+    for (int pair = 0; pair * kPair < brick.count[kX]; ++pair) {
+      const float* const planes = x + pair * kPair;
+      hn::StoreU(SquaredExcess(d, list.position(kX) + i, planes[0], planes[kPair - 1], sum.scale[kX]), d,
+                 pair_excess_ + static_cast<std::size_t>(pair) * stride_ + i);
+    }
+    const V time = offset(brick.time, kT, i);
+    hn::StoreU(time, d, time_offset_ + i);
+    hn::StoreU(hn::Sub(hn::Set(d, 0.5f), hn::Mul(time, time)), d, rest_in_time_ + i);
+  }
+}
+
+inline void PreparedImpulses::enter_column(int y, int z) {
+  const float* const y_samples = brick_.coordinate[kY] + y;
+  const float* const z_samples = brick_.coordinate[kZ] + z;
+  const hn::CappedTag<float, 16> wide;
+  for (std::size_t i = 0; i < size(); i += hn::Lanes(wide)) {
+    const auto in_y =
+        SquaredExcess(wide, list_.position(kY) + i, y_samples[0], y_samples[Column::kY - 1], sum_.scale[kY]);
+    const auto in_z =
+        SquaredExcess(wide, list_.position(kZ) + i, z_samples[0], z_samples[Column::kZ - 1], sum_.scale[kZ]);
+    const auto in_time = hn::Sub(hn::Set(wide, 0.5f), hn::LoadU(wide, rest_in_time_ + i));
+    hn::StoreU(hn::Add(hn::Add(in_y, in_z), in_time), wide, column_excess_ + i);
+  }
+
+  const hn::CappedTag<float, Column::kSamples> d;
+  using V = hn::Vec<decltype(d)>;
+  alignas(64) float y_lanes[Column::kSamples];
+  alignas(64) float z_lanes[Column::kSamples];
+  for (int k = 0; k < Column::kSamples; ++k) {
+    y_lanes[k] = y_samples[k / Column::kZ];
+    z_lanes[k] = z_samples[k % Column::kZ];
+  }
+  const V y_scale = hn::Set(d, sum_.scale[kY]);
+  const V z_scale = hn::Set(d, sum_.scale[kZ]);
+  for (std::size_t from = 0; from < size(); from += 64) {
+    for (std::uint64_t bits = reaching_column(from); bits != 0; bits &= bits - 1) {
+      const std::size_t i = from + static_cast<std::size_t>(std::countr_zero(bits));
+      for (int piece = 0; piece < Column::kSamples; piece += static_cast<int>(hn::Lanes(d))) {
+        const V y_offset =
+            hn::Mul(hn::Sub(hn::Load(d, y_lanes + piece), hn::Set(d, list_.position(kY)[i])), y_scale);
+        const V z_offset =
+            hn::Mul(hn::Sub(hn::Load(d, z_lanes + piece), hn::Set(d, list_.position(kZ)[i])), z_scale);
+        const V squared = hn::MulAdd(z_offset, z_offset, hn::Mul(y_offset, y_offset));
+        const std::size_t at = i * Column::kSamples + static_cast<std::size_t>(piece);
+        hn::StoreU(hn::Sub(hn::Set(d, rest_in_time_[i]), squared), d, rest_ + at);
+        if (derivatives_ == Derivatives::gradient) {
+          hn::StoreU(y_offset, d, y_offset_ + at);
+          hn::StoreU(z_offset, d, z_offset_ + at);
+        }
+      }
+    }
+  }
+}
+
+// One bit per impulse from `from` to `from + 63`: whether its squared distance, given per vector, is in the
+// support.
+template <class SquaredDistance>
+HWY_INLINE std::uint64_t SupportBits(std::size_t from, std::size_t size,
+                                     const SquaredDistance& squared_distance) {
+  const hn::CappedTag<float, 16> d;
+  std::uint64_t bits = 0;
+  for (std::size_t k = 0; k < 64 && from + k < size; k += hn::Lanes(d)) {
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(d, hn::Lt(squared_distance(d, from + k), hn::Set(d, kSupportWithMargin)), bytes);
+    bits |= (bytes[0] | static_cast<std::uint64_t>(bytes[1]) << 8) << k;
+  }
+  const std::size_t valid = size - from;
+  return valid < 64 ? bits & ((std::uint64_t{1} << valid) - 1) : bits;
+}
+
+inline std::uint64_t PreparedImpulses::reaching_column(std::size_t from) const {
+  return SupportBits(from, size(),
+                     [&](auto d, std::size_t i) HWY_ATTR { return hn::LoadU(d, column_excess_ + i); });
+}
+
+inline std::uint64_t PreparedImpulses::reaching_pair(std::size_t from, int pair) const {
+  const float* const pair_excess = pair_excess_ + static_cast<std::size_t>(pair) * stride_;
+  return SupportBits(from, size(), [&](auto d, std::size_t i) HWY_ATTR {
+    return hn::Add(hn::LoadU(d, column_excess_ + i), hn::LoadU(d, pair_excess + i));
+  });
+}
+
+// Where a pair of planes of a column starts in its brick.
+struct Unit {
+  int x, y, z;
+};
+
+// Sums a pair of planes of the entered column: lanes are samples, impulses are the loop.
+template <class Polynomial, Derivatives kDerivatives>
+HWY_INLINE void SumUnit(const RadialPolynomial& polynomials, const PreparedImpulses& prepared,
+                        const Unit& unit, BrickSums& sums) {
+  const hn::CappedTag<float, Column::kSamples> d;
+  using V = hn::Vec<decltype(d)>;
+  const BoundKernel<decltype(d), Polynomial> kernel(d, polynomials);
+  const V lowest = hn::Set(d, -0.5f);
+  const float* const weight = prepared.weight();
+  const float* const x_squared[kPair] = {prepared.x_squared(unit.x), prepared.x_squared(unit.x + 1)};
+  const float* const x_offset[kPair] = {prepared.x_offset(unit.x), prepared.x_offset(unit.x + 1)};
+
+  for (int piece = 0; piece < Column::kSamples; piece += static_cast<int>(hn::Lanes(d))) {
+    V value0 = hn::Zero(d), value1 = hn::Zero(d);
+    V gx0 = hn::Zero(d), gy0 = hn::Zero(d), gz0 = hn::Zero(d), gt0 = hn::Zero(d);
+    V gx1 = hn::Zero(d), gy1 = hn::Zero(d), gz1 = hn::Zero(d), gt1 = hn::Zero(d);
+    for (std::size_t from = 0; from < prepared.size(); from += 64) {
+      for (std::uint64_t bits = prepared.reaching_pair(from, unit.x / kPair); bits != 0; bits &= bits - 1) {
+        const std::size_t i = from + static_cast<std::size_t>(std::countr_zero(bits));
+        const V rest = hn::LoadU(d, prepared.rest(i) + piece);
+        const auto add = [&](int k, V& value, V& gx, V& gy, V& gz, V& gt) HWY_ATTR {
+          const V v = hn::Max(hn::Sub(rest, hn::Set(d, x_squared[k][i])), lowest);
+          const RadialTerm<decltype(d), decltype(kernel)> term(d, kernel, v, hn::Set(d, weight[i]));
+          value = hn::MulAdd(term.weighted_t2, term.polynomial, value);
+          if constexpr (kDerivatives == Derivatives::gradient) {
+            const V slope = term.derivative(d, kernel, v);
+            gx = hn::MulAdd(slope, hn::Set(d, x_offset[k][i]), gx);
+            gy = hn::MulAdd(slope, hn::LoadU(d, prepared.y_offset(i) + piece), gy);
+            gz = hn::MulAdd(slope, hn::LoadU(d, prepared.z_offset(i) + piece), gz);
+            gt = hn::MulAdd(slope, hn::Set(d, prepared.time_offset()[i]), gt);
+          }
+        };
+        add(0, value0, gx0, gy0, gz0, gt0);
+        add(1, value1, gx1, gy1, gz1, gt1);
+      }
+    }
+
+    const auto store = [&](int k, V sum, float* to) HWY_ATTR {
+      alignas(64) float lanes[Column::kSamples];
+      hn::Store(sum, d, lanes);
+      for (int lane = 0; lane < static_cast<int>(hn::Lanes(d)); ++lane) {
+        const int y = unit.y + (piece + lane) / Column::kZ;
+        const int z = unit.z + (piece + lane) % Column::kZ;
+        to[((unit.x + k) * SampleBrick::kSide + y) * SampleBrick::kSide + z] = lanes[lane];
+      }
+    };
+    store(0, value0, sums.value);
+    store(1, value1, sums.value);
+    if constexpr (kDerivatives == Derivatives::gradient) {
+      const V chain = hn::Set(d, -2.0f);  // d v / d offset = -2 offset
+      const V* const gradients[kPair][kRoles] = {{&gx0, &gy0, &gz0, &gt0}, {&gx1, &gy1, &gz1, &gt1}};
+      for (int k = 0; k < kPair; ++k) {
+        for (int role = 0; role < kRoles; ++role)
+          store(k, hn::Mul(chain, *gradients[k][role]), sums.gradient[role]);
+      }
+    }
+  }
+}
+
+template <class Polynomial, Derivatives kDerivatives>
+void SumRadialBrick(const RadialSum& sum, const ImpulseList& list, const SampleBrick& brick,
+                    BrickSums& sums) {
+  PreparedImpulses prepared(sum, list, brick, kDerivatives);
+  for (int y = 0; y < brick.count[kY]; y += Column::kY) {
+    for (int z = 0; z < brick.count[kZ]; z += Column::kZ) {
+      prepared.enter_column(y, z);
+      for (int x = 0; x < brick.count[kX]; x += kPair) {
+        SumUnit<Polynomial, kDerivatives>(sum.kernel, prepared, {x, y, z}, sums);
+      }
+    }
+  }
+}
+
+// Lanes are the scattered samples. The same operations in the same order as for a brick.
+template <class Polynomial, Derivatives kDerivatives>
+void SumRadialCluster(const RadialSum& sum, const ImpulseList& list, const SampleCluster& cluster,
+                      ClusterSums& sums) {
+  const hn::CappedTag<float, SampleCluster::kSamples> d;
+  using V = hn::Vec<decltype(d)>;
+  const BoundKernel<decltype(d), Polynomial> kernel(d, sum.kernel);
+  const V half = hn::Set(d, 0.5f);
+  const V lowest = hn::Set(d, -0.5f);
+
+  for (int piece = 0; piece < cluster.count; piece += static_cast<int>(hn::Lanes(d))) {
+    V value = hn::Zero(d);
+    V gx = hn::Zero(d), gy = hn::Zero(d), gz = hn::Zero(d), gt = hn::Zero(d);
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      const auto offset = [&](Role role) HWY_ATTR {
+        const V sample = hn::Load(d, cluster.coordinate[role] + piece);
+        return hn::Mul(hn::Sub(sample, hn::Set(d, list.position(role)[i])), hn::Set(d, sum.scale[role]));
+      };
+      const V x = offset(kX), y = offset(kY), z = offset(kZ), t = offset(kT);
+      const V plane_squared = hn::MulAdd(z, z, hn::Mul(y, y));
+      const V rest = hn::Sub(hn::Sub(half, hn::Mul(t, t)), plane_squared);
+      const V v = hn::Max(hn::Sub(rest, hn::Mul(x, x)), lowest);
+      const V weight = hn::Set(d, list.attribute(0)[i]);
+      const RadialTerm<decltype(d), decltype(kernel)> term(d, kernel, v, weight);
+      value = hn::MulAdd(term.weighted_t2, term.polynomial, value);
+      if constexpr (kDerivatives == Derivatives::gradient) {
+        const V slope = term.derivative(d, kernel, v);
+        gx = hn::MulAdd(slope, x, gx);
+        gy = hn::MulAdd(slope, y, gy);
+        gz = hn::MulAdd(slope, z, gz);
+        gt = hn::MulAdd(slope, t, gt);
+      }
+    }
+    hn::Store(value, d, sums.value + piece);
+    if constexpr (kDerivatives == Derivatives::gradient) {
+      const V chain = hn::Set(d, -2.0f);  // d v / d offset = -2 offset
+      hn::Store(hn::Mul(chain, gx), d, sums.gradient[kX] + piece);
+      hn::Store(hn::Mul(chain, gy), d, sums.gradient[kY] + piece);
+      hn::Store(hn::Mul(chain, gz), d, sums.gradient[kZ] + piece);
+      hn::Store(hn::Mul(chain, gt), d, sums.gradient[kT] + piece);
+    }
+  }
+}
+
+inline void SumRadial(const RadialSum& sum, const ImpulseList& list, const SampleBrick& brick,
+                      Derivatives derivatives, BrickSums& sums) {
+  WithPolynomial(sum.kernel, [&](const auto& polynomial) {
+    using Polynomial = std::decay_t<decltype(polynomial)>;
+    if (derivatives == Derivatives::none) {
+      SumRadialBrick<Polynomial, Derivatives::none>(sum, list, brick, sums);
+    } else {
+      SumRadialBrick<Polynomial, Derivatives::gradient>(sum, list, brick, sums);
+    }
+  });
+}
+
+inline void SumRadialScattered(const RadialSum& sum, const ImpulseList& list, const SampleCluster& cluster,
+                               Derivatives derivatives, ClusterSums& sums) {
+  WithPolynomial(sum.kernel, [&](const auto& polynomial) {
+    using Polynomial = std::decay_t<decltype(polynomial)>;
+    if (derivatives == Derivatives::none) {
+      SumRadialCluster<Polynomial, Derivatives::none>(sum, list, cluster, sums);
+    } else {
+      SumRadialCluster<Polynomial, Derivatives::gradient>(sum, list, cluster, sums);
+    }
+  });
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace solidnoise
+HWY_AFTER_NAMESPACE();
+
+#endif  // SOLIDNOISE_RADIAL_SUM_INL

@@ -1,0 +1,152 @@
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "solidnoise/noise/convolution/sparse_convolution.h"
+#include "solidnoise/noise/convolution/sparse_convolution_source.h"
+
+namespace solidnoise {
+namespace {
+
+// Blocks with more cells than this make their impulses brick by brick, to bound memory.
+constexpr double kMaxCellsInBlock = 1 << 18;
+
+// One axis of a lattice, located in the cells.
+struct LocatedAxis {
+  std::vector<CellPosition> positions;
+  int brick_side = 1;  // samples of one brick
+
+  // Impulses reach `reach` cells.
+  template <int Dim>
+  LocatedAxis(const Lattice<Dim>& lattice, const CellAxis& cells, int axis, std::int64_t reach) {
+    positions.reserve(static_cast<std::size_t>(lattice.count[axis]));
+    for (int i = 0; i < lattice.count[axis]; ++i)
+      positions.push_back(cells.locate(lattice.coordinate(axis, i)));
+    const double span = std::min(CellAxis::kMaxSpan, CellAxis::kExact - static_cast<double>(reach));
+    const double samples = span * cells.size() / lattice.step[axis];
+    brick_side = samples >= SampleBrick::kSide ? SampleBrick::kSide : std::max(1, static_cast<int>(samples));
+  }
+};
+
+}  // namespace
+
+template <int Dim>
+class SparseConvolution<Dim>::Block final : public NoiseBlock<Dim> {
+ public:
+  Block(const SparseConvolution& noise, const Box<Dim>& box) : noise_(noise) {
+    const auto reach = ImpulseBlock<Dim>::reach_of(noise_.process_.axes(), box, noise_.reach_);
+    bool fits = reach.cells() <= kMaxCellsInBlock;
+    for (int axis = 0; axis < Dim; ++axis) {
+      fits = fits && reach.last[axis] - reach.first[axis] < ImpulseBlock<Dim>::kMaxCellsPerAxis;
+    }
+    if (fits) source_.emplace(noise_.process_, *noise_.kernel_, reach);
+  }
+
+  void evaluate(const Lattice<Dim>& lattice, const Samples<Dim>& samples) const override {
+    std::vector<LocatedAxis> axes;
+    axes.reserve(Dim);
+    for (int axis = 0; axis < Dim; ++axis) {
+      axes.emplace_back(lattice, noise_.process_.axes()[axis], axis, noise_.reach_[axis]);
+    }
+
+    ImpulseList list(Dim);
+    glm::vec<Dim, int> start(0);
+    while (true) {
+      evaluate_brick(lattice, axes, start, list, samples);
+      int axis = Dim - 1;
+      while (axis >= 0 && (start[axis] += side(axes, axis)) >= lattice.count[axis]) start[axis--] = 0;
+      if (axis < 0) return;
+    }
+  }
+
+ private:
+  // A brick has one sample in time.
+  static int side(const std::vector<LocatedAxis>& axes, int axis) {
+    return role_of_axis<Dim>(axis) == kT ? 1 : axes[axis].brick_side;
+  }
+
+  void evaluate_brick(const Lattice<Dim>& lattice, const std::vector<LocatedAxis>& axes,
+                      const glm::vec<Dim, int>& start, ImpulseList& list, const Samples<Dim>& samples) const {
+    SampleBrick brick;
+    Neighborhood neighborhood;
+    for (int axis = 0; axis < Dim; ++axis) {
+      const Role role = role_of_axis<Dim>(axis);
+      const CellPosition* positions = axes[axis].positions.data() + start[axis];
+      const int count = std::min(side(axes, axis), lattice.count[axis] - start[axis]);
+      neighborhood.first[axis] = positions[0].cell;
+      neighborhood.last[axis] = positions[count - 1].cell;
+      neighborhood.lower[role] = from_anchor(positions[0], positions[0].cell);
+      neighborhood.upper[role] = from_anchor(positions[count - 1], positions[0].cell);
+      if (role == kT) {
+        brick.time = neighborhood.lower[role];
+        continue;
+      }
+      brick.count[role] = count;
+      for (int i = 0; i < SampleBrick::kSide; ++i) {
+        brick.coordinate[role][i] = from_anchor(positions[std::min(i, count - 1)], positions[0].cell);
+      }
+    }
+
+    std::optional<Source> local;
+    if (!source_) {
+      typename ImpulseBlock<Dim>::Reach reach{
+          neighborhood.first - noise_.reach_, neighborhood.last + noise_.reach_, {}, {}};
+      reach.into_last.fill(1.0f);
+      local.emplace(noise_.process_, *noise_.kernel_, reach);
+    }
+    noise_.gather(source_ ? *source_ : *local, neighborhood, list);
+
+    BrickSums sums;
+    const bool gradient = samples.wants_gradient();
+    noise_.kernel_->sum(list, brick, gradient ? Derivatives::gradient : Derivatives::none, sums);
+    scatter(lattice, start, brick, sums.value, static_cast<float>(noise_.amplitude_), samples.values);
+    for (int axis = 0; gradient && axis < Dim; ++axis) {
+      scatter(lattice, start, brick, sums.gradient[role_of_axis<Dim>(axis)], noise_.slope_[axis],
+              samples.gradient[axis]);
+    }
+  }
+
+  // Writes a brick's sums, times `factor`, to where the lattice has these samples.
+  static void scatter(const Lattice<Dim>& lattice, const glm::vec<Dim, int>& start, const SampleBrick& brick,
+                      const float* sums, float factor, std::span<float> values) {
+    std::array<std::ptrdiff_t, kRoles> stride{};
+    std::ptrdiff_t offset = 0;
+    std::ptrdiff_t axis_stride = 1;
+    for (int axis = Dim - 1; axis >= 0; --axis) {
+      stride[role_of_axis<Dim>(axis)] = axis_stride;
+      offset += axis_stride * start[axis];
+      axis_stride *= lattice.count[axis];
+    }
+    constexpr int kSide = SampleBrick::kSide;
+    for (int x = 0; x < brick.count[kX]; ++x) {
+      for (int y = 0; y < brick.count[kY]; ++y) {
+        float* const row = values.data() + offset + x * stride[kX] + y * stride[kY];
+        const float* const sum = sums + (x * kSide + y) * kSide;
+        for (int z = 0; z < brick.count[kZ]; ++z) row[z * stride[kZ]] = factor * sum[z];
+      }
+    }
+  }
+
+  SparseConvolution noise_;
+  std::optional<Source> source_;
+};
+
+// Of a noise that is 0.
+template <int Dim>
+class SilentBlock final : public NoiseBlock<Dim> {
+ public:
+  void evaluate(const Lattice<Dim>&, const Samples<Dim>& samples) const override { fill_with_zero(samples); }
+};
+
+template <int Dim>
+std::unique_ptr<NoiseBlock<Dim>> SparseConvolution<Dim>::block(const Box<Dim>& box) const {
+  if (!kernel_) return std::make_unique<SilentBlock<Dim>>();
+  return std::make_unique<Block>(*this, box);
+}
+
+template std::unique_ptr<NoiseBlock<1>> SparseConvolution<1>::block(const Box<1>&) const;
+template std::unique_ptr<NoiseBlock<2>> SparseConvolution<2>::block(const Box<2>&) const;
+template std::unique_ptr<NoiseBlock<3>> SparseConvolution<3>::block(const Box<3>&) const;
+template std::unique_ptr<NoiseBlock<4>> SparseConvolution<4>::block(const Box<4>&) const;
+
+}  // namespace solidnoise

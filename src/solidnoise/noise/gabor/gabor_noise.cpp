@@ -1,0 +1,151 @@
+#include "solidnoise/noise/gabor/gabor_noise.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include <glm/geometric.hpp>
+
+#include "solidnoise/core/check.h"
+#include "solidnoise/core/special_functions.h"
+#include "solidnoise/noise/convolution/impulse_statistics.h"
+#include "solidnoise/noise/convolution/impulse_sums.h"
+#include "solidnoise/noise/convolution/kernel_cells.h"
+#include "solidnoise/noise/kernel/bandwidth.h"
+#include "solidnoise/noise/kernel/gaussian_filter.h"
+#include "solidnoise/noise/kernel/radial_band.h"
+
+namespace solidnoise {
+namespace {
+
+GaborNoiseOptions validated(const GaborNoiseOptions& options) {
+  options.validate();
+  return options;
+}
+
+// Draws the weights of impulses, at the time of an evolution.
+class WeightDraw {
+ public:
+  WeightDraw(ImpulseWeights weights, const Evolution& evolution) : weights_(weights) {
+    if (evolution.moves()) turns_.emplace(evolution);
+  }
+
+  float operator()(std::uint64_t mark) const {
+    if (!turns_) return static_cast<float>(at_rest(mark));
+    const double start = RandomStream(mark).next_unit();
+    const double angle = 2.0 * std::numbers::pi * (start + turns_->at(mark));
+    return static_cast<float>(at_rest(mark) * std::numbers::sqrt2 * std::cos(angle));
+  }
+
+ private:
+  double at_rest(std::uint64_t mark) const {
+    if (weights_ == ImpulseWeights::signs) return mark >> 63 ? 1.0 : -1.0;
+    constexpr double kHalfRange =
+        0x1.0p52;  // of 53 bits, taken at the middle of each step so that the mean is 0
+    return (static_cast<double>(mark >> 11) + 0.5 - kHalfRange) / kHalfRange;
+  }
+
+  ImpulseWeights weights_;
+  std::optional<ImpulseTurns> turns_;
+};
+
+// An isotropic kernel times a random weight.
+class WeightedKernel final : public ImpulseKernel {
+ public:
+  WeightedKernel(RadialSum sum, const WeightDraw& weight) : sum_(std::move(sum)), weight_(weight) {}
+
+  CullBox::Support support() const override { return CullBox::Support::ball; }
+  int attribute_count() const override { return 1; }
+
+  void draw(std::span<const std::uint64_t> marks, ImpulseAttributes& attributes) const override {
+    for (std::size_t i = 0; i < marks.size(); ++i) attributes[0][i] = weight_(marks[i]);
+  }
+
+  void sum(const ImpulseList& list, const SampleBrick& brick, Derivatives derivatives,
+           BrickSums& sums) const override {
+    sum_radial(sum_, list, brick, derivatives, sums);
+  }
+  void sum(const ImpulseList& list, const SampleCluster& cluster, Derivatives derivatives,
+           ClusterSums& sums) const override {
+    sum_radial(sum_, list, cluster, derivatives, sums);
+  }
+
+ private:
+  RadialSum sum_;
+  WeightDraw weight_;
+};
+
+}  // namespace
+
+template <int Dim>
+float GaborNoise<Dim>::weight(std::uint64_t mark) const {
+  return WeightDraw(options_.weights, options_.evolution)(mark);
+}
+
+template <int Dim>
+GaborNoise<Dim>::GaborNoise(const GaborNoiseOptions& options)
+    : options_(validated(options)),
+      kernel_(IsotropicGaborKernel<Dim>::with_unit_peak(
+          options.frequency, gaussian_parameter(options.frequency, options.bandwidth))),
+      compact_(solidnoise::compact_kernel(kernel_, options.error)) {
+  const WeightMoments at_rest = weight_moments(options.weights);
+  const WeightMoments weights = options.evolution.moves() ? turning(at_rest) : at_rest;
+  const KernelMoments moments{compact_.energy(), compact_.fourth_moment()};
+  impulses_ = options.impulses > 0.0 ? options.impulses
+                                     : impulses_for_quality(Dim, compact_.radius(), moments, weights);
+  density_ = solidnoise::impulse_density(Dim, impulses_, compact_.radius());
+  unfiltered_energy_ = compact_.energy();
+
+  // Impulses and amplitude are those of the noise before it is filtered.
+  const auto cells = make_kernel_cells<Dim>(compact_.radius(), options.period);
+  const double amplitude = 1.0 / std::sqrt(noise_variance(density_, unfiltered_energy_, weights));
+  std::shared_ptr<const ImpulseKernel> kernel;
+  if (options.filter == 0.0 || filter_kernel()) {
+    variance_ = compact_.energy() / unfiltered_energy_;
+    excess_kurtosis_ =
+        noise_excess_kurtosis(density_, {compact_.energy(), compact_.fourth_moment()}, weights);
+    kernel = std::make_shared<WeightedKernel>(
+        RadialSum{support_scale<Dim>(cells.in_cells(compact_.radius())), to_single_precision(compact_)},
+        WeightDraw(options.weights, options.evolution));
+  }
+  convolution_ = std::make_shared<SparseConvolution<Dim>>(
+      ImpulseProcess<Dim>(cells.axes, density_ * cells.volume, derive_seed(options.seed, kImpulseStream)),
+      kernel, cells.in_cells(compact_.radius()), amplitude);
+}
+
+// Puts the filtered kernel in the place of the kernel; false, and no change, if nothing is left of it.
+template <int Dim>
+bool GaborNoise<Dim>::filter_kernel() {
+  const IsotropicGaborKernel<Dim> filtered = kernel_.filtered(filter_bandwidth(options_.filter));
+  const FilteredShare share{std::sqrt(filtered.energy() / kernel_.energy()), kernel_.a() / filtered.a()};
+  if (share.nothing(options_.error)) return false;
+  kernel_ = filtered;
+  compact_ = solidnoise::compact_kernel(filtered, share.error(options_.error));
+  return true;
+}
+
+template <int Dim>
+Vec<Dim> GaborNoise<Dim>::gradient_variance() const {
+  return Vec<Dim>(variance() * compact_.gradient_energy() / (Dim * compact_.energy()));
+}
+
+template <int Dim>
+double GaborNoise<Dim>::power_spectrum(const Vec<Dim>& frequency) const {
+  const double spectrum = compact_.spectrum(glm::length(frequency));
+  return variance_ == 0.0 ? 0.0 : spectrum * spectrum / unfiltered_energy_;
+}
+
+template <int Dim>
+typename Noise<Dim>::Band GaborNoise<Dim>::band() const {
+  if (variance_ == 0.0) return {};
+  const auto density = [this](double f) { return std::pow(f, Dim - 1) * std::pow(kernel_.spectrum(f), 2); };
+  return radial_band<Dim>(density, kernel_.frequency(), kernel_.a());
+}
+
+template class GaborNoise<1>;
+template class GaborNoise<2>;
+template class GaborNoise<3>;
+template class GaborNoise<4>;
+
+}  // namespace solidnoise

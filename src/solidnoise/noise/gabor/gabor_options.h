@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+
+#include "solidnoise/core/vec.h"
+#include "solidnoise/noise/gabor/evolution.h"
+
+namespace solidnoise {
+
+// How an impulse of isotropic Gabor noise is weighted. Both have mean 0; `signs` is nearer to a Gaussian
+// field at the same number of impulses, `uniform` is what the papers use.
+enum class ImpulseWeights { signs, uniform };
+
+// Parameters of Gabor noise made of isotropic kernels (every impulse the same, up to its weight).
+struct GaborNoiseOptions {
+  double frequency = 8.0;  // principal frequency F0, cycles per world unit; > 0
+  double bandwidth = 1.0;  // width of the band at half amplitude, octaves; 0.05 to 4
+  double error = 0.02;     // relative RMS error against the kernel of infinite support; 1e-4 to 0.5
+  double impulses = 0.0;   // mean impulses under one kernel, N; 0: the fewest with excess kurtosis below 0.5
+  ImpulseWeights weights = ImpulseWeights::signs;
+  std::uint64_t seed = 0;
+  Vec<4> period{0.0};     // world units per axis (x, y, z, t); 0: none; else at least 2 kernel radii
+  Evolution evolution{};  // how it changes with time; by default it does not
+  double filter = 0.0;    // standard deviation of a Gaussian that it is convolved with, world units; 0: none
+
+  // Throws std::invalid_argument naming the field, its value and what is allowed.
+  void validate() const;
+
+  friend bool operator==(const GaborNoiseOptions&, const GaborNoiseOptions&) = default;
+};
+
+// Parameters of Gabor noise made of oriented kernels with random phase.
+struct OrientedGaborNoiseOptions {
+  double frequency = 8.0;   // principal frequency F0, cycles per world unit; > 0
+  double bandwidth = 1.0;   // width of the band at half amplitude, octaves; 0.05 to 4
+  double error = 0.02;      // relative RMS error against the kernel of infinite support; 1e-4 to 0.5
+  double impulses = 0.0;    // mean impulses under one kernel, N; 0: the fewest with excess kurtosis below 0.5
+  double anisotropy = 0.0;  // 0: directions uniform on the sphere; 1: all along `direction`; 0 to 1
+  Vec<4> direction{1.0, 0.0, 0.0, 0.0};  // along which the waves travel; any length but 0
+  std::uint64_t seed = 0;
+  Vec<4> period{0.0};     // world units per axis (x, y, z, t); 0: none; else at least 2 kernel radii
+  Evolution evolution{};  // how it changes with time; by default it does not
+  double filter = 0.0;    // standard deviation of a Gaussian that it is convolved with, world units; 0: none
+
+  // Throws std::invalid_argument naming the field, its value and what is allowed.
+  void validate() const;
+
+  friend bool operator==(const OrientedGaborNoiseOptions&, const OrientedGaborNoiseOptions&) = default;
+};
+
+}  // namespace solidnoise

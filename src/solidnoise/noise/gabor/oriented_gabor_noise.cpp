@@ -1,0 +1,235 @@
+#include "solidnoise/noise/gabor/oriented_gabor_noise.h"
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <stdexcept>
+
+#include <glm/geometric.hpp>
+
+#include "solidnoise/core/quadrature.h"
+#include "solidnoise/core/special_functions.h"
+#include "solidnoise/noise/convolution/impulse_statistics.h"
+#include "solidnoise/noise/convolution/impulse_sums.h"
+#include "solidnoise/noise/convolution/kernel_cells.h"
+#include "solidnoise/noise/kernel/bandwidth.h"
+#include "solidnoise/noise/kernel/gaussian_filter.h"
+#include "solidnoise/noise/kernel/radial_band.h"
+
+namespace solidnoise {
+namespace {
+
+template <int Dim>
+DirectionCone<Dim> make_directions(const OrientedGaborNoiseOptions& options) {
+  options.validate();
+  Vec<Dim> axis(0.0);
+  for (int i = 0; i < Dim; ++i) axis[i] = options.direction[i];
+  if (glm::length(axis) == 0.0) {
+    throw std::invalid_argument("direction has no component along the axes of this noise");
+  }
+  return {axis, options.anisotropy};
+}
+
+// Draws the waves of impulses, at the time of an evolution.
+template <int Dim>
+class WaveDraw {
+ public:
+  WaveDraw(const DirectionCone<Dim>& directions, double frequency, const Evolution& evolution,
+           double phase_shift)
+      : directions_(directions), frequency_(frequency), phase_shift_(phase_shift) {
+    if (evolution.moves()) turns_.emplace(evolution);
+  }
+
+  typename OrientedGaborNoise<Dim>::Wave operator()(std::uint64_t mark) const {
+    RandomStream stream(mark);
+    double phase = stream.next_unit();
+    if (turns_) phase += turns_->at(mark);
+    phase += phase_shift_;
+    return {frequency_ * directions_.draw(stream), phase - std::floor(phase)};
+  }
+
+ private:
+  DirectionCone<Dim> directions_;
+  double frequency_;
+  double phase_shift_;  // cycles
+  std::optional<ImpulseTurns> turns_;
+};
+
+// An oriented kernel with a random phase and direction.
+template <int Dim>
+class WaveKernel final : public ImpulseKernel {
+ public:
+  WaveKernel(OrientedSum sum, const WaveDraw<Dim>& wave, const std::array<CellAxis, Dim>& axes)
+      : sum_(std::move(sum)), wave_(wave), axes_(axes) {}
+
+  CullBox::Support support() const override { return CullBox::Support::box; }
+  int attribute_count() const override {
+    return 1 + (Dim == 4 ? OrientedSum::wave(kT) : OrientedSum::kPhase);
+  }
+
+  void draw(std::span<const std::uint64_t> marks, ImpulseAttributes& attributes) const override {
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+      const auto wave = wave_(marks[i]);
+      for (int axis = 0; axis < Dim; ++axis) {
+        attributes[OrientedSum::wave(role_of_axis<Dim>(axis))][i] =
+            static_cast<float>(wave.frequency[axis] * axes_[axis].size());
+      }
+      attributes[OrientedSum::kPhase][i] = static_cast<float>(wave.phase);
+    }
+  }
+
+  void sum(const ImpulseList& list, const SampleBrick& brick, Derivatives derivatives,
+           BrickSums& sums) const override {
+    sum_oriented(sum_, list, brick, derivatives, sums);
+  }
+  void sum(const ImpulseList& list, const SampleCluster& cluster, Derivatives derivatives,
+           ClusterSums& sums) const override {
+    sum_oriented(sum_, list, cluster, derivatives, sums);
+  }
+
+ private:
+  OrientedSum sum_;
+  WaveDraw<Dim> wave_;
+  std::array<CellAxis, Dim> axes_;
+};
+
+// Mean of the kernel's power spectrum over the cone of directions d: in closed form over the turns around the
+// cone's axis, by quadrature over the polar angle p. With f split into f_1 along the axis and f_2 across,
+//   |f - F d|^2 = (f_1 - F cos p)^2 + (f_2 - F sin p)^2 + 2 f_2 F sin p (1 - u),
+// where u is a coordinate of a uniform direction in Dim - 1 dimensions.
+template <int Dim>
+double mean_over_cone(const RandomPhaseGaborKernel<Dim>& kernel, const DirectionCone<Dim>& directions,
+                      const Vec<Dim>& f) {
+  const double frequency = glm::length(kernel.frequency());
+  const double sharpness = 2.0 * std::numbers::pi / (kernel.a() * kernel.a());
+  const double along = glm::dot(f, directions.axis());
+  const double across = glm::length(f - along * directions.axis());
+  const auto edge = directions.polar_angle(1.0);
+  const double widest = std::atan2(edge.sine, edge.cosine);
+  const int panels = static_cast<int>(std::ceil(0.5 * frequency / kernel.a()));
+  const double area =
+      integrate([](double angle) { return std::pow(std::sin(angle), Dim - 2); }, 0.0, widest, panels);
+  const double total = integrate(
+      [&](double angle) {
+        const double sine = std::sin(angle);
+        const double cosine = std::cos(angle);
+        const double width = across - frequency * sine;
+        const double around = mean_exponential_scaled(Dim - 1, 2.0 * sharpness * across * frequency * sine);
+        double sum = 0.0;
+        for (const double side : {along, -along}) {
+          const double height = side - frequency * cosine;
+          sum += std::exp(-sharpness * (height * height + width * width)) * around;
+        }
+        return sum * std::pow(sine, Dim - 2);
+      },
+      0.0, widest, panels);
+  return 0.25 * kernel.amplitude() * kernel.amplitude() * std::pow(kernel.a(), -2 * Dim) * total / area;
+}
+
+// Of the product of the axes' envelopes times a wave, means over its phase: cos^2 is 1/2 and cos^4 is 3/8.
+KernelMoments envelope_moments(const CompactKernel& envelope, int dimensions) {
+  return {0.5 * std::pow(envelope.energy(), dimensions),
+          0.375 * std::pow(envelope.fourth_moment(), dimensions)};
+}
+
+}  // namespace
+
+template <int Dim>
+OrientedGaborNoise<Dim>::OrientedGaborNoise(const OrientedGaborNoiseOptions& options, double phase_shift)
+    : options_(options),
+      phase_shift_(phase_shift),
+      directions_(make_directions<Dim>(options)),
+      kernel_(1.0, gaussian_parameter(options.frequency, options.bandwidth),
+              options.frequency * directions_.axis()),
+      frequency_(options.frequency),
+      envelope_(compact_envelope(kernel_.a(), Dim, options.error)),
+      radius_(kernel_.radius_for_error(options.error)) {
+  const KernelMoments moments = envelope_moments(envelope_, Dim);
+  impulses_ = options.impulses > 0.0 ? options.impulses : impulses_for_quality(Dim, radius_, moments);
+  density_ = solidnoise::impulse_density(Dim, impulses_, radius_);
+
+  // Impulses and amplitude are those of the noise before it is filtered.
+  const auto cells = make_kernel_cells<Dim>(envelope_.radius(), options.period);
+  const double amplitude = 1.0 / std::sqrt(noise_variance(density_, moments.second));
+  std::shared_ptr<const ImpulseKernel> kernel;
+  if (options.filter == 0.0 || filter_kernel()) {
+    const KernelMoments filtered = envelope_moments(envelope_, Dim);
+    variance_ = std::pow(kernel_.amplitude(), 2) * filtered.second / moments.second;
+    excess_kurtosis_ = noise_excess_kurtosis(density_, filtered);
+    kernel = std::make_shared<WaveKernel<Dim>>(
+        OrientedSum{support_scale<Dim>(cells.in_cells(envelope_.radius())), to_single_precision(envelope_)},
+        WaveDraw<Dim>(directions_, frequency_, options.evolution, phase_shift), cells.axes);
+  }
+  convolution_ = std::make_shared<SparseConvolution<Dim>>(
+      ImpulseProcess<Dim>(cells.axes, density_ * cells.volume, derive_seed(options.seed, kImpulseStream)),
+      kernel, cells.in_cells(envelope_.radius()), kernel_.amplitude() * amplitude);
+}
+
+// Puts the filtered kernel in the place of the kernel; false, and no change, if nothing is left of it.
+template <int Dim>
+bool OrientedGaborNoise<Dim>::filter_kernel() {
+  const GaborKernel<Dim> phased = kernel_.with_phase(0.0).filtered(filter_bandwidth(options_.filter));
+  const RandomPhaseGaborKernel<Dim> filtered(phased.amplitude(), phased.a(), phased.frequency());
+  const FilteredShare share{std::sqrt(filtered.energy() / kernel_.energy()), kernel_.a() / filtered.a()};
+  if (share.nothing(options_.error)) return false;
+  kernel_ = filtered;
+  frequency_ = glm::length(filtered.frequency());
+  envelope_ = compact_envelope(filtered.a(), Dim, share.error(options_.error));
+  radius_ = filtered.radius_for_error(share.error(options_.error));
+  return true;
+}
+
+template <int Dim>
+typename OrientedGaborNoise<Dim>::Wave OrientedGaborNoise<Dim>::wave(std::uint64_t mark) const {
+  return WaveDraw<Dim>(directions_, frequency_, options_.evolution, phase_shift_)(mark);
+}
+
+// The derivative of envelope times wave, squared and averaged over the phase: that of the envelope and that
+// of the wave each add half of theirs.
+template <int Dim>
+Vec<Dim> OrientedGaborNoise<Dim>::gradient_variance() const {
+  const double wave_number = 2.0 * std::numbers::pi * frequency_;
+  const double of_envelope = envelope_.gradient_energy() / envelope_.energy();
+  return variance() * (of_envelope + wave_number * wave_number * directions_.second_moments());
+}
+
+template <int Dim>
+double OrientedGaborNoise<Dim>::power_spectrum(const Vec<Dim>& frequency) const {
+  if (variance_ == 0.0) return 0.0;
+  if constexpr (Dim > 1) {
+    if (options_.anisotropy == 0.0) {
+      return variance_ * kernel_.isotropic_power_spectrum(glm::length(frequency)) / kernel_.energy();
+    }
+    if (options_.anisotropy < 1.0) {
+      return variance_ * mean_over_cone<Dim>(kernel_, directions_, frequency) / kernel_.energy();
+    }
+  }
+  // A pair of products of the envelope's transforms; per axis the envelope is exact.
+  double sum = 0.0;
+  for (const double sign : {1.0, -1.0}) {
+    double product = 1.0;
+    for (int axis = 0; axis < Dim; ++axis) {
+      const double spectrum =
+          envelope_.spectrum(std::abs(frequency[axis] - sign * kernel_.frequency()[axis]));
+      product *= spectrum * spectrum / envelope_.energy();
+    }
+    sum += 0.5 * variance_ * product;
+  }
+  return sum;
+}
+
+template <int Dim>
+typename Noise<Dim>::Band OrientedGaborNoise<Dim>::band() const {
+  if (variance_ == 0.0) return {};
+  const auto density = [this](double f) {
+    return std::pow(f, Dim - 1) * kernel_.isotropic_power_spectrum(f);
+  };
+  return radial_band<Dim>(density, frequency_, kernel_.a());
+}
+
+template class OrientedGaborNoise<1>;
+template class OrientedGaborNoise<2>;
+template class OrientedGaborNoise<3>;
+template class OrientedGaborNoise<4>;
+
+}  // namespace solidnoise

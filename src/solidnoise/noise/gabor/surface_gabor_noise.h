@@ -1,0 +1,76 @@
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "solidnoise/noise/gabor/surface_gabor_options.h"
+#include "solidnoise/noise/gabor/varying_parameters.h"
+#include "solidnoise/noise/noise.h"
+#include "solidnoise/noise/point/point_convolution.h"
+#include "solidnoise/noise/point/surface_points.h"
+
+namespace solidnoise {
+
+// Gabor noise on surfaces, without a parametrisation. With X_i the points of a Poisson process in space and
+// W_i weights of 1 or -1, at a point x with unit normal n,
+//   noise(x, n) = sum of W_i h(o_i / H) g(p_i),   o_i = (x - X_i).n,   p_i = (x - X_i) - o_i n:
+// impulses are taken from a layer of half thickness H around the tangent plane and projected on it. g is a
+// two-dimensional Gabor kernel of radius r in the tangent plane, isotropic or oriented, h the window of
+// PointConvolution. On a plane of any orientation it is two-dimensional Gabor noise, exactly: its spectrum is
+// |G(f)|^2 up to a factor, a true band, which no slice of an isotropic solid noise has. By Campbell's theorem
+// the variance is the same everywhere, whatever the normal and the curvature; values are scaled to a standard
+// deviation of 1 (or of the magnitude at the point).
+//
+// After the surface noise of Lagae et al. 2009 and 2011, section V (figure 16), with these differences: the
+// normalisation accounts for the window; kernels are compact (KernelFamily) and without random phase, so that
+// an oriented noise needs a direction at each point but no sign of it; the transitions of scale are those of
+// ScaleTransition.
+//
+// Where the curvature is strong a pattern is stretched or compressed by up to H times the curvature; keep H
+// (options.layer times radius()) below 0.3 radii of curvature. A sheet thinner than H has related patterns on
+// both sides.
+//
+// A value depends on the point's position, normal and parameters only, not on the other points (vector widths
+// without fused multiply-add may differ in the last bits). Immutable; may be shared between threads: give
+// each thread points that are near each other, some ten thousand at a time.
+class SurfaceGaborNoise {
+ public:
+  // Throws std::invalid_argument: options.validate().
+  explicit SurfaceGaborNoise(const SurfaceGaborOptions& options);
+
+  const SurfaceGaborOptions& options() const { return options_; }
+  double radius() const;                                    // of the options' kernel, world units
+  double impulses_per_kernel() const { return impulses_; }  // N, mean
+
+  // The stationary noise, one float per point. Throws std::invalid_argument naming the first point whose
+  // position is not finite or whose normal has no direction.
+  void evaluate(const SurfacePoints& points, std::span<float> values) const;
+
+  // The noise whose parameters vary from point to point; also throws what VaryingParameters::validate() does.
+  // If neither frequency nor bandwidth vary it is the stationary noise above, times magnitude and with the
+  // directions given; if they do, it has other impulses, in a hierarchy of grids, and differs from the
+  // stationary noise even where the parameters agree.
+  void evaluate(const SurfacePoints& points, const VaryingParameters<3>& parameters,
+                std::span<float> values) const;
+
+  double variance() const { return 1.0; }
+  // Spectral density on a plane, of the options' kernel: the integral over the plane's frequencies f (cycles
+  // per world unit) is 1. For oriented waves the first axis of the plane is along the direction.
+  double power_spectrum(const Vec<2>& f) const;
+  // E[value^4] / E[value^2]^2 - 3, of the options' kernel.
+  double excess_kurtosis() const { return excess_kurtosis_; }
+  // The frequencies that hold all but a thousandth of the variance.
+  Noise<2>::Band band() const;
+
+ private:
+  SurfaceGaborOptions options_;
+  std::shared_ptr<const KernelFamily> family_;
+  KernelFamily::Member kernel_;  // of the options
+  CompactKernel compact_;        // the same, on the unit ball
+  double impulses_ = 0.0;
+  double excess_kurtosis_ = 0.0;
+  std::shared_ptr<const PointConvolution<3>> stationary_;
+  std::shared_ptr<const PointConvolution<3>> varying_;
+};
+
+}  // namespace solidnoise

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "solidnoise/core/points.h"
+#include "solidnoise/noise/gabor/varying_gabor_options.h"
+#include "solidnoise/noise/gabor/varying_parameters.h"
+#include "solidnoise/noise/point/point_convolution.h"
+
+namespace solidnoise {
+
+// Gabor noise in Dim dimensions, 2 to 4, with a frequency, bandwidth, magnitude and direction of its own at
+// each point (Lagae et al. 2011, section V). With X_i the points of a Poisson process and W_i weights of 1 or
+// -1,
+//   noise(x) = sum of W_i g(x - X_i; parameters at x),
+// g a Gabor kernel scaled so that the sum of its squares is right: the variance at x is the square of the
+// magnitude at x, exactly, for any fields of parameters. Where these are constant the spectrum is that of a
+// noise with these parameters; continuous fields give a continuous noise.
+//
+// Differences from the paper: kernels are compact and their variance exact (KernelFamily); their radius
+// follows from a relative error in place of a fraction of the envelope; the transitions of scale are ours
+// (ScaleTransition), the paper's remain for comparison; oriented kernels have phase 0, so that a direction
+// needs no sign.
+//
+// A value depends on the point's position and parameters only, not on the other points (vector widths without
+// fused multiply-add may differ in the last bits). Immutable; may be shared between threads: give each thread
+// points that are near each other, some ten thousand at a time.
+template <int Dim>
+class VaryingGaborNoise {
+ public:
+  // Throws std::invalid_argument: options.validate().
+  explicit VaryingGaborNoise(const VaryingGaborOptions& options);
+
+  const VaryingGaborOptions& options() const { return options_; }
+  double impulses_per_kernel() const { return impulses_; }  // N, mean
+  // Of the kernel of a frequency > 0 and a bandwidth of 0.1 to 4 octaves, in world units.
+  double radius(double frequency, double bandwidth) const;
+
+  // One float per point. Throws std::invalid_argument: parameters.validate(), or a position that is not
+  // finite. If neither frequency nor bandwidth vary, all impulses are in one grid, which is the fastest; if
+  // they do, in a hierarchy of grids, and the noise is another one even where the parameters agree.
+  void evaluate(const Points<Dim>& points, const VaryingParameters<Dim>& parameters,
+                std::span<float> values) const;
+
+  // Of the noise with the parameters of the options: two-sided power spectral density at a frequency (cycles
+  // per world unit), its integral is 1; and E[value^4] / E[value^2]^2 - 3.
+  double power_spectrum(const Vec<Dim>& frequency) const;
+  double excess_kurtosis() const { return excess_kurtosis_; }
+
+ private:
+  VaryingGaborOptions options_;
+  std::shared_ptr<const KernelFamily> family_;
+  KernelFamily::Member kernel_;  // of the options
+  CompactKernel compact_;        // the same, on the unit ball
+  double impulses_ = 0.0;
+  double excess_kurtosis_ = 0.0;
+  std::shared_ptr<const PointConvolution<Dim>> stationary_;
+  std::shared_ptr<const PointConvolution<Dim>> varying_;
+};
+
+extern template class VaryingGaborNoise<2>;
+extern template class VaryingGaborNoise<3>;
+extern template class VaryingGaborNoise<4>;
+
+}  // namespace solidnoise

@@ -1,0 +1,158 @@
+#include "solidnoise/noise/kernel/compact_kernel.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "solidnoise/core/quadrature.h"
+#include "solidnoise/core/special_functions.h"
+
+namespace solidnoise {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+// Sum of c_k T_k(u), by Clenshaw's rule.
+double chebyshev_sum(const std::vector<double>& coefficients, double u) {
+  double next = 0.0;
+  double after = 0.0;
+  for (std::size_t k = coefficients.size() - 1; k > 0; --k) {
+    const double current = coefficients[k] + 2.0 * u * next - after;
+    after = next;
+    next = current;
+  }
+  return coefficients[0] + u * next - after;
+}
+
+// The derivative of a Chebyshev series, by the recurrence c'_(k-1) = c'_(k+1) + 2 k c_k, c'_0 halved.
+std::vector<double> chebyshev_derivative(const std::vector<double>& coefficients) {
+  const std::size_t count = coefficients.size();
+  std::vector<double> slope(count + 1, 0.0);
+  for (std::size_t k = count - 1; k > 0; --k) {
+    slope[k - 1] = slope[k + 1] + 2.0 * static_cast<double>(k) * coefficients[k];
+  }
+  slope[0] *= 0.5;
+  slope.resize(count > 1 ? count - 1 : 1);
+  return slope;
+}
+
+// A Chebyshev series of 2 v, in powers of v.
+std::vector<double> powers_of_half_argument(const std::vector<double>& coefficients) {
+  const std::size_t count = coefficients.size();
+  std::vector<double> powers(count, 0.0);
+  // The polynomials T_k(2 v) in powers of v: T_(k+1) = 4 v T_k - T_(k-1).
+  std::vector<double> previous(count, 0.0);
+  std::vector<double> current(count, 0.0);
+  std::vector<double> next(count, 0.0);
+  current[0] = 1.0;
+  for (std::size_t k = 0; k < count; ++k) {
+    for (std::size_t i = 0; i <= k; ++i) powers[i] += coefficients[k] * current[i];
+    if (k + 1 == count) break;
+    const double factor = k == 0 ? 2.0 : 4.0;
+    for (std::size_t i = 0; i <= k + 1; ++i) {
+      next[i] = (i > 0 ? factor * current[i - 1] : 0.0) - previous[i];
+    }
+    std::swap(previous, current);
+    std::swap(current, next);
+  }
+  return powers;
+}
+
+}  // namespace
+
+CompactKernel::CompactKernel(int dimensions, double radius, std::vector<double> chebyshev,
+                             double relative_error)
+    : dimensions_(dimensions),
+      radius_(radius),
+      chebyshev_(std::move(chebyshev)),
+      slope_(chebyshev_derivative(chebyshev_)),
+      power_(powers_of_half_argument(chebyshev_)),
+      relative_error_(relative_error) {
+  // The fourth power is a polynomial in r: a rule of half its degree is exact.
+  shells_ = make_shells(4 * (degree() + 2) + dimensions + 18);
+  for (std::size_t i = 0; i < shells_.radii.size(); ++i) {
+    const double g = value(shells_.radii[i]);
+    energy_ += shells_.integrals[i] * g;
+    fourth_moment_ += shells_.integrals[i] * g * g * g;
+  }
+  const double rounding = horner_rounding_error();
+  well_conditioned_ = rounding <= std::fmin(1e-4, 0.1 * relative_error);
+}
+
+double CompactKernel::value(double r) const {
+  const double s = (r / radius_) * (r / radius_);
+  if (s >= 1.0) return 0.0;
+  const double t = 1.0 - s;
+  return t * t * chebyshev_sum(chebyshev_, 1.0 - 2.0 * s);
+}
+
+double CompactKernel::derivative(double r) const {
+  const double s = (r / radius_) * (r / radius_);
+  if (s >= 1.0) return 0.0;
+  const double t = 1.0 - s;
+  const double u = 1.0 - 2.0 * s;
+  const double by_t = 2.0 * t * chebyshev_sum(chebyshev_, u) + 2.0 * t * t * chebyshev_sum(slope_, u);
+  return by_t * (-2.0 * r / (radius_ * radius_));
+}
+
+double CompactKernel::gradient_energy() const {
+  // A polynomial in r of degree 4 (d + 2) + n - 3: this rule is exact.
+  const QuadratureRule rule = gauss_legendre(2 * (degree() + 2) + dimensions_);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+    const double r = 0.5 * radius_ * (1.0 + rule.nodes[i]);
+    const double slope = derivative(r);
+    sum += rule.weights[i] * std::pow(r, dimensions_ - 1) * slope * slope;
+  }
+  return 0.5 * radius_ * unit_sphere_area(dimensions_) * sum;
+}
+
+double CompactKernel::horner_rounding_error() const {
+  for (const double c : power_) {
+    if (std::abs(c) > std::numeric_limits<float>::max()) return std::numeric_limits<double>::infinity();
+  }
+  double squared_error = 0.0;
+  for (std::size_t i = 0; i < shells_.radii.size(); ++i) {
+    const double g = value(shells_.radii[i]);
+    if (g == 0.0) continue;
+    const auto t = static_cast<float>(1.0 - std::pow(shells_.radii[i] / radius_, 2));
+    float polynomial = 0.0f;
+    for (std::size_t k = power_.size(); k > 0; --k) {
+      polynomial = polynomial * (t - 0.5f) + static_cast<float>(power_[k - 1]);
+    }
+    squared_error += shells_.integrals[i] / g * std::pow(static_cast<double>(t * t * polynomial) - g, 2);
+  }
+  return std::sqrt(squared_error / energy_);
+}
+
+CompactKernel::Shells CompactKernel::make_shells(int count) const {
+  const QuadratureRule rule = gauss_legendre(count);
+  Shells shells;
+  for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+    const double r = 0.5 * radius_ * (1.0 + rule.nodes[i]);
+    const double area = unit_sphere_area(dimensions_) * std::pow(r, dimensions_ - 1);
+    shells.radii.push_back(r);
+    shells.integrals.push_back(0.5 * radius_ * rule.weights[i] * area * value(r));
+  }
+  return shells;
+}
+
+double CompactKernel::spectrum(double f) const {
+  // Over the radius the wave is, to all digits, a polynomial of degree pi f R + 30; the kernel is one of
+  // degree 2 (d + 2). The nodes at hand are enough for up to a few times the kernel's own frequencies.
+  const auto needed =
+      static_cast<std::size_t>(degree() + dimensions_ + 18 + 0.5 * kPi * std::abs(f) * radius_);
+  if (needed <= shells_.radii.size()) return transform(shells_, f);
+  return transform(make_shells(static_cast<int>(needed)), f);
+}
+
+double CompactKernel::transform(const Shells& shells, double f) const {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < shells.radii.size(); ++i) {
+    sum += shells.integrals[i] * mean_cosine(dimensions_, 2.0 * kPi * f * shells.radii[i]);
+  }
+  return sum;
+}
+
+}  // namespace solidnoise

@@ -1,0 +1,271 @@
+#include "solidnoise/noise/point/point_convolution.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <numbers>
+#include <vector>
+
+#include "solidnoise/core/special_functions.h"
+#include "solidnoise/noise/convolution/impulse_cells.h"
+#include "solidnoise/noise/convolution/kernel_cells.h"
+#include "solidnoise/noise/point/lane_polynomials.h"
+#include "solidnoise/noise/point/point_cluster.h"
+#include "solidnoise/noise/point/point_order.h"
+#include "solidnoise/noise/point/point_tile.h"
+#include "solidnoise/noise/point/tile_impulses.h"
+
+namespace solidnoise {
+namespace {
+
+// Streams of the grids: one per level.
+constexpr std::uint64_t kLevelStream = 1u << 20;
+
+// Points that are prepared together.
+constexpr std::size_t kBatch = 4096;
+
+}  // namespace
+
+double layer_window(double u) {
+  const double inside = std::fmax(0.0, 1.0 - u * u);
+  return inside * inside;
+}
+
+double layer_window_moment(int power) {
+  // The integral of (1 - u^2)^m is 2 (2/3) (4/5) ... (2 m / (2 m + 1)).
+  double integral = 2.0;
+  for (int k = 1; k <= 2 * power; ++k) integral *= 2.0 * k / (2.0 * k + 1.0);
+  return integral;
+}
+
+template <int Dim>
+PointConvolution<Dim>::PointConvolution(const Settings& settings) : settings_(settings) {
+  const double support =
+      settings.layer > 0.0 ? 2.0 * std::numbers::pi * settings.layer : unit_ball_volume(Dim);
+  // Mean impulses in a cube whose side is a kernel radius, and in a cell of a grid.
+  double density = settings.impulses / support;
+  power_ = density;
+  double mean_per_cell = density;
+  if (settings.radius > 0.0) {
+    // A cell's side is as long as the kernel reaches.
+    mean_per_cell = density * std::pow(std::hypot(1.0, settings.layer), Dim);
+  } else if (settings.transition == ScaleTransition::fade) {
+    const ScaleFade fade(Dim);
+    density *= fade.impulses_per_effective_one;
+    power_ = density * fade.second_moment;
+    mean_per_cell = density * (1.0 - fade.lowest);
+  }
+  process_.emplace(std::array<CellAxis, Dim>{}, mean_per_cell, 0);
+}
+
+template <int Dim>
+ImpulseProcess<Dim> PointConvolution<Dim>::grid(int level, double cell_size) const {
+  std::array<CellAxis, Dim> axes;
+  axes.fill(CellAxis(cell_size));
+  const std::uint64_t stream = kLevelStream + static_cast<std::uint64_t>(static_cast<std::int64_t>(level));
+  return process_->with(axes, derive_seed(derive_seed(settings_.seed, kImpulseStream), stream));
+}
+
+// One call of evaluate().
+template <int Dim>
+class PointConvolution<Dim>::Evaluation {
+ public:
+  Evaluation(const PointConvolution& noise, const Points<Dim>& points, const Prepare& prepare,
+             std::span<float> values)
+      : noise_(noise), points_(points), prepare_(prepare), values_(values), extent_(noise.settings_.layer) {
+    const Settings& settings = noise.settings_;
+    fixed_ = settings.radius > 0.0;
+    kernel_.dimensions = Dim;
+    kernel_.layer = settings.layer > 0.0;
+    kernel_.oriented = settings.waves == GaborWaves::oriented;
+    kernel_.fade = extent_.fade = !fixed_ && settings.transition == ScaleTransition::fade;
+  }
+
+  void run() {
+    const std::vector<std::size_t> order = spatial_order(points_);
+    for (std::size_t first = 0; first < order.size(); first += kBatch) {
+      evaluate_batch(std::span(order).subspan(first, std::min(kBatch, order.size() - first)));
+    }
+  }
+
+ private:
+  using Located = LocatedPoint<Dim>;
+
+  // A grid and the points of the batch that use it (and with ScaleTransition::fade the next coarser one too),
+  // those whose polynomials are in powers apart from the others.
+  struct Level {
+    std::unique_ptr<ImpulseCells<Dim>> cells;
+    std::array<std::vector<Located>, 2> points;
+  };
+
+  void evaluate_batch(std::span<const std::size_t> batch) {
+    batch_ = batch;
+    prepared_.resize(batch.size());
+    prepare_(batch, prepared_);
+    // Far-apart memory is read axis by axis: the processor then waits for many places at once.
+    for (int axis = 0; axis < Dim; ++axis) {
+      auto& positions = positions_[static_cast<std::size_t>(axis)];
+      positions.resize(batch.size());
+      for (std::size_t i = 0; i < batch.size(); ++i) positions[i] = points_.coordinate(batch[i], axis);
+    }
+    sums_.assign(batch.size(), 0.0f);
+    for (std::size_t i = 0; i < batch.size(); ++i) add_to_levels(static_cast<std::uint32_t>(i));
+    for (auto& [l, level] : levels_) {
+      for (const bool power : {false, true}) {
+        auto& points = level.points[power ? 1 : 0];
+        if (points.empty()) continue;
+        level_ = &level;
+        const double size = level.cells->axis().size();
+        coarse_cells_ = extent_.fade ? this->level(l + 1, 2.0 * size).cells.get() : nullptr;
+        evaluate_level(points, power);
+        points.clear();
+      }
+    }
+    for (std::size_t i = 0; i < batch.size(); ++i) values_[batch[i]] = sums_[i];
+  }
+
+  Level& level(int l, double size) {
+    Level& found = levels_[l];
+    if (!found.cells) found.cells = std::make_unique<ImpulseCells<Dim>>(noise_.grid(l, size));
+    return found;
+  }
+
+  void add_to_levels(std::uint32_t point) {
+    const double radius = prepared_[point].radius;
+    if (fixed_) {
+      const double size = radius * std::hypot(1.0, noise_.settings_.layer);
+      if (!fine_) fine_ = &level(0, size);
+      return add(*fine_, point, radius / size, 1.0);
+    }
+    // Most often the levels are those of the point before.
+    if (!(radius >= size_ && radius < 2.0 * size_)) {
+      const int l = std::ilogb(radius);
+      size_ = std::ldexp(1.0, l);
+      fine_ = &level(l, size_);
+      coarse_ = extent_.fade ? nullptr : &level(l + 1, 2.0 * size_);
+    }
+    if (extent_.fade) return add(*fine_, point, radius / size_, 1.0);
+    const ScaleWeights weights = scale_weights(noise_.settings_.transition, Dim, radius / size_ - 1.0);
+    if (weights.fine != 0.0) add(*fine_, point, radius / size_, weights.fine);
+    if (weights.coarse != 0.0) add(*coarse_, point, 0.5 * radius / size_, weights.coarse);
+  }
+
+  void add(Level& level, std::uint32_t point, double radius, double weight) {
+    Located located;
+    for (int axis = 0; axis < Dim; ++axis) {
+      const auto a = static_cast<std::size_t>(axis);
+      const CellPosition position = locate_point(level.cells->axis(), positions_[a][point], batch_[point]);
+      located.cell[axis] = position.cell;
+      located.fraction[a] = position.fraction;
+    }
+    located.radius = static_cast<float>(radius);
+    double density = radius;
+    for (int axis = 1; axis < Dim; ++axis) density *= radius;
+    located.density = static_cast<float>(density);
+    located.weight = static_cast<float>(weight * prepared_[point].amplitude);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      located.normal[axis] = static_cast<float>(prepared_[point].normal[axis]);
+    }
+    located.point = point;
+    level.points[prepared_[point].kernel.power() ? 1 : 0].push_back(located);
+  }
+
+  void evaluate_level(std::span<Located> points, bool power) {
+    while (!points.empty()) {
+      const PointTile<Dim> tile(points);
+      impulses_.gather(tile, extent_, *level_->cells, coarse_cells_);
+      for (std::size_t first = 0; first < tile.points.size(); first += kPatchPoints) {
+        evaluate_patch(tile.points.subspan(first, std::min(kPatchPoints, tile.points.size() - first)), power);
+      }
+    }
+  }
+
+  void evaluate_patch(std::span<const Located> points, bool power) {
+    constexpr std::size_t kClusters = kPatchPoints / PointCluster::kSamples;
+    std::array<PointCull, kClusters> culls;
+    const auto cluster = [&](std::size_t i) {
+      const std::size_t first = i * PointCluster::kSamples;
+      return points.subspan(first, std::min<std::size_t>(PointCluster::kSamples, points.size() - first));
+    };
+    const std::size_t count = (points.size() + PointCluster::kSamples - 1) / PointCluster::kSamples;
+    for (std::size_t i = 0; i < count; ++i) culls[i] = bounds<Dim>(cluster(i), extent_);
+    PointCull all = culls[0];
+    for (std::size_t i = 1; i < count; ++i) all = joined(all, culls[i]);
+    near_.clear();
+    cull_impulses(impulses_.impulses(), all, near_);
+    for (std::size_t i = 0; i < count; ++i) evaluate_cluster(cluster(i), culls[i], power);
+  }
+
+  void evaluate_cluster(std::span<const Located> points, const PointCull& cull, bool power) {
+    kept_.clear();
+    cull_impulses(near_, cull, kept_);
+
+    std::array<const KernelFamily::Member*, PointCluster::kSamples> kernels;
+    for (std::size_t i = 0; i < points.size(); ++i) kernels[i] = &prepared_[points[i].point].kernel;
+    const PointPolynomials& polynomials = polynomials_.fill(std::span(kernels).first(points.size()), power);
+
+    cluster_.count = static_cast<int>(points.size());
+    for (std::size_t lane = 0; lane < PointCluster::kSamples; ++lane) {
+      fill_lane(points[std::min(lane, points.size() - 1)], lane);
+    }
+    alignas(64) float sums[PointCluster::kSamples];
+    sum_impulses(kernel_, cluster_, polynomials, kept_, sums);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      sums_[points[i].point] += points[i].weight * sums[i];
+    }
+  }
+
+  void fill_lane(const Located& point, std::size_t lane) {
+    for (std::size_t axis = 0; axis < Dim; ++axis) cluster_.coordinate[axis][lane] = point.at[axis];
+    cluster_.density[lane] = point.density;
+    cluster_.inverse_square_radius[lane] = 1.0f / (point.radius * point.radius);
+    if (kernel_.oriented) {
+      const auto& wave = prepared_[point.point].wave;
+      const double cell_size = level_->cells->axis().size();
+      for (std::size_t axis = 0; axis < Dim; ++axis) {
+        cluster_.wave[axis][lane] = static_cast<float>(wave[axis] * cell_size);
+      }
+    }
+    if (kernel_.layer) {
+      const float height = point.radius * extent_.layer;
+      cluster_.inverse_square_height[lane] = 1.0f / (height * height);
+      for (std::size_t axis = 0; axis < 3; ++axis) cluster_.normal[axis][lane] = point.normal[axis];
+    }
+  }
+
+  const PointConvolution& noise_;
+  const Points<Dim>& points_;
+  const Prepare& prepare_;
+  std::span<float> values_;
+  bool fixed_ = false;
+  KernelExtent extent_;
+  PointKernel kernel_;
+  std::map<int, Level> levels_;  // by the exponent of the cell size
+  double size_ = 0.0;            // of the cells of the finer of two levels, those used last
+  Level* fine_ = nullptr;
+  Level* coarse_ = nullptr;
+  std::span<const std::size_t> batch_;
+  std::vector<KernelPoint<Dim>> prepared_;
+  std::array<std::vector<double>, Dim> positions_;
+  std::vector<float> sums_;
+  Level* level_ = nullptr;                     // whose points are evaluated
+  ImpulseCells<Dim>* coarse_cells_ = nullptr;  // that the same points use too
+  TileImpulses<Dim> impulses_;
+  PointImpulses near_;  // of a patch
+  PointImpulses kept_;  // of a cluster
+  PointCluster cluster_;
+  LanePolynomials polynomials_;
+};
+
+template <int Dim>
+void PointConvolution<Dim>::evaluate(const Points<Dim>& points, const Prepare& prepare,
+                                     std::span<float> values) const {
+  Evaluation(*this, points, prepare, values).run();
+}
+
+template class PointConvolution<2>;
+template class PointConvolution<3>;
+template class PointConvolution<4>;
+
+}  // namespace solidnoise

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+
+#include "solidnoise/core/points.h"
+#include "solidnoise/noise/convolution/impulse_process.h"
+#include "solidnoise/noise/kernel/kernel_family.h"
+#include "solidnoise/noise/point/scale_transition.h"
+
+namespace solidnoise {
+
+// A point with the kernel that the noise has there.
+template <int Dim>
+struct KernelPoint {
+  double radius = 1.0;     // of the kernel, world units
+  double amplitude = 1.0;  // that makes the standard deviation of the value what it should be
+  KernelFamily::Member kernel;
+  std::array<double, Dim> wave{};  // of an oriented kernel, cycles per world unit
+  std::array<double, 3> normal{};  // of a layer, unit length
+};
+
+// Sparse convolution in which the kernel belongs to the evaluation point (Lagae et al. 2011, section V): the
+// sum, over the impulses near a point, of that point's kernel. Points are put in spatial order and gathered
+// into clusters that share their impulses.
+template <int Dim>
+class PointConvolution {
+ public:
+  struct Settings {
+    GaborWaves waves = GaborWaves::isotropic;
+    // Half the thickness of the layer around a surface that impulses are taken from, in kernel radii; 0: no
+    // layer, the kernel is a ball. In 3D only.
+    double layer = 0.0;
+    ScaleTransition transition = ScaleTransition::fade;
+    double impulses =
+        32.0;  // in the kernel's support (ball, or cylinder), effective: the kurtosis is that of as many
+    double radius = 0.0;  // > 0: of all kernels; then there is one grid, and no transition
+    std::uint64_t seed = 0;
+  };
+  explicit PointConvolution(const Settings& settings);
+
+  // Mean square of the sum at amplitude 1, per unit of `energy`, the integral of the kernel's square over its
+  // unit support (the integral over the layer's window included).
+  double power() const { return power_; }
+
+  // Says what the kernels at some points are: those with the numbers `points`, one kernel for each.
+  using Prepare =
+      std::function<void(std::span<const std::size_t> points, std::span<KernelPoint<Dim>> kernels)>;
+  // Calls `prepare` once for each point. Serial.
+  void evaluate(const Points<Dim>& points, const Prepare& prepare, std::span<float> values) const;
+
+ private:
+  class Evaluation;
+
+  ImpulseProcess<Dim> grid(int level, double cell_size) const;
+
+  Settings settings_;
+  double power_ = 0.0;
+  std::optional<ImpulseProcess<Dim>> process_;  // of all grids, but for their cells and keys
+};
+
+// The window of a layer, as a function of the offset along the normal in half thicknesses, and the integrals
+// of its powers: h(u) = (1 - u^2)^2. Cheap, and value and slope are continuous at |u| = 1. (Kensler et al.
+// 2008 have a cubic Hermite window; any even window will do, as the variance is proportional to the integral
+// of h^2.)
+double layer_window(double u);
+double layer_window_moment(int power);  // integral of h^power from -1 to 1
+
+extern template class PointConvolution<2>;
+extern template class PointConvolution<3>;
+extern template class PointConvolution<4>;
+
+}  // namespace solidnoise

@@ -1,0 +1,165 @@
+#include "solidnoise/noise/point/point_tile.h"
+
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace solidnoise {
+namespace {
+
+// With m the mean normal, an impulse at X within the layer of a point x of normal n has
+//   |m.(X - x)| <= |n.(X - x)| + |m - n| |X - x| <= layer + |m - n| reach.
+template <int Dim>
+void bound_layer(std::span<const LocatedPoint<Dim>> points, float layer, PointCull& cull) {
+  std::array<float, 3> mean{};
+  for (const auto& point : points) {
+    for (std::size_t axis = 0; axis < 3; ++axis) mean[axis] += point.normal[axis];
+  }
+  const float length = std::sqrt(mean[0] * mean[0] + mean[1] * mean[1] + mean[2] * mean[2]);
+  if (length < 0.5f * static_cast<float>(points.size())) return;  // too different to say anything
+  for (std::size_t axis = 0; axis < 3; ++axis) cull.normal[axis] = mean[axis] / length;
+  cull.below = HUGE_VALF;
+  cull.above = -HUGE_VALF;
+  constexpr float kMargin = 1e-4f;
+  for (const auto& point : points) {
+    float along = 0.0f;
+    float square = 0.0f;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      along += cull.normal[axis] * point.at[axis];
+      const float difference = cull.normal[axis] - point.normal[axis];
+      square += difference * difference;
+    }
+    const float half = point.radius * layer + std::sqrt(square) * cull.reach;
+    cull.below = std::min(cull.below, along - half - kMargin);
+    cull.above = std::max(cull.above, along + half + kMargin);
+  }
+}
+
+}  // namespace
+
+CellPosition locate_point(const CellAxis& axis, double coordinate, std::size_t point) {
+  constexpr double kMostCells = 0x1p40;
+  if (!(std::abs(coordinate) < kMostCells * axis.size())) {
+    throw std::invalid_argument(fmt::format(
+        "position of point {} has a coordinate of {}; with the frequency there it must be within {:.6g}",
+        point, coordinate, kMostCells * axis.size()));
+  }
+  return axis.locate(coordinate);
+}
+
+CellRange::CellRange(const PointCull& cull, int axis) {
+  const auto a = static_cast<std::size_t>(axis);
+  first = static_cast<int>(std::floor(cull.lower[a] - cull.reach));
+  count = std::min(static_cast<int>(std::floor(cull.upper[a] + cull.reach)) - first + 1, kMost);
+  for (int i = 0; i < count; ++i) {
+    const auto lower = static_cast<float>(first + i);
+    const float excess = std::max({lower - cull.upper[a], cull.lower[a] - lower - 1.0f, 0.0f});
+    square[static_cast<std::size_t>(i)] = excess * excess;
+    along[static_cast<std::size_t>(i)] = axis < 3 ? cull.normal[a] * (lower + 0.5f) : 0.0f;
+  }
+}
+
+std::pair<int, int> CellRange::between(float lower, float upper) const {
+  const float step = count > 1 ? along[1] - along[0] : 0.0f;
+  if (std::abs(step) < 1e-3f) {
+    // All are about the same.
+    const float margin = 1e-3f * static_cast<float>(count);
+    return along[0] >= lower - margin && along[0] <= upper + margin ? std::pair(0, count - 1)
+                                                                    : std::pair(0, -1);
+  }
+  const auto index = [&](float value) {
+    return std::clamp((value - along[0]) / step, -1.0f, static_cast<float>(count));
+  };
+  const float first_index = index(step > 0.0f ? lower : upper);
+  const float last_index = index(step > 0.0f ? upper : lower);
+  return {std::max(0, static_cast<int>(std::floor(first_index))),
+          std::min(count - 1, static_cast<int>(std::ceil(last_index)))};
+}
+
+template <int Dim>
+PointTile<Dim>::PointTile(std::span<LocatedPoint<Dim>>& rest) : anchor(rest.front().cell) {
+  Index<Dim> lower = anchor;
+  Index<Dim> upper = anchor;
+  std::size_t count = 0;
+  for (; count < std::min(rest.size(), kTilePoints); ++count) {
+    LocatedPoint<Dim>& point = rest[count];
+    bool near = true;
+    for (int axis = 0; axis < Dim; ++axis) {
+      const auto a = static_cast<std::size_t>(axis);
+      lower[axis] = std::min(lower[axis], point.cell[axis]);
+      upper[axis] = std::max(upper[axis], point.cell[axis]);
+      near = near && upper[axis] - lower[axis] < kTileCells;
+      point.at[a] = static_cast<float>(point.cell[axis] - anchor[axis]) + point.fraction[a];
+    }
+    if (!near) break;
+  }
+  points = rest.first(count);
+  rest = rest.subspan(count);
+}
+
+template <int Dim>
+PointCull bounds(std::span<const LocatedPoint<Dim>> points, const KernelExtent& extent) {
+  PointCull cull;
+  cull.dimensions = Dim;
+  cull.lower.fill(HUGE_VALF);
+  cull.upper.fill(-HUGE_VALF);
+  float largest = 0.0f;
+  float least_density = HUGE_VALF;
+  float most_density = 0.0f;
+  for (const auto& point : points) {
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      cull.lower[axis] = std::min(cull.lower[axis], point.at[axis]);
+      cull.upper[axis] = std::max(cull.upper[axis], point.at[axis]);
+    }
+    largest = std::max(largest, point.radius);
+    least_density = std::min(least_density, point.density);
+    most_density = std::max(most_density, point.density);
+  }
+  cull.reach = largest * extent.reach;
+  if (extent.fade) {
+    // fade(y) is 0 outside of 2^-n < y < 1; a small margin for rounding.
+    cull.least_turn = 0.9999f / static_cast<float>(1 << Dim) / most_density;
+    cull.most_turn = 1.0001f / least_density;
+  }
+  if constexpr (Dim == 3) {
+    if (extent.layer > 0.0f) bound_layer<Dim>(points, extent.layer, cull);
+  }
+  return cull;
+}
+
+PointCull joined(const PointCull& a, const PointCull& b) {
+  PointCull both = a;
+  for (std::size_t axis = 0; axis < both.lower.size(); ++axis) {
+    both.lower[axis] = std::min(a.lower[axis], b.lower[axis]);
+    both.upper[axis] = std::max(a.upper[axis], b.upper[axis]);
+  }
+  both.reach = std::max(a.reach, b.reach);
+  both.least_turn = std::min(a.least_turn, b.least_turn);
+  both.most_turn = std::max(a.most_turn, b.most_turn);
+  both.normal.fill(0.0f);
+  both.below = both.above = 0.0f;
+  return both;
+}
+
+PointCull coarsened(const PointCull& cull, const std::array<float, PointImpulses::kMaxAxes>& offset) {
+  PointCull coarse = cull;
+  float along = 0.0f;
+  for (std::size_t axis = 0; axis < offset.size(); ++axis) {
+    coarse.lower[axis] = 0.5f * (cull.lower[axis] + offset[axis]);
+    coarse.upper[axis] = 0.5f * (cull.upper[axis] + offset[axis]);
+    if (axis < 3) along += cull.normal[axis] * offset[axis];
+  }
+  coarse.reach = 0.5f * cull.reach;
+  coarse.below = 0.5f * (cull.below + along);
+  coarse.above = 0.5f * (cull.above + along);
+  return coarse;
+}
+
+template struct PointTile<2>;
+template struct PointTile<3>;
+template struct PointTile<4>;
+template PointCull bounds(std::span<const LocatedPoint<2>>, const KernelExtent&);
+template PointCull bounds(std::span<const LocatedPoint<3>>, const KernelExtent&);
+template PointCull bounds(std::span<const LocatedPoint<4>>, const KernelExtent&);
+
+}  // namespace solidnoise

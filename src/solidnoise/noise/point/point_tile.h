@@ -1,0 +1,126 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <utility>
+
+#include "solidnoise/core/cell_grid.h"
+#include "solidnoise/core/vec.h"
+#include "solidnoise/noise/point/point_cluster.h"
+
+namespace solidnoise {
+
+// A point as one grid of cells sees it; lengths in cells.
+template <int Dim>
+struct LocatedPoint {
+  Index<Dim> cell;
+  std::array<float, Dim> fraction;  // position in the cell, 0 to 1
+  std::array<float, Dim> at;        // position relative to the tile's anchor
+  float radius;                     // of the kernel
+  float density;                    // (r / 2^l)^n
+  float weight;                     // of the sum over this grid's impulses
+  std::array<float, 3> normal;      // of a surface
+  std::uint32_t point;              // in the batch
+};
+
+// Where a coordinate of a point lies in the cells. Throws std::invalid_argument, naming the point, where it
+// is 2^40 cells or more from 0: positions in the cells would lose digits, and then overflow.
+CellPosition locate_point(const CellAxis& axis, double coordinate, std::size_t point);
+
+// A tile is a run of points that are near each other, for which impulses are gathered together.
+inline constexpr std::size_t kTilePoints = 512;
+inline constexpr std::size_t kPatchPoints = 64;  // of a tile, for a first culling
+inline constexpr std::int64_t kTileCells = 3;    // most cells along an axis that the points of a tile lie in
+
+// Takes a tile from the front of `points`: relates its points to a cell near them, its anchor. Differences
+// between positions relative to the anchor are exact.
+template <int Dim>
+struct PointTile {
+  explicit PointTile(std::span<LocatedPoint<Dim>>& points);
+
+  std::span<const LocatedPoint<Dim>> points;
+  Index<Dim> anchor;
+};
+
+// How the kernels extend around their points.
+struct KernelExtent {
+  // Half the thickness of the layer around a surface, in kernel radii; 0: no layer, the kernel is a ball.
+  float layer = 0.0f;
+  float reach = 1.0f;  // farthest impulse, in kernel radii
+  bool fade = false;   // whether impulses are of interest in their turn only (ScaleTransition::fade)
+
+  explicit KernelExtent(double layer_) : layer(static_cast<float>(layer_)), reach(std::hypot(1.0f, layer)) {}
+};
+
+// Where the impulses are that some points of a tile need.
+template <int Dim>
+PointCull bounds(std::span<const LocatedPoint<Dim>> points, const KernelExtent& extent);
+
+// The same of all points of two sets together, but that it knows of no layer.
+PointCull joined(const PointCull& a, const PointCull& b);
+
+// The same in cells of twice the size, relative to the one that the anchor lies in. `offset`: the anchor's
+// corner in that cell, in cells of the smaller size, 0 or 1 per axis. Turns are not changed.
+PointCull coarsened(const PointCull& cull, const std::array<float, PointImpulses::kMaxAxes>& offset);
+
+// The cells along one axis that may hold impulses of interest.
+struct CellRange {
+  static constexpr int kMost = 24;
+
+  int first = 0;
+  int count = 0;
+  std::array<float, kMost> square;  // squared distance from the points' box, along this axis
+  std::array<float, kMost> along;   // of a cell's middle, along the normal
+
+  CellRange(const PointCull& cull, int axis);
+
+  // The first and the last of the cells whose `along` is between two numbers, or one more on either side.
+  std::pair<int, int> between(float lower, float upper) const;
+};
+
+// Calls visit(cell) for each cell that may hold impulses that are not culled, relative to the anchor, in
+// lexicographic order.
+template <int Dim, typename Visit>
+void for_each_reaching_cell(const PointCull& cull, const Visit& visit) {
+  const CellRange last(cull, Dim - 1);
+  const float most = cull.reach * cull.reach * 1.0001f;
+  const float half =
+      0.5f * (std::abs(cull.normal[0]) + std::abs(cull.normal[1]) + std::abs(cull.normal[2])) + 1e-4f;
+  const float below = cull.below - half;
+  const float above = cull.above + half;
+  Index<Dim> cell;
+  const auto visit_row = [&](float square, float along) {
+    const auto [from, to] = last.between(below - along, above - along);
+    for (int i = from; i <= to; ++i) {
+      if (square + last.square[static_cast<std::size_t>(i)] > most) continue;
+      cell[Dim - 1] = last.first + i;
+      visit(cell);
+    }
+  };
+  const auto visit_axis = [&]<int kAxis>(const auto& self, float square, float along) {
+    if constexpr (kAxis == Dim - 1) {
+      visit_row(square, along);
+    } else {
+      const CellRange range(cull, kAxis);
+      for (int i = 0; i < range.count; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        if (square + range.square[k] > most) continue;
+        cell[kAxis] = range.first + i;
+        self.template operator()<kAxis + 1>(self, square + range.square[k], along + range.along[k]);
+      }
+    }
+  };
+  visit_axis.template operator()<0>(visit_axis, 0.0f, 0.0f);
+}
+
+extern template struct PointTile<2>;
+extern template struct PointTile<3>;
+extern template struct PointTile<4>;
+extern template PointCull bounds(std::span<const LocatedPoint<2>>, const KernelExtent&);
+extern template PointCull bounds(std::span<const LocatedPoint<3>>, const KernelExtent&);
+extern template PointCull bounds(std::span<const LocatedPoint<4>>, const KernelExtent&);
+
+}  // namespace solidnoise

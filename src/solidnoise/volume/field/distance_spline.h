@@ -1,0 +1,59 @@
+#pragma once
+
+#include <array>
+
+#include "solidnoise/core/vec.h"
+#include "solidnoise/volume/topology/grid_frame.h"
+#include "solidnoise/volume/vdb/openvdb.h"
+
+namespace solidnoise {
+
+// Throws std::invalid_argument unless the grid is a level set whose voxels are cubes, in a frame that
+// GridFrame takes.
+void require_level_set(const openvdb::FloatGrid& grid);
+
+// The signed distance to a surface as a function with two continuous derivatives: the cubic B-spline whose
+// coefficients are the values of a level set. Positive outside, world units.
+//
+// A spline of values, not through them: it is smoother than the level set by h^2/6 times the Laplacian, with
+// h the size of a voxel. Its surface lies h^2 H / 3 inside that of the level set, H being the mean curvature
+// (h^2 / (3 R) for a sphere of radius R), and the gradient's length differs from 1 by a part of the same
+// order. What matters is that its gradient is the gradient of a function, everywhere: what is made from it
+// has exactly the derivatives that are computed.
+class DistanceSpline {
+ public:
+  // Known are all distances up to `reach` world units, > 0, on either side; a level set whose band is
+  // narrower is rebuilt with a wider one (OpenVDB's levelSetRebuild, by way of polygons, which lie inside a
+  // curved surface by another part of h^2 / R, about a half of it). Throws
+  // std::invalid_argument as require_level_set does, and if the reach is more than 64 voxels.
+  DistanceSpline(const openvdb::FloatGrid::ConstPtr& level_set, double reach);
+
+  double reach() const { return reach_; }
+
+  struct Jet {
+    double distance = 0.0;
+    Vec<3> gradient{0.0};
+    std::array<Vec<3>, 3> hessian{Vec<3>(0.0), Vec<3>(0.0), Vec<3>(0.0)};  // rows; symmetric
+  };
+
+  // Evaluates near one place after the other; one for each thread.
+  class Sampler {
+   public:
+    explicit Sampler(const DistanceSpline& spline);
+
+    // The distance and its derivatives; farther away than reach() the distance alone, which then is somewhat
+    // inaccurate, but not less than reach() in absolute value.
+    Jet at(const Vec<3>& position) const;
+
+   private:
+    const DistanceSpline& spline_;
+    openvdb::FloatGrid::ConstAccessor values_;
+  };
+
+ private:
+  double reach_;
+  openvdb::FloatGrid::ConstPtr level_set_;
+  GridFrame frame_;
+};
+
+}  // namespace solidnoise

@@ -1,0 +1,98 @@
+#include "solidnoise/volume/modify/closest_point.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace solidnoise {
+namespace {
+
+using openvdb::Coord;
+using openvdb::Vec3d;
+
+// Where there is no slope, any direction is as good.
+Vec3d unit_or_zero(const Vec3d& vector) {
+  const double length = vector.length();
+  return length > 1e-9 ? vector / length : Vec3d(0.0);
+}
+
+}  // namespace
+
+ClosestPointFinder::ClosestPointFinder(const openvdb::FloatGrid& level_set)
+    : values_(level_set.getConstAccessor()), per_voxel_(1.0 / level_set.voxelSize().x()) {}
+
+ClosestPointFinder::Guess ClosestPointFinder::guess(const Coord& voxel) const {
+  Vec3d slope;
+  for (int axis = 0; axis < 3; ++axis) {
+    Coord next = voxel;
+    Coord last = voxel;
+    ++next[axis];
+    --last[axis];
+    slope[axis] = static_cast<double>(values_.getValue(next)) - static_cast<double>(values_.getValue(last));
+  }
+  const double distance = per_voxel_ * static_cast<double>(values_.getValue(voxel));
+  return {voxel.asVec3d() - distance * unit_or_zero(slope), distance};
+}
+
+ClosestPointFinder::Foot ClosestPointFinder::find(const Coord& voxel, const Guess& guess) const {
+  // The error of p along the surface is multiplied by 1 - d (1 + k), k = distance x curvature, in each step:
+  // this one settles for k from -1, the centre of a hollow, to 1.8.
+  constexpr double kStep = 0.7;
+  constexpr int kMostSteps = 12;
+  constexpr double kSmallEnough = 0.01;  // voxels
+  constexpr double kOnSurface = 0.1;     // voxels, before the last projection
+  constexpr double kFarthestOff = 2.0;   // voxels
+  const Vec3d from = voxel.asVec3d();
+  Vec3d point = guess.point;
+  Sample here = sample(point);
+  point -= here.value * here.normal;
+  for (int step = 0; step < kMostSteps; ++step) {
+    const Vec3d way = from - point;
+    const Vec3d along = way - way.dot(here.normal) * here.normal;
+    if (along.lengthSqr() < kSmallEnough * kSmallEnough && std::abs(here.value) < kOnSurface) break;
+    point += kStep * along;
+    here = sample(point);
+    point -= here.value * here.normal;
+  }
+  // Where the surface bends too much for it, or the distance has no slope, the guess must do.
+  const double length = (from - point).length();
+  const bool settled =
+      std::abs(here.value) < kOnSurface && std::abs(length - std::abs(guess.distance)) < kFarthestOff;
+  if (!settled) return {guess.point, guess.distance};
+  return {point, guess.distance < 0.0 ? -length : length};
+}
+
+ClosestPointFinder::Sample ClosestPointFinder::sample(const Vec3d& point) const {
+  Coord corner;
+  double weight[3][2];
+  for (int axis = 0; axis < 3; ++axis) {
+    const double lower = std::floor(point[axis]);
+    corner[axis] = static_cast<int>(lower);
+    weight[axis][1] = point[axis] - lower;
+    weight[axis][0] = 1.0 - weight[axis][1];
+  }
+  // The 2 x 2 x 2 values around the point, and on each axis those before and after them.
+  double block[4][4][4];
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 4; ++j) {
+      for (int k = 0; k < 4; ++k) {
+        const int outer = (i == 0 || i == 3) + (j == 0 || j == 3) + (k == 0 || k == 3);
+        if (outer <= 1) block[i][j][k] = values_.getValue(corner.offsetBy(i - 1, j - 1, k - 1));
+      }
+    }
+  }
+  double value = 0.0;
+  Vec3d slope(0.0);
+  for (int i = 1; i < 3; ++i) {
+    for (int j = 1; j < 3; ++j) {
+      for (int k = 1; k < 3; ++k) {
+        const double w = weight[0][i - 1] * weight[1][j - 1] * weight[2][k - 1];
+        value += w * block[i][j][k];
+        slope += w * Vec3d(block[i + 1][j][k] - block[i - 1][j][k], block[i][j + 1][k] - block[i][j - 1][k],
+                           block[i][j][k + 1] - block[i][j][k - 1]);
+      }
+    }
+  }
+  return {per_voxel_ * value, unit_or_zero(slope)};
+}
+
+}  // namespace solidnoise

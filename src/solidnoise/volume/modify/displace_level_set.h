@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+
+#include "solidnoise/core/progress.h"
+#include "solidnoise/volume/field/point_field.h"
+#include "solidnoise/volume/vdb/openvdb.h"
+
+namespace solidnoise {
+
+// Moves the surface of a level set along its normals: the point p to p + amount n(p) normal(p), outwards
+// where amount n > 0. `amount` is in world units. What is made is again a distance field in a band of the
+// same half-width, with the level set's frame, name, class and metadata.
+//
+// At a voxel x whose closest point on the surface is p(x), at the signed distance s(x),
+//   phi'(x) = s(x) - amount n(p(x)),
+// the same along each normal, so that detail does not smear across the band. The zeros of phi' are the moved
+// surface as long as it stays nearer to the old one than that bends (its radius of curvature) or than another
+// part of it is: further out, parts meet and merge. The band is first widened (OpenVDB's dilateSdf) to hold
+// all of the moved surface; phi' is then made a distance field anew (sdfToSdf: fast sweeping) and cut to the
+// band's width.
+//
+// In parallel; the same to the last bit for any number of threads. Throws std::invalid_argument if the grid's
+// class is not level set, its voxels are not cubes, its background is not greater than 0 or it has no surface
+// or values that are not finite; Cancelled.
+openvdb::FloatGrid::Ptr displace_level_set(const openvdb::FloatGrid& level_set, const PointField& noise,
+                                           double amount, Progress* progress = nullptr);
+
+// Bytes that this takes at most, beside the level set itself, where the surface moves by no more than
+// `farthest` (world units) and does not fold.
+std::uint64_t estimate_displacement_memory(const openvdb::FloatGrid& level_set, double farthest);
+
+}  // namespace solidnoise

@@ -1,0 +1,70 @@
+#include "solidnoise/volume/modify/modified_volume.h"
+
+#include <stdexcept>
+#include <utility>
+#include <variant>
+
+#include "solidnoise/volume/finish_volume.h"
+#include "solidnoise/volume/statistics.h"
+
+namespace solidnoise {
+namespace {
+
+bool is_raw(const VolumeRecipe& recipe) {
+  return std::holds_alternative<RawShaping>(recipe.shaping);
+}
+
+// Noise that is a fraction, which is what erodes.
+VolumeRecipe in_unit_range(VolumeRecipe recipe) {
+  if (is_raw(recipe)) recipe.shaping = RawShaping{RawShaping::Range::unit};
+  return recipe;
+}
+
+openvdb::FloatGrid::Ptr make_grid(const VolumeRecipe& recipe, const ModificationPlan& plan,
+                                  const ModifyingNoise& noise, Progress* progress) {
+  if (plan.modification.displace) return displace(plan, noise.points(recipe), progress);
+  const Combine how = plan.modification.combine;
+  const VolumeRecipe fitting = how == Combine::erode ? in_unit_range(recipe) : recipe;
+  FilledGrid filled = plan.on_lattice() ? make_modifying_noise(plan, *noise.field(fitting), progress)
+                                        : make_modifying_noise(plan, *noise.points(fitting), progress);
+  if (how == Combine::replace && !is_raw(recipe)) scale_density(recipe, *filled.grid, filled.moments);
+  return combine(plan, *filled.grid);
+}
+
+}  // namespace
+
+ModificationPlan plan_modification(const VolumeRecipe& recipe) {
+  if (recipe.modification->displace && !is_raw(recipe)) {
+    throw std::invalid_argument(
+        "displace takes the noise itself: give --raw, or a recipe whose shaping is raw");
+  }
+  ModificationPlan plan = plan_modification(*recipe.modification);
+  if (!plan.on_lattice() && !is_raw(recipe)) {
+    throw std::invalid_argument(
+        "noise is looked up point by point at rest positions, and where a grid's transform is rotated, "
+        "sheared, "
+        "mirrored or not linear; that takes the noise itself: give --raw, or a recipe whose shaping is raw");
+  }
+  return plan;
+}
+
+std::uint64_t estimate_memory(const VolumeRecipe& recipe, const ModificationPlan& plan) {
+  // Beyond so many sigmas a noise of unit variance goes next to never: one value in 5e8 of a Gaussian does.
+  constexpr double kMostSigmas = 6.0;
+  const auto* const raw = std::get_if<RawShaping>(&recipe.shaping);
+  return plan.memory(raw && raw->range == RawShaping::Range::raw ? kMostSigmas : 1.0);
+}
+
+Volume make_modified_volume(const VolumeRecipe& recipe, const ModificationPlan& plan,
+                            const ModifyingNoise& noise, Progress* progress) {
+  const openvdb::FloatGrid::Ptr grid = make_grid(recipe, plan, noise, progress);
+  if (recipe.half) grid->setSaveFloatAsHalf(true);
+  const Moments moments = measure(*grid);
+  VolumeRecipe noted = recipe;
+  noted.modification = plan.modification;
+  note_recipe(noted, {moments}, *grid);
+  VdbFile file{plan.file.metadata, replace_target(plan, grid)};
+  return {{{grid, {moments}}}, std::move(file)};
+}
+
+}  // namespace solidnoise

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "solidnoise/core/progress.h"
+#include "solidnoise/volume/field/field.h"
+#include "solidnoise/volume/modify/modify_volume.h"
+#include "solidnoise/volume/volume.h"
+#include "solidnoise/volume/volume_recipe.h"
+
+namespace solidnoise {
+
+// Reads what a recipe modifies, as plan_modification, and refuses what it cannot be modified with: shaped
+// noise where there are only points (std::invalid_argument).
+ModificationPlan plan_modification(const VolumeRecipe& recipe);
+
+// Bytes that it takes at most.
+std::uint64_t estimate_memory(const VolumeRecipe& recipe, const ModificationPlan& plan);
+
+// How the noise of a recipe is made: on a lattice, as it is shaped; and at points, the noise itself.
+struct ModifyingNoise {
+  std::function<std::unique_ptr<Field>(const VolumeRecipe&)> field;
+  std::function<std::unique_ptr<PointField>(const VolumeRecipe&)> points;
+};
+
+// The modified grid, with the recipe in its metadata beside what it had, and the file that it is from.
+Volume make_modified_volume(const VolumeRecipe& recipe, const ModificationPlan& plan,
+                            const ModifyingNoise& noise, Progress* progress);
+
+}  // namespace solidnoise

@@ -1,0 +1,233 @@
+#include "solidnoise/volume/modify/modify_volume.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <openvdb/tools/Prune.h>
+
+#include "solidnoise/volume/modify/combine.h"
+#include "solidnoise/volume/modify/displace_level_set.h"
+#include "solidnoise/volume/modify/grid_mask.h"
+#include "solidnoise/volume/modify/rest_positions.h"
+#include "solidnoise/volume/topology/topology.h"
+#include "solidnoise/volume/vdb/require_finite_grid.h"
+
+namespace solidnoise {
+namespace {
+
+using openvdb::FloatGrid;
+using openvdb::GridBase;
+
+// "in.vdb: grid 'density'", the beginning of a message.
+std::string name_of(const GridFile& source, const GridBase& grid) {
+  return fmt::format("{}: grid '{}'", source.file, grid.getName());
+}
+
+// Runs `action`; what it refuses becomes an error of the file.
+template <typename Action>
+auto as_file_error(const Action& action) {
+  try {
+    return action();
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(error.what());
+  }
+}
+
+void require_suitable(const Modification& modification, const FloatGrid& grid) {
+  const std::string name = name_of(modification.on, grid);
+  if (grid.activeVoxelCount() == 0) throw std::runtime_error(name + " has no active voxels");
+  const bool is_level_set = grid.getGridClass() == openvdb::GRID_LEVEL_SET;
+  if (modification.displace && !is_level_set) {
+    throw std::runtime_error(
+        fmt::format("{} is of class {}; --displace moves the surface of a level set: use --combine", name,
+                    GridBase::gridClassToString(grid.getGridClass())));
+  }
+  if (!modification.displace && is_level_set) {
+    throw std::runtime_error(
+        name + " is a level set, whose distances --combine would spoil; --displace AMOUNT moves its surface");
+  }
+  if (is_level_set && !grid.hasUniformVoxels()) {
+    throw std::runtime_error(name + " has voxels that are no cubes; the level set cannot be displaced");
+  }
+  if (is_level_set && !(grid.background() >= 2.0 * grid.voxelSize().x())) {
+    throw std::runtime_error(
+        fmt::format("{} has a background of {}; a level set's must be at least 2 voxels, {}", name,
+                    grid.background(), 2.0 * grid.voxelSize().x()));
+  }
+  as_file_error([&] { require_finite_values(grid, name); });
+}
+
+// The box in the world that holds a grid's active voxels.
+Box<3> world_bounds(const GridBase& grid) {
+  const openvdb::CoordBBox voxels = grid.evalActiveVoxelBoundingBox();
+  Box<3> box{Vec<3>(std::numeric_limits<double>::infinity()),
+             Vec<3>(-std::numeric_limits<double>::infinity())};
+  for (int corner = 0; corner < 8; ++corner) {
+    openvdb::Vec3d index;
+    for (int axis = 0; axis < 3; ++axis) {
+      index[axis] = (corner >> axis & 1) != 0 ? voxels.max()[axis] + 1.0 : voxels.min()[axis] - 1.0;
+    }
+    const openvdb::Vec3d world = grid.indexToWorld(index);
+    for (int axis = 0; axis < 3; ++axis) {
+      box.lower[axis] = std::min(box.lower[axis], world[axis]);
+      box.upper[axis] = std::max(box.upper[axis], world[axis]);
+    }
+  }
+  return box;
+}
+
+void require_overlap(const GridFile& source, const GridBase& grid, const GridBase& target) {
+  const Box<3> a = world_bounds(grid);
+  const Box<3> b = world_bounds(target);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (a.lower[axis] <= b.upper[axis] && b.lower[axis] <= a.upper[axis]) continue;
+    throw std::runtime_error(
+        fmt::format("{} lies elsewhere than grid '{}': {:.6g} to {:.6g} and {:.6g} to {:.6g} along {}; their "
+                    "transforms disagree",
+                    name_of(source, grid), target.getName(), a.lower[axis], a.upper[axis], b.lower[axis],
+                    b.upper[axis], "xyz"[axis]));
+  }
+}
+
+class MaskedPointField final : public PointField {
+ public:
+  MaskedPointField(std::shared_ptr<const PointField> field, std::optional<GridMask> mask,
+                   std::optional<RestPositions> rest)
+      : field_(std::move(field)), mask_(std::move(mask)), rest_(std::move(rest)) {}
+
+  void evaluate(std::span<const Vec<3>> positions, std::span<float> values) const override {
+    std::vector<Vec<3>> looked_up(positions.begin(), positions.end());
+    if (rest_) {
+      const RestPositions rest = *rest_;
+      for (Vec<3>& position : looked_up) position = rest.at(position);
+    }
+    field_->evaluate(looked_up, values);
+    if (!mask_) return;
+    const GridMask mask = *mask_;
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] *= mask.at(positions[i]);
+  }
+
+ private:
+  std::shared_ptr<const PointField> field_;
+  std::optional<GridMask> mask_;
+  std::optional<RestPositions> rest_;
+};
+
+std::optional<GridMask> make_mask(const ModificationPlan& plan) {
+  if (!plan.mask) return std::nullopt;
+  return as_file_error([&] { return GridMask(*plan.mask, name_of(*plan.modification.mask, *plan.mask)); });
+}
+
+std::optional<RestPositions> make_rest(const ModificationPlan& plan) {
+  if (!plan.rest) return std::nullopt;
+  return as_file_error(
+      [&] { return RestPositions(*plan.rest, name_of(*plan.modification.rest, *plan.rest)); });
+}
+
+// The grid without active tiles.
+FloatGrid::Ptr voxelized_copy(const FloatGrid& grid) {
+  FloatGrid::Ptr copy = grid.deepCopy();
+  copy->tree().voxelizeActiveTiles();
+  return copy;
+}
+
+}  // namespace
+
+const FloatGrid& ModificationPlan::grid() const {
+  return static_cast<const FloatGrid&>(*file.grids[target]);
+}
+
+std::optional<GridFrame> ModificationPlan::frame() const {
+  try {
+    return GridFrame(grid().transform());
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  }
+}
+
+bool ModificationPlan::on_lattice() const {
+  return !modification.displace && !rest && frame().has_value();
+}
+
+std::uint64_t ModificationPlan::memory(double largest) const {
+  std::uint64_t bytes = 0;
+  for (const GridBase::Ptr& each : file.grids) bytes += each->baseTree().memUsage();
+  for (const GridBase::Ptr& each : {mask, rest}) {
+    if (each) bytes += 2 * each->baseTree().memUsage();
+  }
+  if (modification.displace) {
+    return bytes + estimate_displacement_memory(grid(), std::abs(*modification.displace) * largest);
+  }
+  constexpr std::uint64_t kCopies = 3;  // topology, noise and result
+  return bytes + kCopies * estimate_memory(grid());
+}
+
+ModificationPlan plan_modification(const Modification& modification) {
+  modification.validate();
+  if (modification.on.file.empty()) {
+    throw std::invalid_argument("on is missing; it must name the grid to work on, FILE.vdb or FILE.vdb:GRID");
+  }
+  ModificationPlan plan;
+  plan.modification = modification;
+  GridFile& on = plan.modification.on;
+  plan.file = read_grids(on.file);
+  plan.target = find_float_grid(on.file, plan.file, on.grid);
+  note_digest(on.file, "--on", on.digest);
+  require_suitable(plan.modification, plan.grid());
+  if (auto& mask = plan.modification.mask) {
+    plan.mask = read_grid(*mask, "--mask");
+    make_mask(plan);
+    require_overlap(*mask, *plan.mask, plan.grid());
+  }
+  if (auto& rest = plan.modification.rest) {
+    plan.rest = read_grid(*rest, "--rest");
+    make_rest(plan);
+    require_overlap(*rest, *plan.rest, plan.grid());
+  }
+  return plan;
+}
+
+FilledGrid make_modifying_noise(const ModificationPlan& plan, const Field& field, Progress* progress) {
+  return fill_grid(grid_topology(plan.grid()), field, Sparsity::keep, progress);
+}
+
+FilledGrid make_modifying_noise(const ModificationPlan& plan, const PointField& field, Progress* progress) {
+  const std::optional<RestPositions> rest = make_rest(plan);
+  return fill_grid_at_points(*voxelized_copy(plan.grid()), field, rest ? &*rest : nullptr, progress);
+}
+
+FloatGrid::Ptr combine(const ModificationPlan& plan, const FloatGrid& noise) {
+  const FloatGrid::Ptr result = voxelized_copy(plan.grid());
+  const std::optional<GridMask> mask = make_mask(plan);
+  const Modification& modification = plan.modification;
+  const Combination combination{modification.combine, modification.amount, mask ? &*mask : nullptr};
+  try {
+    combine_values(*result, noise, combination);
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(fmt::format("{}: {}", name_of(modification.on, plan.grid()), error.what()));
+  }
+  if (plan.grid().tree().hasActiveTiles()) openvdb::tools::prune(result->tree());
+  return result;
+}
+
+FloatGrid::Ptr displace(const ModificationPlan& plan, std::shared_ptr<const PointField> noise,
+                        Progress* progress) {
+  const MaskedPointField field(std::move(noise), make_mask(plan), make_rest(plan));
+  try {
+    return displace_level_set(plan.grid(), field, *plan.modification.displace, progress);
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(fmt::format("{}: {}", name_of(plan.modification.on, plan.grid()), error.what()));
+  }
+}
+
+openvdb::GridPtrVec replace_target(const ModificationPlan& plan, FloatGrid::Ptr changed) {
+  openvdb::GridPtrVec grids = plan.file.grids;
+  grids[plan.target] = std::move(changed);
+  return grids;
+}
+
+}  // namespace solidnoise

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "solidnoise/core/progress.h"
+#include "solidnoise/volume/field/field.h"
+#include "solidnoise/volume/field/point_field.h"
+#include "solidnoise/volume/fill.h"
+#include "solidnoise/volume/modify/modification.h"
+#include "solidnoise/volume/topology/grid_frame.h"
+#include "solidnoise/volume/vdb/openvdb.h"
+#include "solidnoise/volume/vdb/vdb_read.h"
+
+namespace solidnoise {
+
+// What a modification reads, checked; nothing of it changes.
+struct ModificationPlan {
+  Modification modification;  // with the digests of its files
+  VdbFile file;               // all that the grid's file holds
+  std::size_t target = 0;     // the grid's place in it
+  openvdb::GridBase::Ptr mask;
+  openvdb::GridBase::Ptr rest;
+
+  const openvdb::FloatGrid& grid() const;
+
+  // Whether a Field will do. Otherwise noise is needed at points: on a surface, at rest positions, or at the
+  // voxels of a grid of no GridFrame.
+  bool on_lattice() const;
+  std::optional<GridFrame> frame() const;  // of the grid, where its transform is axis-aligned
+
+  // Bytes that all of it takes at most, files included, where the noise's values are within +-`largest`.
+  std::uint64_t memory(double largest) const;
+};
+
+// Reads the files. Throws std::runtime_error naming the file: also for a grid that does not exist (those that
+// do are listed), one of a type or class that cannot be used so, values that are not finite, a mask that lies
+// elsewhere; std::invalid_argument for options.
+ModificationPlan plan_modification(const Modification& modification);
+
+// Noise at the grid's active voxels, as it is combined with their values.
+FilledGrid make_modifying_noise(const ModificationPlan& plan, const Field& field, Progress* progress);
+FilledGrid make_modifying_noise(const ModificationPlan& plan, const PointField& field, Progress* progress);
+
+// The grid with the noise in it, by the mask; the plan's own stays as it is. Throws std::runtime_error naming
+// the file, Cancelled.
+openvdb::FloatGrid::Ptr combine(const ModificationPlan& plan, const openvdb::FloatGrid& noise);
+openvdb::FloatGrid::Ptr displace(const ModificationPlan& plan, std::shared_ptr<const PointField> noise,
+                                 Progress* progress);
+
+// The file's grids with `changed` in the target's place.
+openvdb::GridPtrVec replace_target(const ModificationPlan& plan, openvdb::FloatGrid::Ptr changed);
+
+}  // namespace solidnoise

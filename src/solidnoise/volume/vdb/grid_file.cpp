@@ -1,0 +1,45 @@
+#include "solidnoise/volume/vdb/grid_file.h"
+
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "solidnoise/volume/vdb/file_digest.h"
+#include "solidnoise/volume/vdb/vdb_read.h"
+
+namespace solidnoise {
+
+std::optional<GridFile> parse_grid_file(std::string_view text) {
+  constexpr std::string_view kExtension = ".vdb";
+  if (text.size() > kExtension.size() && text.ends_with(kExtension)) return GridFile{std::string(text)};
+  const std::size_t extension = text.rfind(".vdb:");
+  if (extension == std::string_view::npos || extension == 0) return std::nullopt;
+  const std::size_t colon = extension + kExtension.size();
+  if (colon + 1 == text.size()) return std::nullopt;
+  return GridFile{std::string(text.substr(0, colon)), std::string(text.substr(colon + 1))};
+}
+
+void note_digest(const std::string& file, const std::string& flag, std::string& digest) {
+  const std::string found = file_digest(file);
+  if (!digest.empty() && digest != found) {
+    throw std::runtime_error(
+        fmt::format("{}: is not the file that the recipe was made with (its digest is {}, the recipe's {}); "
+                    "name it as {} to use it as it is",
+                    file, found, digest, flag));
+  }
+  digest = found;
+}
+
+openvdb::GridBase::Ptr read_grid(GridFile& source, const std::string& flag) {
+  const openvdb::GridBase::Ptr grid = read_grid(source.file, source.grid);
+  note_digest(source.file, flag, source.digest);
+  return grid;
+}
+
+openvdb::FloatGrid::Ptr read_float_grid(GridFile& source, const std::string& flag) {
+  const openvdb::FloatGrid::Ptr grid = read_float_grid(source.file, source.grid);
+  note_digest(source.file, flag, source.digest);
+  return grid;
+}
+
+}  // namespace solidnoise

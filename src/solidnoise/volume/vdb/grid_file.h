@@ -1,0 +1,34 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "solidnoise/volume/vdb/openvdb.h"
+
+namespace solidnoise {
+
+// A grid that a recipe takes from a file: whose voxels are filled, where noise is added, a mask, a parameter.
+struct GridFile {
+  std::string file;      // .vdb
+  std::string grid{};    // name in the file; empty: the first one that will do
+  std::string digest{};  // file_digest() of it, where the volume exists already; empty: any file will do
+
+  friend bool operator==(const GridFile&, const GridFile&) = default;
+};
+
+// Parses "FILE.vdb" or "FILE.vdb:GRID", split at the last ".vdb:"; nothing if the text is neither.
+std::optional<GridFile> parse_grid_file(std::string_view text);
+
+// Puts the file's digest into `digest`, or, if there is one already, refuses a file of another:
+// std::runtime_error naming the path. `flag` ("--shape") is what the message advises to give.
+void note_digest(const std::string& file, const std::string& flag, std::string& digest);
+
+// Reads the grid and notes the file's digest, as note_digest. A grid of another type, or any if `name` is
+// empty and none of the type is there, is refused. Throws std::runtime_error naming the path, and, if there
+// is no such grid, listing those that exist.
+openvdb::GridBase::Ptr read_grid(GridFile& source, const std::string& flag);
+openvdb::FloatGrid::Ptr read_float_grid(GridFile& source, const std::string& flag);
+
+}  // namespace solidnoise

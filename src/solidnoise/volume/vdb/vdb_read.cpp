@@ -1,0 +1,183 @@
+#include "solidnoise/volume/vdb/vdb_read.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <fstream>
+#include <ios>
+#include <memory>
+#include <new>
+#include <stdexcept>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "solidnoise/volume/vdb/vdb_reader.h"
+
+namespace solidnoise {
+namespace {
+
+void require_readable(const std::filesystem::path& path) {
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) {
+    throw std::runtime_error(fmt::format("{}: is a folder, not a .vdb", path.string()));
+  }
+  const std::ifstream stream(path, std::ios::binary);
+  if (!stream) {
+    throw std::runtime_error(
+        fmt::format("{}: cannot be read: {}", path.string(), std::generic_category().message(errno)));
+  }
+}
+
+// Text of a damaged file, fit for a message of one line.
+std::string printable(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, '?');
+  return text;
+}
+
+// Runs `read`; what it throws becomes an error that names the path.
+template <typename Read>
+auto guarded(const std::filesystem::path& path, const Read& read) {
+  try {
+    return read();
+  } catch (const std::bad_alloc&) {
+    throw std::runtime_error(fmt::format("{}: is damaged, or too large for the memory", path.string()));
+  } catch (const std::ios_base::failure&) {
+    throw std::runtime_error(fmt::format("{}: is not a .vdb, or damaged: it ends too early", path.string()));
+  } catch (const std::exception& error) {
+    throw std::runtime_error(
+        fmt::format("{}: is not a .vdb, or damaged: {}", path.string(), printable(error.what())));
+  }
+}
+
+// Opens a .vdb that has grids.
+std::unique_ptr<VdbReader> open_vdb(const std::filesystem::path& path) {
+  require_readable(path);
+  auto reader = guarded(path, [&] { return std::make_unique<VdbReader>(path); });
+  if (reader->grid_count() == 0) throw std::runtime_error(fmt::format("{}: holds no grids", path.string()));
+  return reader;
+}
+
+std::map<std::string, std::string> to_text(const openvdb::MetaMap& metadata) {
+  std::map<std::string, std::string> result;
+  for (auto entry = metadata.beginMeta(); entry != metadata.endMeta(); ++entry) {
+    if (entry->second != nullptr) result[entry->first] = entry->second->str();
+  }
+  return result;
+}
+
+// Active voxels and their box: as the file's statistics say, or, if it has none, by reading the grid.
+void summarize_voxels(VdbReader& reader, std::size_t index, const openvdb::GridBase& header,
+                      GridSummary& summary) {
+  const auto count = header.getMetadata<openvdb::Int64Metadata>(openvdb::GridBase::META_FILE_VOXEL_COUNT);
+  const auto lower = header.getMetadata<openvdb::Vec3IMetadata>(openvdb::GridBase::META_FILE_BBOX_MIN);
+  const auto upper = header.getMetadata<openvdb::Vec3IMetadata>(openvdb::GridBase::META_FILE_BBOX_MAX);
+  if (count != nullptr && lower != nullptr && upper != nullptr && count->value() >= 0) {
+    summary.active_voxels = static_cast<std::uint64_t>(count->value());
+    if (summary.active_voxels > 0) {
+      summary.voxel_bounds = {openvdb::Coord(lower->value()), openvdb::Coord(upper->value())};
+    }
+    return;
+  }
+  const openvdb::GridBase::Ptr full = reader.read_grid(index);
+  summary.active_voxels = full->activeVoxelCount();
+  summary.voxel_bounds = full->evalActiveVoxelBoundingBox();
+}
+
+GridSummary summarize(VdbReader& reader, std::size_t index) {
+  const openvdb::GridBase::Ptr grid = reader.read_header(index);
+  GridSummary summary;
+  summary.name = reader.grid_name(index);
+  summary.value_type = grid->valueType();
+  summary.grid_class = openvdb::GridBase::gridClassToString(grid->getGridClass());
+  if (summary.value_type.starts_with("vec")) {
+    summary.vector_type = openvdb::GridBase::vecTypeToString(grid->getVectorType());
+  }
+  summary.saved_as_half = grid->saveFloatAsHalf();
+  const openvdb::Vec3d voxel = grid->transform().voxelSize();
+  summary.voxel_size = {voxel.x(), voxel.y(), voxel.z()};
+  summary.metadata = to_text(*grid);
+  summarize_voxels(reader, index, *grid, summary);
+  return summary;
+}
+
+// The names and types of grids, for a message.
+std::string listed(const std::string& name, const openvdb::GridBase& grid) {
+  return fmt::format("'{}' ({})", printable(name), grid.valueType());
+}
+
+[[noreturn]] void refuse_none(const std::filesystem::path& path, const char* kind, const std::string& name,
+                              const std::vector<std::string>& others) {
+  const std::string wanted = name.empty() ? std::string() : fmt::format(" '{}'", name);
+  throw std::runtime_error(
+      fmt::format("{}: has no {}{}; it has {}", path.string(), kind, wanted, fmt::join(others, ", ")));
+}
+
+bool is_float(const openvdb::GridBase& grid) {
+  return grid.isType<openvdb::FloatGrid>();
+}
+constexpr char kGridOfFloats[] = "grid of floats";
+
+// Reads the first grid that has the name, or any name if it is empty, and whose header `suits`. `kind` says
+// in messages what was looked for.
+template <typename Suits>
+openvdb::GridBase::Ptr read_matching(const std::filesystem::path& path, const std::string& name,
+                                     const char* kind, const Suits& suits) {
+  const std::unique_ptr<VdbReader> reader = open_vdb(path);
+  std::vector<std::string> others;
+  for (std::size_t i = 0; i < reader->grid_count(); ++i) {
+    const openvdb::GridBase::Ptr header = guarded(path, [&] { return reader->read_header(i); });
+    const bool named = name.empty() || reader->grid_name(i) == name;
+    if (named && suits(*header)) return guarded(path, [&] { return reader->read_grid(i); });
+    others.push_back(listed(reader->grid_name(i), *header));
+  }
+  refuse_none(path, kind, name, others);
+}
+
+}  // namespace
+
+VdbSummary read_vdb_summary(const std::filesystem::path& path) {
+  const std::unique_ptr<VdbReader> reader = open_vdb(path);
+  return guarded(path, [&] {
+    VdbSummary summary;
+    summary.metadata = to_text(reader->metadata());
+    for (std::size_t i = 0; i < reader->grid_count(); ++i) summary.grids.push_back(summarize(*reader, i));
+    return summary;
+  });
+}
+
+openvdb::GridBase::Ptr read_grid(const std::filesystem::path& path, const std::string& name) {
+  return read_matching(path, name, "grid", [](const openvdb::GridBase&) { return true; });
+}
+
+openvdb::FloatGrid::Ptr read_float_grid(const std::filesystem::path& path, const std::string& name) {
+  return openvdb::gridPtrCast<openvdb::FloatGrid>(read_matching(path, name, kGridOfFloats, is_float));
+}
+
+VdbFile read_grids(const std::filesystem::path& path) {
+  const std::unique_ptr<VdbReader> reader = open_vdb(path);
+  VdbFile file = guarded(path, [&] { return VdbFile{reader->metadata(), reader->read_grids()}; });
+  for (const openvdb::GridBase::Ptr& grid : file.grids) {
+    for (const char* about_the_file :
+         {openvdb::GridBase::META_FILE_BBOX_MIN, openvdb::GridBase::META_FILE_BBOX_MAX,
+          openvdb::GridBase::META_FILE_COMPRESSION, openvdb::GridBase::META_FILE_MEM_BYTES,
+          openvdb::GridBase::META_FILE_VOXEL_COUNT, openvdb::GridBase::META_FILE_DELAYED_LOAD}) {
+      grid->removeMeta(about_the_file);
+    }
+  }
+  return file;
+}
+
+std::size_t find_float_grid(const std::filesystem::path& path, const VdbFile& file, const std::string& name) {
+  std::vector<std::string> others;
+  for (std::size_t i = 0; i < file.grids.size(); ++i) {
+    const openvdb::GridBase& grid = *file.grids[i];
+    if ((name.empty() || grid.getName() == name) && is_float(grid)) return i;
+    others.push_back(listed(grid.getName(), grid));
+  }
+  refuse_none(path, kGridOfFloats, name, others);
+}
+
+}  // namespace solidnoise

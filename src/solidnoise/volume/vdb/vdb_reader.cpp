@@ -1,0 +1,187 @@
+#include "solidnoise/volume/vdb/vdb_reader.h"
+
+#include <stdexcept>
+#include <utility>
+
+#include "solidnoise/volume/vdb/vdb_structure.h"
+
+namespace solidnoise {
+
+VdbReader::VdbReader(const std::filesystem::path& path) : stream_(path, std::ios::binary) {
+  openvdb::initialize();
+  stream_.exceptions(std::ios::badbit | std::ios::failbit);
+  stream_.seekg(0, std::ios::end);
+  size_ = stream_.tellg();
+  stream_.seekg(0);
+
+  require_known_version();
+  readHeader(stream_);
+  // OpenVDB's functions look up version, compression and the like in the stream.
+  stream_metadata_ = std::make_shared<openvdb::io::StreamMetadata>();
+  stream_metadata_->setSeekable(true);
+  openvdb::io::setStreamMetadataPtr(stream_, stream_metadata_, /*transfer=*/false);
+  setFormatVersion(stream_);
+  setLibraryVersion(stream_);
+  setDataCompression(stream_);
+
+  check_metadata();
+  metadata_.readMeta(stream_);
+  const std::int32_t count = readGridCount(stream_);
+  for (std::int32_t i = 0; i < count; ++i) read_entry();
+}
+
+void VdbReader::require_known_version() {
+  const auto start = stream_.tellg();
+  std::int64_t magic = 0;
+  stream_.read(reinterpret_cast<char*>(&magic), sizeof(magic));
+  if (magic != openvdb::OPENVDB_MAGIC) throw std::runtime_error("it does not begin like one");
+  const std::uint32_t version = skim_size();
+  if (version < openvdb::OPENVDB_FILE_VERSION_NODE_MASK_COMPRESSION) {
+    throw std::runtime_error("it was written by an OpenVDB too old for this reader");
+  }
+  if (version > openvdb::OPENVDB_FILE_VERSION) {  // OpenVDB itself would print a warning and go on
+    throw std::runtime_error("it was written by an OpenVDB newer than this reader");
+  }
+  stream_.seekg(start);
+}
+
+void VdbReader::read_entry() {
+  check_descriptor();
+  Entry entry;
+  openvdb::GridBase::Ptr grid = entry.descriptor.read(stream_);
+  if (inputHasGridOffsets()) {
+    require_in_file(entry.descriptor.getGridPos());
+    require_in_file(entry.descriptor.getBlockPos());
+    require_in_file(entry.descriptor.getEndPos());
+    // Each grid is read at most once on the way, so that a file cannot lead in circles.
+    if (entry.descriptor.getEndPos() < stream_.tellg()) throw std::runtime_error("offsets out of order");
+    entry.descriptor.seekToEnd(stream_);
+  } else {
+    check_grid(entry.descriptor);
+    readGrid(grid, entry.descriptor, stream_);
+    entry.grid = grid;
+  }
+  entries_.push_back(std::move(entry));
+}
+
+std::string VdbReader::grid_name(std::size_t index) const {
+  return entries_[index].descriptor.gridName();
+}
+
+openvdb::GridBase::Ptr VdbReader::read_header(std::size_t index) {
+  const Entry& entry = entries_[index];
+  if (entry.grid != nullptr) return entry.grid;
+  entry.descriptor.seekToGrid(stream_);
+  check_grid_header();
+  return read_grid_header(entry.descriptor);
+}
+
+openvdb::GridBase::Ptr VdbReader::read_grid_header(const openvdb::io::GridDescriptor& descriptor) {
+  openvdb::GridBase::Ptr grid = openvdb::GridBase::createGrid(descriptor.gridType());
+  grid->setSaveFloatAsHalf(descriptor.saveFloatAsHalf());
+  readGridCompression(stream_);
+  grid->readMeta(stream_);
+  grid->readTransform(stream_);
+  return grid;
+}
+
+openvdb::GridBase::Ptr VdbReader::read_grid(std::size_t index) {
+  const openvdb::GridBase::Ptr grid = read_own(index);
+  if (entries_[index].descriptor.isInstance()) grid->setTree(read_own(parent_of(index))->baseTreePtr());
+  return grid;
+}
+
+openvdb::GridPtrVec VdbReader::read_grids() {
+  openvdb::GridPtrVec grids;
+  for (std::size_t i = 0; i < entries_.size(); ++i) grids.push_back(read_own(i));
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    if (entries_[i].descriptor.isInstance()) grids[i]->setTree(grids[parent_of(i)]->baseTreePtr());
+  }
+  return grids;
+}
+
+openvdb::GridBase::Ptr VdbReader::read_own(std::size_t index) {
+  const Entry& entry = entries_[index];
+  if (entry.grid != nullptr) return entry.grid;
+  entry.descriptor.seekToGrid(stream_);
+  check_grid(entry.descriptor);
+  const openvdb::GridBase::Ptr grid = openvdb::GridBase::createGrid(entry.descriptor.gridType());
+  grid->setSaveFloatAsHalf(entry.descriptor.saveFloatAsHalf());
+  readGrid(grid, entry.descriptor, stream_);
+  if (stream_.tellg() != entry.descriptor.getEndPos()) throw std::runtime_error("a grid's size is wrong");
+  return grid;
+}
+
+std::size_t VdbReader::parent_of(std::size_t index) const {
+  for (std::size_t other = 0; other < entries_.size(); ++other) {
+    const openvdb::io::GridDescriptor& parent = entries_[other].descriptor;
+    if (parent.uniqueName() == entries_[index].descriptor.instanceParentName() && !parent.isInstance()) {
+      return other;
+    }
+  }
+  throw std::runtime_error("a grid shares the tree of one that is not there");
+}
+
+void VdbReader::check_metadata() {
+  const auto start = stream_.tellg();
+  skim_metadata();
+  stream_.seekg(start);
+}
+
+void VdbReader::check_descriptor() {
+  const auto start = stream_.tellg();
+  for (int i = 0; i < 3; ++i) skim_string();  // name, type, name of the grid whose tree it shares
+  stream_.seekg(start);
+}
+
+void VdbReader::check_grid_header() {
+  const auto start = stream_.tellg();
+  skim_grid_header();
+  stream_.seekg(start);
+}
+
+void VdbReader::check_grid(const openvdb::io::GridDescriptor& descriptor) {
+  const auto start = stream_.tellg();
+  const std::uint32_t compression = skim_grid_header();
+  if (!descriptor.isInstance()) {
+    // The transform has no size of its own: OpenVDB must read it to come to the tree.
+    stream_.seekg(start);
+    read_grid_header(descriptor);
+    check_vdb_tree(stream_, size_, {descriptor.gridType(), descriptor.saveFloatAsHalf(), compression});
+  }
+  stream_.seekg(start);
+}
+
+std::uint32_t VdbReader::skim_grid_header() {
+  const std::uint32_t compression = skim_size();
+  skim_metadata();
+  skim_string();  // the transform's type
+  return compression;
+}
+
+void VdbReader::skim_metadata() {
+  const std::uint32_t count = skim_size();
+  for (std::uint32_t i = 0; i < count; ++i) {
+    skim_string();  // name
+    skim_string();  // type
+    skim_string();  // value: a size and as many bytes, like a string
+  }
+}
+
+void VdbReader::skim_string() {
+  const std::int64_t end = static_cast<std::int64_t>(skim_size()) + stream_.tellg();
+  require_in_file(end);
+  stream_.seekg(end);
+}
+
+std::uint32_t VdbReader::skim_size() {
+  std::uint32_t size = 0;
+  stream_.read(reinterpret_cast<char*>(&size), sizeof(size));
+  return size;
+}
+
+void VdbReader::require_in_file(std::int64_t position) const {
+  if (position < 0 || position > size_) throw std::runtime_error("it ends too early");
+}
+
+}  // namespace solidnoise

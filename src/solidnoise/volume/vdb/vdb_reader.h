@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <openvdb/io/GridDescriptor.h>
+#include <openvdb/io/io.h>
+
+#include "solidnoise/volume/vdb/openvdb.h"
+
+namespace solidnoise {
+
+// Reads .vdb files as OpenVDB's File does, but notices damage that it does not: reading past the end is an
+// error, and so are offsets and sizes that do not fit in the file. (OpenVDB takes a file of uncompressed
+// values that is cut short for a whole one, and allocates whatever size it finds.) Never loads lazily.
+//
+// Throws std::exception of any kind where the file is damaged.
+class VdbReader final : public openvdb::io::Archive {
+ public:
+  explicit VdbReader(const std::filesystem::path& path);
+
+  const openvdb::MetaMap& metadata() const { return metadata_; }
+
+  // In the file's order.
+  std::size_t grid_count() const { return entries_.size(); }
+  std::string grid_name(std::size_t index) const;
+
+  // The grid with its name, type, metadata and transform; its tree is empty.
+  openvdb::GridBase::Ptr read_header(std::size_t index);
+  // All of the grid.
+  openvdb::GridBase::Ptr read_grid(std::size_t index);
+  // All of all grids. Those that share a tree in the file share it here.
+  openvdb::GridPtrVec read_grids();
+
+ private:
+  struct Entry {
+    openvdb::io::GridDescriptor descriptor;
+    openvdb::GridBase::Ptr grid;  // where the file has no offsets, so that all had to be read
+  };
+
+  openvdb::GridBase::Ptr read_own(std::size_t index);  // without the tree that it shares with another one
+  std::size_t parent_of(std::size_t index) const;      // the grid with which it does
+
+  void require_known_version();
+  void read_entry();
+  openvdb::GridBase::Ptr read_grid_header(const openvdb::io::GridDescriptor& descriptor);
+  // Each checks that what comes next has only sizes that fit in the file and its own structure, and goes back
+  // to where it was.
+  void check_metadata();
+  void check_descriptor();
+  void check_grid_header();
+  void check_grid(const openvdb::io::GridDescriptor& descriptor);
+
+  // Each goes past what it checks.
+  std::uint32_t skim_grid_header();  // gives the grid's compression flags
+  void skim_metadata();
+  void skim_string();
+  std::uint32_t skim_size();
+  void require_in_file(std::int64_t position) const;
+
+  std::ifstream stream_;
+  std::int64_t size_ = 0;
+  openvdb::io::StreamMetadata::Ptr stream_metadata_;
+  openvdb::MetaMap metadata_;
+  std::vector<Entry> entries_;
+};
+
+}  // namespace solidnoise
