@@ -1,0 +1,113 @@
+#include "solidnoise/noise/gabor/gabor_spectrum.h"
+
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include "solidnoise/core/special_functions.h"
+
+namespace solidnoise {
+namespace {
+
+[[noreturn]] void refuse(const std::string& path, double value, const char* allowed) {
+  throw std::invalid_argument(fmt::format("{} is {}; it must be {}", path, value, allowed));
+}
+
+void validate_component(const SpectrumComponent& component, const GaborSpectrum& spectrum,
+                        const std::string& path) {
+  const double variance = component.variance;
+  if (!(variance >= 0.0) || !std::isfinite(variance)) {
+    refuse(path + ".variance", variance, "0 or more, and finite");
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    const double frequency = component.frequency[axis];
+    if (!std::isfinite(frequency)) refuse(path + ".frequency", frequency, "finite");
+    if (axis >= spectrum.dimensions && frequency != 0.0) {
+      refuse(path + ".frequency", frequency, "0 on axes that the spectrum does not have");
+    }
+  }
+  if (component.group < 0 || component.group >= static_cast<int>(spectrum.groups.size())) {
+    refuse(path + ".group", component.group, "the number of a group, from 0");
+  }
+}
+
+}  // namespace
+
+double GaborSpectrum::variance() const {
+  double sum = 0.0;
+  for (const SpectrumBand& band : bands) {
+    for (const SpectrumComponent& component : band.components) sum += component.variance;
+  }
+  return sum;
+}
+
+double GaborSpectrum::density(const Vec<3>& frequency) const {
+  double sum = 0.0;
+  for (const SpectrumBand& band : bands) {
+    const double sharpness = 2.0 * std::numbers::pi / (band.a * band.a);
+    double total = 0.0;
+    for (const SpectrumComponent& component : band.components) {
+      const Vec<3>& w = component.frequency;
+      if (isotropic) {
+        // The mean of the Gaussian over all directions of w.
+        const double f = glm::length(frequency);
+        const double center = glm::length(w);
+        total += component.variance * std::exp(-sharpness * (f - center) * (f - center)) *
+                 mean_exponential_scaled(dimensions, 2.0 * sharpness * f * center);
+      } else {
+        const double there = glm::dot(frequency - w, frequency - w);
+        const double back = glm::dot(frequency + w, frequency + w);
+        total += 0.5 * component.variance * (std::exp(-sharpness * there) + std::exp(-sharpness * back));
+      }
+    }
+    sum += total * std::pow(std::numbers::sqrt2 / band.a, dimensions);
+  }
+  return sum;
+}
+
+void GaborSpectrum::validate() const {
+  if (dimensions != 2 && dimensions != 3) refuse("dimensions", dimensions, "2 or 3");
+  for (std::size_t b = 0; b < bands.size(); ++b) {
+    const std::string path = fmt::format("bands[{}]", b);
+    if (!(bands[b].a > 0.0) || !std::isfinite(bands[b].a)) refuse(path + ".a", bands[b].a, "greater than 0");
+    for (std::size_t i = 0; i < bands[b].components.size(); ++i) {
+      validate_component(bands[b].components[i], *this, fmt::format("{}.components[{}]", path, i));
+    }
+  }
+  const double total = variance();
+  if (!(total > 0.0) || !std::isfinite(total)) {
+    throw std::invalid_argument(
+        fmt::format("the variances of all components add up to {}; they must to more than 0", total));
+  }
+}
+
+void ExemplarModel::validate() const {
+  if (channels.size() != 1 && channels.size() != 3) {
+    refuse("number of channels", static_cast<double>(channels.size()), "1 or 3");
+  }
+  if (axes.size() != channels.size()) {
+    throw std::invalid_argument(
+        fmt::format("there are {} axes for {} channels; each needs one", axes.size(), channels.size()));
+  }
+  for (std::size_t k = 0; k < channels.size(); ++k) {
+    try {
+      channels[k].validate();
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(fmt::format("channels[{}]: {}", k, error.what()));
+    }
+    const GaborSpectrum& first = channels.front();
+    if (channels[k].dimensions != first.dimensions || channels[k].isotropic != first.isotropic) {
+      throw std::invalid_argument(fmt::format("channels[{}] is of another kind than channels[0]", k));
+    }
+    for (int i = 0; i < 3; ++i) {
+      if (!std::isfinite(axes[k][i])) refuse(fmt::format("axes[{}]", k), axes[k][i], "finite");
+      if (!std::isfinite(mean[i])) refuse("mean", mean[i], "finite");
+    }
+  }
+}
+
+}  // namespace solidnoise

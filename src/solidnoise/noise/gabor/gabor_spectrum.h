@@ -1,0 +1,65 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "solidnoise/core/vec.h"
+
+namespace solidnoise {
+
+// A power spectrum as a sparse sum of Gaussians, in bands of one width each (Galerne et al. 2012, section 4):
+// the description of a noise by example. In n dimensions a component of variance v at the frequency w, in a
+// band of Gaussian parameter a, is a pair,
+//   v (sqrt2 / a)^n / 2 (exp(-2 pi |f - w|^2 / a^2) + exp(-2 pi |f + w|^2 / a^2)),
+// which integrates to v over R^n: w and -w mean the same. In an isotropic spectrum w stands for all vectors
+// of its length. Plain data; frequencies and a in cycles per world unit, variances of the noise's value
+// squared.
+struct SpectrumComponent {
+  Vec<3> frequency{0.0};  // axes beyond the spectrum's dimensions are 0
+  double variance = 0.0;
+  int group = 0;  // index into GaborSpectrum::groups
+
+  friend bool operator==(const SpectrumComponent&, const SpectrumComponent&) = default;
+};
+
+struct SpectrumBand {
+  double a = 0.0;
+  std::vector<SpectrumComponent> components;
+
+  friend bool operator==(const SpectrumBand&, const SpectrumBand&) = default;
+};
+
+struct GaborSpectrum {
+  int dimensions = 2;      // 2 or 3
+  bool isotropic = false;  // whether components stand for all directions
+  std::vector<SpectrumBand> bands;
+  std::vector<std::string> groups{"all"};
+
+  double variance() const;
+
+  // Two-sided power spectral density; axes of `frequency` beyond `dimensions` must be 0.
+  double density(const Vec<3>& frequency) const;
+
+  // Throws std::invalid_argument that names the path of what is wrong, such as
+  // bands[2].components[7].variance: dimensions, a <= 0, variances that are negative or not finite, a total
+  // of 0, a group that does not exist.
+  void validate() const;
+
+  friend bool operator==(const GaborSpectrum&, const GaborSpectrum&) = default;
+};
+
+// What a noise takes over from an exemplar: one spectrum per channel of a decorrelated colour space, and how
+// channels make colours: color = mean + sum over k of axes[k] n_k, with n_k the noise of channel k.
+struct ExemplarModel {
+  std::vector<GaborSpectrum> channels;    // 1 (gray) or 3
+  std::vector<Vec<3>> axes{Vec<3>(1.0)};  // one per channel: its color
+  Vec<3> mean{0.0};                       // linear light, unless the file says that values are raw
+  bool raw_values = false;
+
+  // Throws std::invalid_argument: as GaborSpectrum::validate, and where numbers or dimensions do not agree.
+  void validate() const;
+
+  friend bool operator==(const ExemplarModel&, const ExemplarModel&) = default;
+};
+
+}  // namespace solidnoise
