@@ -14,6 +14,7 @@
 #include "support/evaluated.h"
 #include "support/gabor_noises.h"
 #include "support/simd_targets.h"
+#include "support/spectra.h"
 
 namespace solidnoise {
 namespace {
@@ -27,6 +28,11 @@ void for_each_noise(const Check& check) {
   recipe.noise = OrientedGaborNoiseOptions{.frequency = 0.7};
   SCOPED_TRACE("octaves");
   check(*make_noise<Dim>(recipe));
+  if constexpr (Dim == 2 || Dim == 3) {
+    SCOPED_TRACE("spectrum");
+    check(SpectrumNoise<Dim>(some_spectrum(Dim)));
+    check(SpectrumNoise<Dim>(some_spectrum(Dim, true)));
+  }
   if constexpr (Dim == 3) {
     recipe.noise = GaborNoiseOptions{.frequency = 0.7, .impulses = 20.0};
     SCOPED_TRACE("frame");

@@ -69,6 +69,15 @@ double GaborSpectrum::density(const Vec<3>& frequency) const {
   return sum;
 }
 
+GaborSpectrum GaborSpectrum::scaled(double factor) const {
+  GaborSpectrum result = *this;
+  for (SpectrumBand& band : result.bands) {
+    band.a *= factor;
+    for (SpectrumComponent& component : band.components) component.frequency *= factor;
+  }
+  return result;
+}
+
 void GaborSpectrum::validate() const {
   if (dimensions != 2 && dimensions != 3) refuse("dimensions", dimensions, "2 or 3");
   for (std::size_t b = 0; b < bands.size(); ++b) {

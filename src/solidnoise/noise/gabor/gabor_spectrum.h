@@ -40,6 +40,9 @@ struct GaborSpectrum {
   // Two-sided power spectral density; axes of `frequency` beyond `dimensions` must be 0.
   double density(const Vec<3>& frequency) const;
 
+  // The spectrum in other units, in which all frequencies are multiplied by `factor` > 0.
+  GaborSpectrum scaled(double factor) const;
+
   // Throws std::invalid_argument that names the path of what is wrong, such as
   // bands[2].components[7].variance: dimensions, a <= 0, variances that are negative or not finite, a total
   // of 0, a group that does not exist.

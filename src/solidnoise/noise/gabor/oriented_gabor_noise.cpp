@@ -10,8 +10,8 @@
 #include "solidnoise/core/quadrature.h"
 #include "solidnoise/core/special_functions.h"
 #include "solidnoise/noise/convolution/impulse_statistics.h"
-#include "solidnoise/noise/convolution/impulse_sums.h"
 #include "solidnoise/noise/convolution/kernel_cells.h"
+#include "solidnoise/noise/gabor/wave_kernel.h"
 #include "solidnoise/noise/kernel/bandwidth.h"
 #include "solidnoise/noise/kernel/gaussian_filter.h"
 #include "solidnoise/noise/kernel/radial_band.h"
@@ -40,7 +40,7 @@ class WaveDraw {
     if (evolution.moves()) turns_.emplace(evolution);
   }
 
-  typename OrientedGaborNoise<Dim>::Wave operator()(std::uint64_t mark) const {
+  ImpulseWave<Dim> operator()(std::uint64_t mark) const {
     RandomStream stream(mark);
     double phase = stream.next_unit();
     if (turns_) phase += turns_->at(mark);
@@ -53,44 +53,6 @@ class WaveDraw {
   double frequency_;
   double phase_shift_;  // cycles
   std::optional<ImpulseTurns> turns_;
-};
-
-// An oriented kernel with a random phase and direction.
-template <int Dim>
-class WaveKernel final : public ImpulseKernel {
- public:
-  WaveKernel(OrientedSum sum, const WaveDraw<Dim>& wave, const std::array<CellAxis, Dim>& axes)
-      : sum_(std::move(sum)), wave_(wave), axes_(axes) {}
-
-  CullBox::Support support() const override { return CullBox::Support::box; }
-  int attribute_count() const override {
-    return 1 + (Dim == 4 ? OrientedSum::wave(kT) : OrientedSum::kPhase);
-  }
-
-  void draw(std::span<const std::uint64_t> marks, ImpulseAttributes& attributes) const override {
-    for (std::size_t i = 0; i < marks.size(); ++i) {
-      const auto wave = wave_(marks[i]);
-      for (int axis = 0; axis < Dim; ++axis) {
-        attributes[OrientedSum::wave(role_of_axis<Dim>(axis))][i] =
-            static_cast<float>(wave.frequency[axis] * axes_[axis].size());
-      }
-      attributes[OrientedSum::kPhase][i] = static_cast<float>(wave.phase);
-    }
-  }
-
-  void sum(const ImpulseList& list, const SampleBrick& brick, Derivatives derivatives,
-           BrickSums& sums) const override {
-    sum_oriented(sum_, list, brick, derivatives, sums);
-  }
-  void sum(const ImpulseList& list, const SampleCluster& cluster, Derivatives derivatives,
-           ClusterSums& sums) const override {
-    sum_oriented(sum_, list, cluster, derivatives, sums);
-  }
-
- private:
-  OrientedSum sum_;
-  WaveDraw<Dim> wave_;
-  std::array<CellAxis, Dim> axes_;
 };
 
 // Mean of the kernel's power spectrum over the cone of directions d: in closed form over the turns around the
@@ -126,12 +88,6 @@ double mean_over_cone(const RandomPhaseGaborKernel<Dim>& kernel, const Direction
   return 0.25 * kernel.amplitude() * kernel.amplitude() * std::pow(kernel.a(), -2 * Dim) * total / area;
 }
 
-// Of the product of the axes' envelopes times a wave, means over its phase: cos^2 is 1/2 and cos^4 is 3/8.
-KernelMoments envelope_moments(const CompactKernel& envelope, int dimensions) {
-  return {0.5 * std::pow(envelope.energy(), dimensions),
-          0.375 * std::pow(envelope.fourth_moment(), dimensions)};
-}
-
 }  // namespace
 
 template <int Dim>
@@ -144,7 +100,7 @@ OrientedGaborNoise<Dim>::OrientedGaborNoise(const OrientedGaborNoiseOptions& opt
       frequency_(options.frequency),
       envelope_(compact_envelope(kernel_.a(), Dim, options.error)),
       radius_(kernel_.radius_for_error(options.error)) {
-  const KernelMoments moments = envelope_moments(envelope_, Dim);
+  const KernelMoments moments = wave_moments(envelope_, Dim);
   impulses_ = options.impulses > 0.0 ? options.impulses : impulses_for_quality(Dim, radius_, moments);
   density_ = solidnoise::impulse_density(Dim, impulses_, radius_);
 
@@ -153,10 +109,10 @@ OrientedGaborNoise<Dim>::OrientedGaborNoise(const OrientedGaborNoiseOptions& opt
   const double amplitude = 1.0 / std::sqrt(noise_variance(density_, moments.second));
   std::shared_ptr<const ImpulseKernel> kernel;
   if (options.filter == 0.0 || filter_kernel()) {
-    const KernelMoments filtered = envelope_moments(envelope_, Dim);
+    const KernelMoments filtered = wave_moments(envelope_, Dim);
     variance_ = std::pow(kernel_.amplitude(), 2) * filtered.second / moments.second;
     excess_kurtosis_ = noise_excess_kurtosis(density_, filtered);
-    kernel = std::make_shared<WaveKernel<Dim>>(
+    kernel = std::make_shared<WaveKernel<Dim, WaveDraw<Dim>>>(
         OrientedSum{support_scale<Dim>(cells.in_cells(envelope_.radius())), to_single_precision(envelope_)},
         WaveDraw<Dim>(directions_, frequency_, options.evolution, phase_shift), cells.axes);
   }
@@ -180,7 +136,7 @@ bool OrientedGaborNoise<Dim>::filter_kernel() {
 }
 
 template <int Dim>
-typename OrientedGaborNoise<Dim>::Wave OrientedGaborNoise<Dim>::wave(std::uint64_t mark) const {
+ImpulseWave<Dim> OrientedGaborNoise<Dim>::wave(std::uint64_t mark) const {
   return WaveDraw<Dim>(directions_, frequency_, options_.evolution, phase_shift_)(mark);
 }
 

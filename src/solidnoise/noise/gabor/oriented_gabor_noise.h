@@ -5,6 +5,7 @@
 #include "solidnoise/noise/convolution/sparse_convolution.h"
 #include "solidnoise/noise/gabor/directions.h"
 #include "solidnoise/noise/gabor/gabor_options.h"
+#include "solidnoise/noise/gabor/wave_kernel.h"
 #include "solidnoise/noise/kernel/compact_kernel.h"
 #include "solidnoise/noise/kernel/gabor_kernel.h"
 #include "solidnoise/noise/noise.h"
@@ -62,12 +63,8 @@ class OrientedGaborNoise final : public Noise<Dim> {
   typename Noise<Dim>::Band band() const override;
 
   // The impulses that the noise sums, and what an impulse carries: for whoever sums them in another way.
-  struct Wave {
-    Vec<Dim> frequency{0.0};  // cycles per world unit
-    double phase = 0.0;       // cycles, at the noise's time
-  };
   const ImpulseProcess<Dim>& impulses() const { return convolution_->process(); }
-  Wave wave(std::uint64_t mark) const;
+  ImpulseWave<Dim> wave(std::uint64_t mark) const;  // at the noise's time
 
  private:
   bool filter_kernel();

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "solidnoise/noise/fractal_noise.h"
+#include "solidnoise/noise/gabor/evolution.h"
+#include "solidnoise/noise/gabor/gabor_spectrum.h"
+#include "solidnoise/noise/noise.h"
+
+namespace solidnoise {
+
+// Parameters of a noise by example.
+struct SpectrumNoiseOptions {
+  ExemplarModel model;
+  int channel = 0;         // of the model, from 0
+  double frequency = 1.0;  // units of the exemplar (pixels, voxels) per world unit; > 0
+  double error = 0.02;     // relative RMS error against kernels of infinite support; 1e-4 to 0.5
+  double impulses = 0.0;   // mean impulses under the kernels of all bands, N; 0: the fewest with excess
+                           // kurtosis below 0.5
+  std::uint64_t seed = 0;
+  Vec<4> period{0.0};     // world units per axis; 0: none; else at least 2 radii of the largest kernel
+  Evolution evolution{};  // how it changes with time; by default it does not
+
+  // The channel's spectrum, frequencies in cycles per world unit. Precondition: valid options.
+  GaborSpectrum spectrum() const;
+
+  // Throws std::invalid_argument naming the field, its value and what is allowed.
+  void validate() const;
+
+  friend bool operator==(const SpectrumNoiseOptions&, const SpectrumNoiseOptions&) = default;
+};
+
+// Bandwidth-quantized Gabor noise in Dim dimensions, 2 or 3: the noise whose power spectrum is a sparse sum
+// of Gaussians (Galerne et al. 2012, sections 3 and 4), scaled to unit variance. Each band is a sum of
+// oriented kernels of one envelope at the impulses of a Poisson process of its own, with random phases and
+// with frequencies drawn from the band's components in proportion to their variances (section 4.2).
+//
+// Impulses are shared out between the bands by variance, N_b = (variance_b / variance) N, so that every
+// kernel has the same amplitude. Unlike the paper, the Gaussians are compact (as in OrientedGaborNoise),
+// counts are exactly Poisson distributed and cells are hashed without a period.
+template <int Dim>
+class SpectrumNoise final : public Noise<Dim> {
+ public:
+  // Throws std::invalid_argument: options.validate(), a spectrum of other dimensions, or a period below two
+  // half-widths of the largest kernel.
+  explicit SpectrumNoise(const SpectrumNoiseOptions& options);
+
+  const GaborSpectrum& spectrum() const { return spectrum_; }  // of unit variance, cycles per world unit
+  double impulses_per_kernel() const { return impulses_; }     // N, mean
+  double amplitude() const { return amplitude_; }              // of a kernel's envelope
+
+  using Noise<Dim>::evaluate;
+  std::unique_ptr<NoiseBlock<Dim>> block(const Box<Dim>& box) const override { return bands_->block(box); }
+  void evaluate(const Points<Dim>& points, const Samples<Dim>& samples) const override {
+    bands_->evaluate(points, samples);
+  }
+  double variance() const override { return 1.0; }
+  Vec<Dim> gradient_variance() const override { return bands_->gradient_variance(); }
+  // Of the kernels before they were made compact; the two differ by less than options.error of the total.
+  double power_spectrum(const Vec<Dim>& frequency) const override;
+  double excess_kurtosis() const override { return bands_->excess_kurtosis(); }
+  typename Noise<Dim>::Band band() const override { return bands_->band(); }
+
+ private:
+  GaborSpectrum spectrum_;
+  double impulses_ = 0.0;
+  double amplitude_ = 0.0;
+  std::unique_ptr<const FractalNoise<Dim>> bands_;
+};
+
+extern template class SpectrumNoise<2>;
+extern template class SpectrumNoise<3>;
+
+}  // namespace solidnoise
