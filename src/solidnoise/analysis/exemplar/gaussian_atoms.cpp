@@ -142,6 +142,15 @@ Counts3 GaussianAtoms::frequency_index(std::size_t band, std::size_t index) cons
   return result;
 }
 
+bool GaussianAtoms::is_first_copy(std::size_t band, std::size_t index) const {
+  if (weights_[band][index] == 1.0) return true;
+  const Counts3 counts = band_counts(band);
+  const Counts3 stored = half_counts(counts, HalfAxis::last);
+  const Counts3 at = position_of(index, stored);
+  const int copy = mirrored(at[0], counts[0]) * counts[1] + mirrored(at[1], counts[1]);
+  return at[0] * counts[1] + at[1] < copy;
+}
+
 void GaussianAtoms::add_band(std::size_t band, std::span<const double> small, std::size_t row,
                              std::span<double> lags) const {
   const Counts3 counts = band_counts(band);

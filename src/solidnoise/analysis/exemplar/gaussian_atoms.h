@@ -51,6 +51,8 @@ class GaussianAtoms {
   // How many stored copies a coefficient has, inverted: 1/2 or 1. A sum with these weights counts each once.
   double weight(std::size_t band, std::size_t index) const { return weights_[band][index]; }
   std::span<const double> weights(std::size_t band) const { return weights_[band]; }
+  // Whether none of a coefficient's copies is stored before this one.
+  bool is_first_copy(std::size_t band, std::size_t index) const;
   // The frequency of a coefficient in steps of the grid, per axis, from -n/2 to n/2.
   Counts3 frequency_index(std::size_t band, std::size_t index) const;
   // The integral over frequencies of a pair with coefficient 1, divided by the grid's cell.

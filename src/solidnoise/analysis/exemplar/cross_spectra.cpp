@@ -1,0 +1,184 @@
+#include "solidnoise/analysis/exemplar/cross_spectra.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <glm/common.hpp>
+
+#include "solidnoise/analysis/exemplar/periodic_component.h"
+#include "solidnoise/analysis/fft.h"
+
+namespace solidnoise {
+namespace {
+
+using Complex = std::complex<double>;
+
+constexpr int kFewestSamples = 16;
+
+bool is_fast(int count) {
+  if (count % 2 != 0) return false;
+  for (const int prime : {2, 3, 5, 7}) {
+    while (count % prime == 0) count /= prime;
+  }
+  return count == 1;
+}
+
+// Where patches begin along an axis: spread evenly, overlapping by half at most.
+std::vector<int> patch_starts(int count, int patch) {
+  const int patches = 1 + 2 * (count - patch) / patch;
+  std::vector<int> starts;
+  for (int i = 0; i < patches; ++i) {
+    starts.push_back(patches == 1 ? (count - patch) / 2 : i * (count - patch) / (patches - 1));
+  }
+  return starts;
+}
+
+template <int Dim>
+DenseField<Dim> cut(const DenseField<Dim>& field, const glm::vec<Dim, int>& start,
+                    const glm::vec<Dim, int>& count) {
+  DenseField<Dim> result(count, field.step);
+  const ArrayShape<Dim> from{field.count};
+  const ArrayShape<Dim> to{count};
+  for (std::size_t i = 0; i < result.values.size(); ++i) {
+    result.values[i] = field.values[from.index(to.position(i) + start)];
+  }
+  return result;
+}
+
+// Calls visit(patch of each channel, number of the patch) for all patches.
+template <int Dim, typename Visit>
+void for_each_patch(std::span<const Exemplar<Dim>> exemplars, const glm::vec<Dim, int>& count,
+                    const Visit& visit) {
+  for (const Exemplar<Dim>& exemplar : exemplars) {
+    std::vector<int> starts[Dim];
+    glm::vec<Dim, int> patches(1);
+    for (int axis = 0; axis < Dim; ++axis) {
+      starts[axis] = patch_starts(exemplar.shape().count[axis], count[axis]);
+      patches[axis] = static_cast<int>(starts[axis].size());
+    }
+    const ArrayShape<Dim> shape{patches};
+    for (std::size_t i = 0; i < shape.size(); ++i) {
+      glm::vec<Dim, int> start(0);
+      const glm::vec<Dim, int> at = shape.position(i);
+      for (int axis = 0; axis < Dim; ++axis) start[axis] = starts[axis][static_cast<std::size_t>(at[axis])];
+      std::vector<DenseField<Dim>> patch;
+      for (const DenseField<Dim>& channel : exemplar.channels) patch.push_back(cut(channel, start, count));
+      visit(patch);
+    }
+  }
+}
+
+}  // namespace
+
+int fast_count(int count) {
+  while (count > kFewestSamples && !is_fast(count)) --count;
+  return count;
+}
+
+template <int Dim>
+CrossSpectra<Dim> cross_spectra(std::span<const Exemplar<Dim>> exemplars, int patch) {
+  if (exemplars.empty()) throw std::invalid_argument("there is no exemplar");
+  if (patch != 0 && patch < kFewestSamples) {
+    throw std::invalid_argument(
+        fmt::format("patch is {}; it must be at least {}, or 0 for none", patch, kFewestSamples));
+  }
+  CrossSpectra<Dim> result;
+  result.count = exemplars.front().shape().count;
+  result.step = exemplars.front().shape().step;
+  result.channels = static_cast<int>(exemplars.front().channels.size());
+  for (const Exemplar<Dim>& exemplar : exemplars) {
+    exemplar.validate("an exemplar");
+    if (exemplar.channels.size() != exemplars.front().channels.size()) {
+      throw std::invalid_argument("the exemplars are of different kinds: some gray, some in colour");
+    }
+    if (exemplar.shape().step != result.step) {
+      throw std::invalid_argument("the exemplars have samples of different sizes");
+    }
+    result.count = glm::min(result.count, exemplar.shape().count);
+  }
+  for (int axis = 0; axis < Dim; ++axis) {
+    if (patch != 0) result.count[axis] = std::min(result.count[axis], patch);
+    result.count[axis] = fast_count(result.count[axis]);
+  }
+
+  // Means and covariances of the samples.
+  const auto channels = static_cast<std::size_t>(result.channels);
+  result.mean.assign(channels, 0.0);
+  result.covariance.assign(channels * channels, 0.0);
+  result.cross.assign(channels * channels, {});
+  for_each_patch(exemplars, result.count, [&](const std::vector<DenseField<Dim>>& fields) {
+    ++result.patches;
+    for (std::size_t i = 0; i < channels; ++i) {
+      for (const float value : fields[i].values) result.mean[i] += value;
+    }
+  });
+  const auto size = static_cast<double>(ArrayShape<Dim>{result.count}.size());
+  for (double& mean : result.mean) mean /= size * result.patches;
+
+  const std::vector<int> counts(&result.count[0], &result.count[0] + Dim);
+  for (std::vector<Complex>& values : result.cross) values.assign(static_cast<std::size_t>(size), 0.0);
+  for_each_patch(exemplars, result.count, [&](std::vector<DenseField<Dim>>& fields) {
+    std::vector<std::vector<Complex>> transforms;
+    for (std::size_t i = 0; i < channels; ++i) {
+      for (float& value : fields[i].values) value -= static_cast<float>(result.mean[i]);
+      const DenseField<Dim> periodic = periodic_component(fields[i]);
+      transforms.push_back(
+          fft_of_real(std::vector<double>(periodic.values.begin(), periodic.values.end()), counts));
+    }
+    for (std::size_t i = 0; i < channels; ++i) {
+      for (std::size_t j = 0; j < channels; ++j) {
+        double sum = 0.0;
+        for (std::size_t p = 0; p < fields[i].values.size(); ++p) {
+          sum += static_cast<double>(fields[i].values[p]) * fields[j].values[p];
+        }
+        result.covariance[i * channels + j] += sum / (size * result.patches);
+        std::vector<Complex>& cross = result.cross[i * channels + j];
+        for (std::size_t k = 0; k < cross.size(); ++k) {
+          cross[k] += std::conj(transforms[i][k]) * transforms[j][k] / (size * result.patches);
+        }
+      }
+    }
+  });
+  return result;
+}
+
+template <int Dim>
+PowerSpectrum<Dim> CrossSpectra<Dim>::spectrum(std::span<const double> direction) const {
+  PowerSpectrum<Dim> result;
+  result.count = count;
+  result.step = step;
+  result.window = Window::none;
+  result.independent_blocks = patches;
+  result.density.assign(ArrayShape<Dim>{count}.size(), 0.0);
+  double cell = 1.0;  // of a sample
+  for (int axis = 0; axis < Dim; ++axis) cell *= step[axis];
+  const auto n = static_cast<std::size_t>(channels);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) {
+      const double factor = cell * direction[i] * direction[j];
+      for (std::size_t k = 0; k < result.density.size(); ++k) {
+        result.density[k] += factor * cross[i * n + j][k].real();
+      }
+    }
+  }
+  for (double& value : result.density) value = std::max(value, 0.0);
+  return result;
+}
+
+template <int Dim>
+double CrossSpectra<Dim>::variance(std::span<const double> direction) const {
+  double sum = 0.0;
+  const auto n = static_cast<std::size_t>(channels);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) sum += direction[i] * direction[j] * covariance[i * n + j];
+  }
+  return std::max(sum, 0.0);
+}
+
+template struct CrossSpectra<2>;
+template struct CrossSpectra<3>;
+template CrossSpectra<2> cross_spectra<2>(std::span<const Exemplar<2>>, int);
+template CrossSpectra<3> cross_spectra<3>(std::span<const Exemplar<3>>, int);
+
+}  // namespace solidnoise

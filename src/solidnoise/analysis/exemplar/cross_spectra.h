@@ -1,0 +1,50 @@
+#pragma once
+
+#include <complex>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "solidnoise/analysis/exemplar/exemplar.h"
+#include "solidnoise/analysis/periodogram.h"
+#include "solidnoise/core/vec.h"
+
+namespace solidnoise {
+
+// The cross-periodograms of an exemplar's channels, averaged over patches: at each frequency f the matrix
+//   C_ij(f) = conj(U_i(f)) U_j(f) / n,   U the transform of channel i's periodic component,
+// n the number of samples of a patch. They are the Fourier transforms of the lagged correlation matrices
+// (Galerne et al. 2012, eq. 9, with 1/n where the paper prints 1/M^2 for a square image).
+template <int Dim>
+struct CrossSpectra {
+  glm::vec<Dim, int> count{1};  // of a patch
+  Vec<Dim> step{1.0};           // world units
+  int channels = 1;
+  int patches = 0;
+  std::vector<double> mean;                              // per channel, of all samples
+  std::vector<double> covariance;                        // channels x channels, of all samples
+  std::vector<std::vector<std::complex<double>>> cross;  // channels x channels; frequencies as PowerSpectrum
+
+  // Of the channel that is the product of the given direction and the color.
+  PowerSpectrum<Dim> spectrum(std::span<const double> direction) const;
+  double variance(std::span<const double> direction) const;
+};
+
+// The largest count of at most `count` whose transforms are fast and that the bands' coarser grids divide
+// well: an even number without prime factors above 7. At most 14 % of an axis' samples are left out, 8 % if
+// it has 100 or more.
+int fast_count(int count);
+
+// Spectra of one or several exemplars with the same step and channels, cut into patches of one size: at most
+// `patch` samples along each axis (0: as large as the smallest exemplar), cut down to a fast_count; patches
+// of an exemplar that is larger overlap by half at most. Patches keep their own periodic components; the mean
+// of all samples is taken away. Throws std::invalid_argument for exemplars that do not agree.
+template <int Dim>
+CrossSpectra<Dim> cross_spectra(std::span<const Exemplar<Dim>> exemplars, int patch = 0);
+
+extern template struct CrossSpectra<2>;
+extern template struct CrossSpectra<3>;
+extern template CrossSpectra<2> cross_spectra<2>(std::span<const Exemplar<2>>, int);
+extern template CrossSpectra<3> cross_spectra<3>(std::span<const Exemplar<3>>, int);
+
+}  // namespace solidnoise

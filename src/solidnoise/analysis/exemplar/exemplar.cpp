@@ -1,0 +1,138 @@
+#include "solidnoise/analysis/exemplar/exemplar.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "solidnoise/core/check.h"
+#include "solidnoise/image/color.h"
+#include "solidnoise/image/image_file.h"
+
+namespace solidnoise {
+namespace {
+
+constexpr int kFewestSamples = 16;  // two bands of frequencies
+
+[[noreturn]] void refuse(const std::string& name, const std::string& what) {
+  throw std::invalid_argument(name + ": " + what);
+}
+
+void require_opaque(const Image& image, const std::string& name) {
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      const float alpha = image.at(x, y, image.channels - 1);
+      if (alpha == 1.0f) continue;
+      refuse(name, fmt::format("has an alpha channel, which is {} at ({}, {}); flatten it onto a background "
+                               "first, an exemplar is opaque",
+                               alpha, x, y));
+    }
+  }
+}
+
+bool is_gray(const Image& image) {
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      const float red = image.at(x, y, 0);
+      if (image.at(x, y, 1) != red || image.at(x, y, 2) != red) return false;
+    }
+  }
+  return true;
+}
+
+bool holds_linear_light(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension == ".exr" || extension == ".hdr" || extension == ".pfm" || extension == ".rgbe";
+}
+
+}  // namespace
+
+template <int Dim>
+void Exemplar<Dim>::validate(const std::string& name) const {
+  if (channels.size() != 1 && channels.size() != 3) {
+    refuse(name, fmt::format("has {} channels; it must have 1 or 3", channels.size()));
+  }
+  for (const DenseField<Dim>& channel : channels) {
+    if (channel.count != shape().count || channel.step != shape().step ||
+        channel.values.size() != shape().size()) {
+      refuse(name, "its channels have different shapes");
+    }
+  }
+  for (int axis = 0; axis < Dim; ++axis) {
+    if (shape().count[axis] < kFewestSamples) {
+      refuse(name, fmt::format("has {} samples along an axis; it must have at least {}", shape().count[axis],
+                               kFewestSamples));
+    }
+  }
+  bool constant = true;
+  for (const DenseField<Dim>& channel : channels) {
+    for (std::size_t i = 0; i < channel.values.size(); ++i) {
+      if (!std::isfinite(channel.values[i])) {
+        refuse(name, fmt::format("has a value that is not finite ({})", channel.values[i]));
+      }
+      constant = constant && channel.values[i] == channel.values.front();
+    }
+  }
+  if (constant) refuse(name, "is constant; there is no texture in it");
+}
+
+Exemplar<2> exemplar_of_image(const Image& image, const ExemplarReading& reading, const std::string& name) {
+  require_positive("pixel_size", reading.pixel_size, "world units");
+  if (image.channels < 1 || image.channels > 4) {
+    refuse(name, fmt::format("has {} channels; it must have 1 or 3", image.channels));
+  }
+  if (image.channels % 2 == 0) require_opaque(image, name);
+  const int channels = image.channels <= 2 || is_gray(image) ? 1 : 3;
+  Exemplar<2> result;
+  for (int c = 0; c < channels; ++c) {
+    DenseField<2>& field =
+        result.channels.emplace_back(glm::ivec2(image.width, image.height), Vec<2>(reading.pixel_size));
+    for (int x = 0; x < image.width; ++x) {
+      for (int y = 0; y < image.height; ++y) {
+        const float stored = image.at(x, image.height - 1 - y, c);
+        field.values[static_cast<std::size_t>(x) * static_cast<std::size_t>(image.height) +
+                     static_cast<std::size_t>(y)] = reading.raw_values ? stored : linear_from_srgb(stored);
+      }
+    }
+  }
+  result.validate(name);
+  return result;
+}
+
+Exemplar<2> read_exemplar(const std::filesystem::path& path, const ExemplarReading& reading) {
+  ExemplarReading as_stored = reading;
+  if (holds_linear_light(path)) as_stored.raw_values = true;
+  const Image image = read_image(path);
+  try {
+    return exemplar_of_image(image, as_stored, path.string());
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(error.what());
+  }
+}
+
+Image image_of_exemplar(const Exemplar<2>& exemplar) {
+  const glm::ivec2 count = exemplar.shape().count;
+  Image image(count.x, count.y, 3);
+  for (int c = 0; c < 3; ++c) {
+    const DenseField<2>& field =
+        exemplar.channels.size() == 1 ? exemplar.channels[0] : exemplar.channels[static_cast<std::size_t>(c)];
+    for (int x = 0; x < count.x; ++x) {
+      for (int y = 0; y < count.y; ++y) {
+        image.at(x, count.y - 1 - y, c) =
+            field.values[static_cast<std::size_t>(x) * static_cast<std::size_t>(count.y) +
+                         static_cast<std::size_t>(y)];
+      }
+    }
+  }
+  return image;
+}
+
+template struct Exemplar<2>;
+template struct Exemplar<3>;
+
+}  // namespace solidnoise

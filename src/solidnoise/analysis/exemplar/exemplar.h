@@ -1,0 +1,46 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "solidnoise/analysis/dense_field.h"
+#include "solidnoise/core/image.h"
+
+namespace solidnoise {
+
+// A texture to learn from: channels of one shape, 1 (gray) or 3 (red, green, blue). Of a picture the first
+// axis is x, to the right, and the second y, up.
+template <int Dim>
+struct Exemplar {
+  std::vector<DenseField<Dim>> channels;
+
+  const DenseField<Dim>& shape() const { return channels.front(); }
+
+  // Throws std::invalid_argument that begins with `name` for: no channels, or neither 1 nor 3, or of
+  // different shapes, fewer than 16 samples along an axis, values that are not finite, values that are all
+  // equal.
+  void validate(const std::string& name) const;
+};
+
+struct ExemplarReading {
+  double pixel_size = 1.0;  // world units; > 0
+  bool raw_values = false;  // take values as they are stored; otherwise they become linear light
+};
+
+// The exemplar in a picture: pixels are taken as sRGB-encoded unless `reading` says raw. Three channels that
+// are equal become one; an alpha channel (the second of two, the fourth of four) must be 1 everywhere. Throws
+// std::invalid_argument that begins with `name`, as Exemplar::validate and for other numbers of channels.
+Exemplar<2> exemplar_of_image(const Image& image, const ExemplarReading& reading, const std::string& name);
+
+// The same from a file that OpenImageIO reads: 8 and 16 bits are sRGB-encoded, .exr, .hdr, .pfm and .rgbe
+// files are linear light already. Throws std::runtime_error naming the path.
+Exemplar<2> read_exemplar(const std::filesystem::path& path, const ExemplarReading& reading = {});
+
+// A picture of an exemplar's kind back as pixels, not encoded; 3 channels, gray ones equal.
+Image image_of_exemplar(const Exemplar<2>& exemplar);
+
+extern template struct Exemplar<2>;
+extern template struct Exemplar<3>;
+
+}  // namespace solidnoise

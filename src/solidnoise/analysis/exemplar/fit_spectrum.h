@@ -1,0 +1,60 @@
+#pragma once
+
+#include "solidnoise/analysis/exemplar/sparse_fit.h"
+#include "solidnoise/analysis/periodogram.h"
+#include "solidnoise/core/progress.h"
+#include "solidnoise/noise/gabor/gabor_spectrum.h"
+
+namespace solidnoise {
+
+// What becomes of the variances, which the penalty makes too small.
+enum class Magnitudes {
+  rescaled,  // all by one factor, to the variance of the samples
+  refitted,  // by least squares among the components that were found, then rescaled
+};
+
+struct SpectrumFitOptions {
+  double kappa = 1.0 / 32.0;  // sparseness against accuracy; above 0, at most 1
+  // Whether there are Gaussians as narrow as one frequency of the exemplar, for textures with periodic parts.
+  // Stochastic ones are better off without: such Gaussians follow the periodogram's own noise.
+  bool narrowest_band = false;
+  Magnitudes magnitudes = Magnitudes::refitted;
+  double gap_tolerance = 1e-2;
+  int iterations_per_level = 600;
+
+  // The parameters of Galerne et al. 2012: kappa = 1/256, all bands, rescaled.
+  static SpectrumFitOptions of_paper();
+
+  // Throws std::invalid_argument.
+  void validate() const;
+};
+
+struct SpectrumFit {
+  GaborSpectrum spectrum;
+  int components = 0;
+  double sparseness = 0.0;     // components / samples
+  double residual = 0.0;       // |spectrum - periodogram| / |periodogram|
+  double kept_variance = 0.0;  // of the components before they were rescaled, relative to the samples'
+  double kappa = 1.0;          // reached
+  double gap = 0.0;            // duality gap / objective
+  int iterations = 0;
+  bool interrupted = false;
+};
+
+// The parameters of a bandwidth-quantized Gabor noise from a periodogram (Galerne et al. 2012, section 5):
+// bands b = 2, 3, ... whose Gaussians have a full width at half maximum of 2^-b cycles per sample,
+// a = 2^-b sqrt(pi / (2 ln 2)), down to two frequencies of the shortest axis (one with narrowest_band);
+// frequencies at about half of that width, in a half-plane (half-space). The variances sum to `variance`.
+//
+// Departures: Gaussians of unit length (GaussianAtoms), frequencies no denser than they can be told apart,
+// the default range of bands and kappa, refitted magnitudes. They lower the error against the true spectrum.
+template <int Dim>
+SpectrumFit fit_spectrum(const PowerSpectrum<Dim>& periodogram, double variance,
+                         const SpectrumFitOptions& options = {}, Progress* progress = nullptr);
+
+extern template SpectrumFit fit_spectrum<2>(const PowerSpectrum<2>&, double, const SpectrumFitOptions&,
+                                            Progress*);
+extern template SpectrumFit fit_spectrum<3>(const PowerSpectrum<3>&, double, const SpectrumFitOptions&,
+                                            Progress*);
+
+}  // namespace solidnoise

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "solidnoise/analysis/exemplar/exemplar.h"
+#include "solidnoise/analysis/periodogram.h"
+#include "solidnoise/noise/gabor/gabor_spectrum.h"
+
+namespace solidnoise {
+
+// A density on the frequencies of a periodogram: that of the spectrum and, as samples fold it, of its images
+// beyond the highest frequency of the samples.
+template <int Dim>
+PowerSpectrum<Dim> sampled_density(const GaborSpectrum& spectrum, const glm::vec<Dim, int>& count,
+                                   const Vec<Dim>& step);
+
+// The Gaussian version of an exemplar (random phase noise; Galerne, Gousseau and Morel 2011): the moduli of
+// its periodic components' transforms are kept, random phases are added, the same for all channels. It is
+// periodic, has the exemplar's mean, spectra and cross-spectra, and nothing else of it: what noise can show
+// at best.
+template <int Dim>
+Exemplar<Dim> gaussian_version(const Exemplar<Dim>& exemplar, std::uint64_t seed);
+
+// A periodic Gaussian field with a given spectrum.
+template <int Dim>
+DenseField<Dim> gaussian_field(const PowerSpectrum<Dim>& spectrum, std::uint64_t seed);
+
+// The Gaussian texture of a model, per color channel: its sparse spectra without anything of the impulses
+// that a noise is made of.
+Exemplar<2> gaussian_texture(const ExemplarModel& model, const glm::ivec2& count, const Vec<2>& step,
+                             std::uint64_t seed);
+
+// Colours from the values of a model's channels.
+Exemplar<2> compose(const ExemplarModel& model, std::span<const DenseField<2>> channels);
+
+extern template PowerSpectrum<2> sampled_density<2>(const GaborSpectrum&, const glm::ivec2&, const Vec<2>&);
+extern template PowerSpectrum<3> sampled_density<3>(const GaborSpectrum&, const glm::ivec3&, const Vec<3>&);
+extern template Exemplar<2> gaussian_version<2>(const Exemplar<2>&, std::uint64_t);
+extern template Exemplar<3> gaussian_version<3>(const Exemplar<3>&, std::uint64_t);
+extern template DenseField<2> gaussian_field<2>(const PowerSpectrum<2>&, std::uint64_t);
+extern template DenseField<3> gaussian_field<3>(const PowerSpectrum<3>&, std::uint64_t);
+
+}  // namespace solidnoise
