@@ -162,20 +162,6 @@ TEST(SparseFit, LeavesNothingAtTheLargestPenalty) {
   EXPECT_NEAR(fit.gap, 0.0, 1e-9 * fit.objective);
 }
 
-// A spectrum of the dictionary's own pairs: the refit takes the penalty back and ends at the pairs.
-TEST(SparseFit, RefitFindsTheExactPairs) {
-  const SmallProblem problem;
-  GaussianAtoms::Coefficients truth = problem.atoms.zeros();
-  truth[0][2 * 9 + 3] = 2.0;
-  truth[1][6 * 9 + 6] = 1.0;
-  std::vector<double> lags;
-  problem.atoms.synthesize(truth, lags);
-  SparseFit fit = fit_sparse(problem.atoms, lags,
-                             {.kappa = 1.0 / 64.0, .gap_tolerance = 1e-6, .iterations_per_level = 5000});
-  refit_support(problem.atoms, lags, fit, 5000);
-  EXPECT_LT(fit.residual, 1e-4);
-}
-
 struct Stopping final : Progress {
   int left;
   explicit Stopping(int after) : left(after) {}

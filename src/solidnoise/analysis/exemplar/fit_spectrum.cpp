@@ -106,7 +106,6 @@ SpectrumFitOptions SpectrumFitOptions::of_paper() {
   SpectrumFitOptions options;
   options.kappa = 1.0 / 256.0;
   options.narrowest_band = true;
-  options.magnitudes = Magnitudes::rescaled;
   return options;
 }
 
@@ -135,9 +134,6 @@ SpectrumFit fit_spectrum(const PowerSpectrum<Dim>& periodogram, double variance,
   result.kappa = fit.kappa;
   result.gap = fit.gap / fit.objective;
   result.iterations = fit.iterations;
-  if (options.magnitudes == Magnitudes::refitted && !fit.interrupted) {
-    refit_support(atoms, lags, fit, 200, progress);
-  }
   result.interrupted = fit.interrupted;
   result.residual = fit.residual;
   result.spectrum = components_of(atoms, fit.x, scale * periodogram.cell());

@@ -7,22 +7,15 @@
 
 namespace solidnoise {
 
-// What becomes of the variances, which the penalty makes too small.
-enum class Magnitudes {
-  rescaled,  // all by one factor, to the variance of the samples
-  refitted,  // by least squares among the components that were found, then rescaled
-};
-
 struct SpectrumFitOptions {
-  double kappa = 1.0 / 32.0;  // sparseness against accuracy; above 0, at most 1
+  double kappa = 1.0 / 16.0;  // sparseness against accuracy; above 0, at most 1
   // Whether there are Gaussians as narrow as one frequency of the exemplar, for textures with periodic parts.
   // Stochastic ones are better off without: such Gaussians follow the periodogram's own noise.
   bool narrowest_band = false;
-  Magnitudes magnitudes = Magnitudes::refitted;
   double gap_tolerance = 1e-2;
   int iterations_per_level = 600;
 
-  // The parameters of Galerne et al. 2012: kappa = 1/256, all bands, rescaled.
+  // The parameters of Galerne et al. 2012: kappa = 1/256, all bands.
   static SpectrumFitOptions of_paper();
 
   // Throws std::invalid_argument.
@@ -44,10 +37,12 @@ struct SpectrumFit {
 // The parameters of a bandwidth-quantized Gabor noise from a periodogram (Galerne et al. 2012, section 5):
 // bands b = 2, 3, ... whose Gaussians have a full width at half maximum of 2^-b cycles per sample,
 // a = 2^-b sqrt(pi / (2 ln 2)), down to two frequencies of the shortest axis (one with narrowest_band);
-// frequencies at about half of that width, in a half-plane (half-space). The variances sum to `variance`.
+// frequencies at about half of that width, in a half-plane (half-space). The penalty makes variances too
+// small; they are scaled by one factor such that they sum to `variance`. (Least squares among the components
+// that were found follow the periodogram's own noise instead, and are further from the true spectrum.)
 //
 // Departures: Gaussians of unit length (GaussianAtoms), frequencies no denser than they can be told apart,
-// the default range of bands and kappa, refitted magnitudes. They lower the error against the true spectrum.
+// the default range of bands and kappa. They lower the error against the true spectrum.
 template <int Dim>
 SpectrumFit fit_spectrum(const PowerSpectrum<Dim>& periodogram, double variance,
                          const SpectrumFitOptions& options = {}, Progress* progress = nullptr);

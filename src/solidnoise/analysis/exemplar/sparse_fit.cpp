@@ -29,8 +29,6 @@ class Descent {
  public:
   Descent(const GaussianAtoms& atoms, std::span<const double> target, Coefficients start)
       : atoms_(atoms), target_(target), step_(1.0 / (2.0 * atoms.norm_squared())), x_(std::move(start)) {
-    restrict_to_ = atoms_.zeros();
-    for (std::vector<double>& values : restrict_to_) std::fill(values.begin(), values.end(), 1.0);
     atoms_.synthesize(x_, x_lags_);
     target_energy_ = atoms_.dot(target_, target_);
     restart();
@@ -38,37 +36,25 @@ class Descent {
 
   const Coefficients& x() const { return x_; }
 
-  // Coefficients that are 0 now stay 0 from here on.
-  void keep_support() {
-    for (std::size_t band = 0; band < x_.size(); ++band) {
-      for (std::size_t i = 0; i < x_[band].size(); ++i) restrict_to_[band][i] = x_[band][i] > 0.0 ? 1.0 : 0.0;
-    }
-  }
-
   void restart() {
     y_ = x_;
     y_lags_ = x_lags_;
     momentum_ = 1.0;
   }
 
-  // One iteration; returns the squared length of its step, relative to x's.
-  double iterate(double nu) {
+  void iterate(double nu) {
     residual_.resize(x_lags_.size());
     for (std::size_t i = 0; i < residual_.size(); ++i) residual_[i] = y_lags_[i] - target_[i];
     atoms_.correlate(residual_, next_);
     double uphill = 0.0;
-    double moved = 0.0;
-    double length = 0.0;
     for (std::size_t band = 0; band < x_.size(); ++band) {
       const std::span<const double> weights = atoms_.weights(band);
       for (std::size_t i = 0; i < x_[band].size(); ++i) {
         const double gradient = 2.0 * next_[band][i] + nu;
-        const double value = std::max(0.0, y_[band][i] - step_ * gradient) * restrict_to_[band][i];
+        const double value = std::max(0.0, y_[band][i] - step_ * gradient);
         const double change = value - x_[band][i];
         next_[band][i] = value;
         uphill += weights[i] * (y_[band][i] - value) * change;
-        moved += weights[i] * change * change;
-        length += weights[i] * value * value;
       }
     }
     atoms_.synthesize(next_, next_lags_);
@@ -86,7 +72,6 @@ class Descent {
     }
     std::swap(x_, next_);
     std::swap(x_lags_, next_lags_);
-    return length > 0.0 ? moved / length : 1.0;
   }
 
   // The objective at x and how far it can be from the least one: the residual, scaled, is a feasible point of
@@ -111,7 +96,7 @@ class Descent {
   double target_energy_ = 0.0;
   double step_;  // 1 / Lipschitz constant of the gradient
   double momentum_ = 1.0;
-  Coefficients x_, y_, next_, restrict_to_;
+  Coefficients x_, y_, next_;
   Lags x_lags_, y_lags_, next_lags_, residual_;
 };
 
@@ -169,22 +154,6 @@ SparseFit fit_sparse(const GaussianAtoms& atoms, std::span<const double> target_
   fit.x = descent.x();
   if (fit.interrupted && !(atoms.sum(fit.x) > 0.0)) throw Cancelled();
   return fit;
-}
-
-void refit_support(const GaussianAtoms& atoms, std::span<const double> target_lags, SparseFit& fit,
-                   int iterations, Progress* progress) {
-  constexpr double kStill = 1e-12;  // squared relative step at which nothing changes any more
-  Descent descent(atoms, target_lags, fit.x);
-  descent.keep_support();
-  for (int i = 0; i < iterations; ++i) {
-    if (descent.iterate(0.0) < kStill) break;
-    if (progress != nullptr && progress->cancelled()) {
-      fit.interrupted = true;
-      break;
-    }
-  }
-  descent.measure(fit.kappa * fit.nu_max, fit);
-  fit.x = descent.x();
 }
 
 }  // namespace solidnoise

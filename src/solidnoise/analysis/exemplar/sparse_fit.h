@@ -8,7 +8,7 @@
 namespace solidnoise {
 
 struct SparseFitOptions {
-  double kappa = 1.0 / 32.0;       // regularization, relative to where it leaves nothing; above 0, at most 1
+  double kappa = 1.0 / 16.0;       // regularization, relative to where it leaves nothing; above 0, at most 1
   double gap_tolerance = 1e-2;     // where a solution is accepted: duality gap / objective; > 0
   int iterations_per_level = 600;  // at most, of each kappa; >= 1
 
@@ -38,10 +38,5 @@ struct SparseFit {
 // spectrum without any power.
 SparseFit fit_sparse(const GaussianAtoms& atoms, std::span<const double> target_lags,
                      const SparseFitOptions& options = {}, Progress* progress = nullptr);
-
-// The least squares over the coefficients that are above 0 in `fit`, which stay >= 0: takes back what the
-// penalty took from them. `iterations` of the same method.
-void refit_support(const GaussianAtoms& atoms, std::span<const double> target_lags, SparseFit& fit,
-                   int iterations = 200, Progress* progress = nullptr);
 
 }  // namespace solidnoise
