@@ -100,11 +100,10 @@ TEST(SpectrumNoise, HasTheGradientVarianceOfItsSpectrum) {
   });
 }
 
-// Of a model's units, `frequency` fit into a world unit.
 TEST(SpectrumNoise, ScalesWithTheFrequency) {
   SpectrumNoiseOptions options = some_spectrum(2);
   const SpectrumNoise<2> unit(options);
-  options.frequency = 4.0;
+  options.frequency *= 4.0;
   const SpectrumNoise<2> fine(options);
   Lattice<2> lattice;
   lattice.step = Vec<2>(0.25);

@@ -17,6 +17,7 @@ inline SpectrumNoiseOptions some_spectrum(int dimensions, bool isotropic = false
                     {0.8, {{{0.7, -0.8, -z}, 0.35}}}};
   SpectrumNoiseOptions options;
   options.model.channels = {spectrum};
+  options.frequency = options.model.principal_frequency();
   options.impulses = 60.0;
   return options;
 }

@@ -1,18 +1,25 @@
 #include "common/noise_flags.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
 #include "common/parse_value.h"
+#include "common/recipe_file.h"
+#include "common/text_file.h"
 #include "common/usage_error.h"
 #include "solidnoise/core/check.h"
 #include "solidnoise/recipe/choices.h"
+#include "solidnoise/recipe/exemplar_model_json.h"
 #include "solidnoise/recipe/noise_recipe_json.h"
 
 namespace solidnoise {
@@ -21,6 +28,7 @@ namespace {
 using Gabor = GaborNoiseOptions;
 using Oriented = OrientedGaborNoiseOptions;
 using Kensler = GradientNoiseOptions;
+using Spectrum = SpectrumNoiseOptions;
 
 constexpr std::array<std::string_view, 3> kNoiseTypes{"gabor", "gabor-oriented", "kensler"};
 
@@ -30,20 +38,22 @@ struct Field {
   Value Gabor::*gabor;
   Value Oriented::*oriented;
   Value Kensler::*kensler;
+  Value Spectrum::*spectrum;
 };
 
-constexpr Field<double> kFrequency{&Gabor::frequency, &Oriented::frequency, &Kensler::frequency};
-constexpr Field<double> kBandwidth{&Gabor::bandwidth, &Oriented::bandwidth, nullptr};
-constexpr Field<double> kError{&Gabor::error, &Oriented::error, nullptr};
-constexpr Field<double> kImpulses{&Gabor::impulses, &Oriented::impulses, nullptr};
-constexpr Field<double> kAnisotropy{nullptr, &Oriented::anisotropy, nullptr};
-constexpr Field<Vec<4>> kDirection{nullptr, &Oriented::direction, nullptr};
-constexpr Field<Vec<4>> kPeriod{&Gabor::period, &Oriented::period, &Kensler::period};
-constexpr Field<std::uint64_t> kSeed{&Gabor::seed, &Oriented::seed, &Kensler::seed};
-constexpr Field<ImpulseWeights> kWeights{&Gabor::weights, nullptr, nullptr};
-constexpr Field<Kensler::Kernel> kKernel{nullptr, nullptr, &Kensler::kernel};
-constexpr Field<Kensler::Support> kSupport{nullptr, nullptr, &Kensler::support};
-constexpr Field<Kensler::Hash> kHash{nullptr, nullptr, &Kensler::hash};
+constexpr Field<double> kFrequency{&Gabor::frequency, &Oriented::frequency, &Kensler::frequency,
+                                   &Spectrum::frequency};
+constexpr Field<double> kBandwidth{&Gabor::bandwidth, &Oriented::bandwidth, nullptr, nullptr};
+constexpr Field<double> kError{&Gabor::error, &Oriented::error, nullptr, &Spectrum::error};
+constexpr Field<double> kImpulses{&Gabor::impulses, &Oriented::impulses, nullptr, &Spectrum::impulses};
+constexpr Field<double> kAnisotropy{nullptr, &Oriented::anisotropy, nullptr, nullptr};
+constexpr Field<Vec<4>> kDirection{nullptr, &Oriented::direction, nullptr, nullptr};
+constexpr Field<Vec<4>> kPeriod{&Gabor::period, &Oriented::period, &Kensler::period, &Spectrum::period};
+constexpr Field<std::uint64_t> kSeed{&Gabor::seed, &Oriented::seed, &Kensler::seed, &Spectrum::seed};
+constexpr Field<ImpulseWeights> kWeights{&Gabor::weights, nullptr, nullptr, nullptr};
+constexpr Field<Kensler::Kernel> kKernel{nullptr, nullptr, &Kensler::kernel, nullptr};
+constexpr Field<Kensler::Support> kSupport{nullptr, nullptr, &Kensler::support, nullptr};
+constexpr Field<Kensler::Hash> kHash{nullptr, nullptr, &Kensler::hash, nullptr};
 
 template <typename Options, typename Value>
 Value* find(Options* options, Value Options::*member) {
@@ -54,7 +64,8 @@ template <typename Value>
 Value* find(NoiseRecipe& recipe, const Field<Value>& field) {
   if (Value* const value = find(std::get_if<Gabor>(&recipe.noise), field.gabor)) return value;
   if (Value* const value = find(std::get_if<Oriented>(&recipe.noise), field.oriented)) return value;
-  return find(std::get_if<Kensler>(&recipe.noise), field.kensler);
+  if (Value* const value = find(std::get_if<Kensler>(&recipe.noise), field.kensler)) return value;
+  return find(std::get_if<Spectrum>(&recipe.noise), field.spectrum);
 }
 
 template <typename Value>
@@ -71,18 +82,35 @@ void copy_field(NoiseRecipe& from, NoiseRecipe& to, const Field<Value>& field) {
   if (source && target) *target = *source;
 }
 
-// Another kind of noise, with what the old one and it have in common.
-void change_type(NoiseRecipe& recipe, std::string_view type) {
-  if (noise_type(recipe) == type) return;
-  NoiseRecipe changed = default_noise(type);
-  changed.fractal = recipe.fractal;
+// Another noise, with what the old one and it have in common.
+void change_noise(NoiseRecipe& recipe, NoiseRecipe changed) {
   copy_field(recipe, changed, kFrequency);
   copy_field(recipe, changed, kBandwidth);
   copy_field(recipe, changed, kError);
   copy_field(recipe, changed, kImpulses);
   copy_field(recipe, changed, kPeriod);
   copy_field(recipe, changed, kSeed);
-  recipe = changed;
+  recipe = std::move(changed);
+}
+
+// The noise of an exemplar's model, which needs no octaves: it has all scales that the exemplar has.
+NoiseRecipe noise_by_example(const std::string& file) {
+  SpectrumNoiseOptions options;
+  read_recipe(file, read_text_file(file),
+              [&](const Json& json) { options.model = exemplar_file_from_json(json); });
+  return {options, {}};
+}
+
+void choose_noise(NoiseRecipe& recipe, const std::string& noise) {
+  if (noise.ends_with(".json")) return change_noise(recipe, noise_by_example(noise));
+  if (std::find(kNoiseTypes.begin(), kNoiseTypes.end(), noise) == kNoiseTypes.end()) {
+    throw UsageError(fmt::format("--noise is {}; it must be one of {}, or FILE.json of noisefit", noise,
+                                 fmt::join(kNoiseTypes, ", ")));
+  }
+  if (noise_type(recipe) == noise) return;
+  NoiseRecipe changed = default_noise(noise);
+  changed.fractal = recipe.fractal;
+  change_noise(recipe, std::move(changed));
 }
 
 Vec<4> to_vec4(const std::vector<double>& numbers) {
@@ -157,8 +185,9 @@ void declare_kinds(FlagSet& flags, NoiseRecipe& recipe) {
 }  // namespace
 
 void declare_noise_flags(FlagSet& flags, NoiseRecipe& recipe) {
-  flags.choice("--noise", {kNoiseTypes.begin(), kNoiseTypes.end()}, "Kind of noise (default gabor)",
-               [&recipe](std::size_t index) { change_type(recipe, kNoiseTypes[index]); });
+  flags.text("--noise", "KIND",
+             "gabor, gabor-oriented or kensler, or FILE.json of noisefit: a noise by example (default gabor)",
+             [&recipe](const std::string& noise) { choose_noise(recipe, noise); });
   flags.text("--seed", "INTEGER", "Another seed makes another noise, 0 to 2^64 - 1 (default 0)",
              [&recipe](const std::string& text) {
                assign("--seed", recipe, kSeed, parse_unsigned("--seed", text));

@@ -76,7 +76,17 @@ double effective_impulse_density(const VolumeRecipe& recipe) {
   if (const auto* oriented = std::get_if<OrientedGaborNoiseOptions>(&recipe.noise.noise)) {
     return OrientedGaborNoise<3>(*oriented).impulse_density();
   }
+  if (const auto* spectrum = std::get_if<SpectrumNoiseOptions>(&recipe.noise.noise)) {
+    return SpectrumNoise<3>(*spectrum).least_impulse_density();
+  }
   return 0.0;
+}
+
+// The expected periodogram of a spectrum without symmetry would take minutes.
+bool is_comparable(const AnalysisSubject& subject) {
+  if (!subject.noise) return false;
+  const auto* const spectrum = std::get_if<SpectrumNoiseOptions>(&subject.recipe->noise.noise);
+  return !spectrum || spectrum->model.channels.front().isotropic;
 }
 
 const OrientedGaborNoiseOptions* oriented_options(const VolumeRecipe& recipe) {
@@ -93,6 +103,9 @@ SpectrumComparison compare(const AnalysisSubject& subject, const PowerSpectrum<3
   ComparisonOptions options;
   options.impulse_density = effective_impulse_density(*subject.recipe);
   if (const auto* const oriented = oriented_options(*subject.recipe)) options.kernel_error = oriented->error;
+  if (const auto* const spectrum = std::get_if<SpectrumNoiseOptions>(&subject.recipe->noise.noise)) {
+    options.kernel_error = spectrum->error;
+  }
   return compare_spectra(measured, expected_spectrum(subject, measured), options);
 }
 
@@ -150,7 +163,7 @@ AnalysisReport analyze(const AnalysisSubject& subject) {
   options.mean = mean;
   const PowerSpectrum<3> spectrum = periodogram(*subject.block, options);
   report.spectrum = radial_average(spectrum);
-  if (subject.noise) report.comparison = compare(subject, spectrum);
+  if (is_comparable(subject)) report.comparison = compare(subject, spectrum);
   report.json["spectrum"] = describe_spectrum(report, *subject.block);
   return report;
 }

@@ -1,6 +1,7 @@
 #include "vdbnoise/describe.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -11,6 +12,7 @@
 
 #include "solidnoise/noise/gabor/gabor_noise.h"
 #include "solidnoise/noise/gabor/oriented_gabor_noise.h"
+#include "solidnoise/noise/gabor/spectrum_noise.h"
 #include "solidnoise/noise/gradient/gradient_noise.h"
 #include "solidnoise/recipe/noise_recipe_json.h"
 #include "solidnoise/volume/make_volume.h"
@@ -62,6 +64,20 @@ void describe_kernel(const GradientNoiseOptions& options, Json& json) {
   json["kernel"]["frequency"] = noise.options().frequency;
   json["kernel"]["radius"] = kRadiusInSpacings * spacing[0];
   for (int axis = 0; axis < Dim; ++axis) json["lattice_spacing"].push_back(spacing[axis]);
+}
+
+// A noise by example has 3 dimensions.
+template <int Dim>
+void describe_kernel(const SpectrumNoiseOptions& options, Json& json) {
+  const SpectrumNoise<3> noise(options);
+  json["kernel"]["kind"] = "oriented Gabor by example, random phase";
+  json["kernel"]["bands"] = noise.spectrum().bands.size();
+  std::size_t components = 0;
+  for (const SpectrumBand& band : noise.spectrum().bands) components += band.components.size();
+  json["kernel"]["components"] = components;
+  json["kernel"]["frequency"] = options.frequency;
+  json["kernel"]["relative_error"] = options.error;
+  json["impulses_per_kernel"] = noise.impulses_per_kernel();
 }
 
 // Rates in turns per unit of time, the half-life of the correlation in units of time.

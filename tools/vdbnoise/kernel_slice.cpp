@@ -1,5 +1,6 @@
 #include "vdbnoise/kernel_slice.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <variant>
@@ -51,6 +52,18 @@ DenseField<2> slice_of(const GradientNoiseOptions& options) {
   const double spacing = noise.lattice_spacing()[0];
   return sample_square(GradientKernel<Dim>::kRadius * spacing, [&](double x, double y) {
     return noise.kernel().value(std::hypot(x, y) / spacing) * x / spacing;
+  });
+}
+
+// Of a noise by example, the covariance in the plane: all of its kernels at once.
+template <int Dim>
+DenseField<2> slice_of(const SpectrumNoiseOptions& options) {
+  const GaborSpectrum spectrum = options.spectrum();
+  const double variance = spectrum.variance();
+  double widest = spectrum.bands.front().a;
+  for (const SpectrumBand& band : spectrum.bands) widest = std::min(widest, band.a);
+  return sample_square(1.0 / widest, [&](double x, double y) {
+    return spectrum.covariance({x, y, 0.0}) / variance;
   });
 }
 

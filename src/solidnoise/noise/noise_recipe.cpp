@@ -11,6 +11,7 @@
 #include "solidnoise/noise/convolution/kernel_cells.h"
 #include "solidnoise/noise/gabor/gabor_noise.h"
 #include "solidnoise/noise/gabor/oriented_gabor_noise.h"
+#include "solidnoise/noise/gabor/spectrum_noise.h"
 #include "solidnoise/noise/gradient/gradient_noise.h"
 
 namespace solidnoise {
@@ -29,6 +30,15 @@ std::unique_ptr<Noise<Dim>> make_single(const OrientedGaborNoiseOptions& options
 template <int Dim>
 std::unique_ptr<Noise<Dim>> make_single(const GradientNoiseOptions& options) {
   return std::make_unique<GradientNoise<Dim>>(options);
+}
+
+template <int Dim>
+std::unique_ptr<Noise<Dim>> make_single(const SpectrumNoiseOptions& options) {
+  if constexpr (Dim == 2 || Dim == 3) {
+    return std::make_unique<SpectrumNoise<Dim>>(options);
+  } else {
+    throw std::invalid_argument(fmt::format("a noise by example has 2 or 3 dimensions, not {}", Dim));
+  }
 }
 
 }  // namespace
@@ -111,7 +121,7 @@ NoiseRecipe filtered(const NoiseRecipe& recipe, double deviation) {
           options.filter = std::hypot(options.filter, deviation);
         } else {
           throw std::invalid_argument(
-              fmt::format("filter is {}; it must be 0 for gradient noise", deviation));
+              fmt::format("filter is {}; it must be 0 for noises but gabor and gabor-oriented", deviation));
         }
       },
       result.noise);
@@ -122,6 +132,9 @@ NoiseRecipe channel_of(const NoiseRecipe& recipe, int channel) {
   NoiseRecipe other = recipe;
   const std::uint64_t stream = kChannelStream + static_cast<std::uint64_t>(channel);
   std::visit([&](auto& options) { options.seed = derive_seed(options.seed, stream); }, other.noise);
+  if (auto* const spectrum = std::get_if<SpectrumNoiseOptions>(&other.noise)) {
+    spectrum->channel = channel % static_cast<int>(spectrum->model.channels.size());
+  }
   return other;
 }
 

@@ -6,6 +6,7 @@
 
 #include "solidnoise/noise/fractal_noise.h"
 #include "solidnoise/noise/gabor/gabor_options.h"
+#include "solidnoise/noise/gabor/spectrum_noise.h"
 #include "solidnoise/noise/gradient/gradient_noise_options.h"
 #include "solidnoise/noise/noise.h"
 
@@ -13,7 +14,8 @@ namespace solidnoise {
 
 // Everything that defines a noise: plain data. One more noise is one more alternative here.
 struct NoiseRecipe {
-  std::variant<GaborNoiseOptions, OrientedGaborNoiseOptions, GradientNoiseOptions> noise;
+  std::variant<GaborNoiseOptions, OrientedGaborNoiseOptions, GradientNoiseOptions, SpectrumNoiseOptions>
+      noise;
   FractalOptions fractal;
 
   // Throws std::invalid_argument naming the field, its value and what is allowed.
@@ -40,13 +42,15 @@ bool evolves(const NoiseRecipe& recipe);
 NoiseRecipe at_time(const NoiseRecipe& recipe, double time);
 
 // The recipe of the noise convolved with a Gaussian of this standard deviation, world units, too
-// (gaussian_filter.h). Only Gabor noises can be; throws std::invalid_argument for others.
+// (gaussian_filter.h). Gabor noises can be, but for those by example; throws std::invalid_argument for
+// others.
 bool can_filter(const NoiseRecipe& recipe);
 NoiseRecipe filtered(const NoiseRecipe& recipe, double deviation);
 
 // The recipe of a noise that is alike but independent, another one for each channel (0, 1, ...): of the same
 // options, also the period, with a seed that is a hash of the recipe's and the channel. For vectors and
-// colours; none of the channels is the recipe's own noise.
+// colours; none of the channels is the recipe's own noise. Of a noise by example, channel k has the spectrum
+// of the model's channel k, if it has that many.
 NoiseRecipe channel_of(const NoiseRecipe& recipe, int channel);
 
 // Makes the noise, of unit variance unless the recipe's octaves are not renormalised or the noise is filtered

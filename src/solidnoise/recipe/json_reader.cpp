@@ -80,16 +80,38 @@ void JsonReader::read(const std::string& key, Box<3>& value) {
 }
 
 void JsonReader::read(const std::string& key, std::vector<Vec<2>>& pairs) {
+  std::vector<std::vector<double>> rows;
+  read_rows(key, 2, "pairs of numbers", rows);
+  if (!has(key)) return;
+  pairs.clear();
+  for (const std::vector<double>& row : rows) pairs.emplace_back(row[0], row[1]);
+}
+
+void JsonReader::read(const std::string& key, std::vector<std::string>& texts) {
   const Json* const json = find(key);
   if (!json) return;
-  const auto is_pair = [](const Json& pair) {
-    return pair.is_array() && pair.size() == 2 && pair[0].is_number() && pair[1].is_number();
-  };
-  if (!json->is_array() || !std::all_of(json->begin(), json->end(), is_pair)) {
-    refuse(key, "an array of pairs of numbers");
+  const auto is_text = [](const Json& text) { return text.is_string(); };
+  if (!json->is_array() || !std::all_of(json->begin(), json->end(), is_text)) {
+    refuse(key, "an array of texts");
   }
-  pairs.clear();
-  for (const Json& pair : *json) pairs.emplace_back(pair[0].get<double>(), pair[1].get<double>());
+  texts = json->get<std::vector<std::string>>();
+}
+
+void JsonReader::read_rows(const std::string& key, std::size_t columns, const std::string& what,
+                           std::vector<std::vector<double>>& rows) {
+  const Json* const json = find(key);
+  if (!json) return;
+  const auto is_number = [](const Json& number) { return number.is_number(); };
+  const auto is_row = [&](const Json& row) {
+    return row.is_array() && row.size() == columns && std::all_of(row.begin(), row.end(), is_number);
+  };
+  if (!json->is_array()) refuse(key, "an array of " + what);
+  const auto odd = std::find_if_not(json->begin(), json->end(), is_row);
+  if (odd != json->end()) {
+    refuse(key, fmt::format("an array of {}, which number {} is not", what, odd - json->begin()));
+  }
+  rows.clear();
+  for (const Json& row : *json) rows.push_back(row.get<std::vector<double>>());
 }
 
 void JsonReader::read_range(const std::string& key, double& from, double& to) {

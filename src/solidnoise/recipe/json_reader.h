@@ -34,6 +34,12 @@ class JsonReader {
   void read(const std::string& key, std::optional<double>& value);
   void read(const std::string& key, Box<3>& value);               // x0, y0, z0, x1, y1, z1
   void read(const std::string& key, std::vector<Vec<2>>& pairs);  // an array of arrays of two numbers
+  void read(const std::string& key, std::vector<std::string>& texts);
+
+  // An array of arrays of `columns` numbers each; what they are, such as "x y variance", is said where they
+  // are not.
+  void read_rows(const std::string& key, std::size_t columns, const std::string& what,
+                 std::vector<std::vector<double>>& rows);
 
   // One number for both, or an array of two.
   void read_range(const std::string& key, double& from, double& to);

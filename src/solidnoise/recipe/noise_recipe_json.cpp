@@ -11,13 +11,14 @@
 #include <nlohmann/json.hpp>
 
 #include "solidnoise/recipe/choices.h"
+#include "solidnoise/recipe/exemplar_model_json.h"
 #include "solidnoise/recipe/json_reader.h"
 
 namespace solidnoise {
 namespace {
 
 // In the order of the alternatives of NoiseRecipe::noise.
-const std::vector<std::string_view> kNoiseTypes{"gabor", "gabor-oriented", "kensler"};
+const std::vector<std::string_view> kNoiseTypes{"gabor", "gabor-oriented", "kensler", "spectrum"};
 
 // Each list of fields is written once: `field(name, member)` and `choice(name, table, member)` read or write.
 template <typename Options, typename Field>
@@ -45,6 +46,14 @@ struct NoiseFields {
       visit_band(options, field);
       field("anisotropy", options.anisotropy);
       field("direction", options.direction);
+    } else if constexpr (std::is_same_v<Plain, SpectrumNoiseOptions>) {
+      field("exemplar", options.model);
+      field("channel", options.channel);
+      field("frequency", options.frequency);
+      field("error", options.error);
+      field("impulses", options.impulses);
+      field("evolve", options.evolution.rate);
+      field("loop", options.evolution.loop);
     } else {
       static_assert(std::is_same_v<Plain, GradientNoiseOptions>);
       field("frequency", options.frequency);
@@ -73,6 +82,7 @@ class FieldWriter {
   void operator()(const char* key, const Value& value) {
     json_[key] = value;
   }
+  void operator()(const char* key, const ExemplarModel& value) { json_[key] = to_json(value); }
   void operator()(const char* key, const Vec<4>& value) { json_[key] = {value.x, value.y, value.z, value.w}; }
 
   template <typename Enum, std::size_t Count>
@@ -92,6 +102,9 @@ class FieldReader {
   void operator()(const char* key, Value& value) {
     reader_.read(key, value);
   }
+  void operator()(const char* key, ExemplarModel& value) {
+    if (auto reader = reader_.object(key)) value = exemplar_model_from_json(*reader);
+  }
 
   template <typename Enum, std::size_t Count>
   void operator()(const char* key, const Choices<Enum, Count>& choices, Enum& value) {
@@ -103,7 +116,7 @@ class FieldReader {
 };
 
 using NoiseVariant = decltype(NoiseRecipe::noise);
-static_assert(std::variant_size_v<NoiseVariant> == 3, "kNoiseTypes needs a name for each noise");
+static_assert(std::variant_size_v<NoiseVariant> == 4, "kNoiseTypes needs a name for each noise");
 
 template <std::size_t... Is>
 NoiseVariant default_alternative(std::size_t index, std::index_sequence<Is...>) {

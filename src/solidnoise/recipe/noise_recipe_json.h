@@ -11,7 +11,8 @@ namespace solidnoise {
 // The JSON form of a noise, a flat object:
 //   {"type": "gabor", "frequency": 8, "bandwidth": 1, ..., "seed": 7, "octaves": 3, "lacunarity": 2, "gain":
 //   0.5}
-// "type" is gabor, gabor-oriented or kensler; the other keys are the fields of its options struct and of
+// "type" is gabor, gabor-oriented, kensler or spectrum (a noise by example, whose model is the object
+// "exemplar", see exemplar_model_json.h); the other keys are the fields of its options struct and of
 // FractalOptions, and each may be left out; "evolve" and "loop" are the rate and the loop of its Evolution.
 // The time of that is not part of the form: it is for whoever makes frames to say when a noise is looked at.
 // Reading back what was written gives an equal recipe, to the last bit.

@@ -69,6 +69,22 @@ double GaborSpectrum::density(const Vec<3>& frequency) const {
   return sum;
 }
 
+double GaborSpectrum::covariance(const Vec<3>& offset) const {
+  const double distance = glm::length(offset);
+  double sum = 0.0;
+  for (const SpectrumBand& band : bands) {
+    double waves = 0.0;
+    for (const SpectrumComponent& component : band.components) {
+      const Vec<3>& w = component.frequency;
+      waves += component.variance *
+               (isotropic ? mean_cosine(dimensions, 2.0 * std::numbers::pi * glm::length(w) * distance)
+                          : std::cos(2.0 * std::numbers::pi * glm::dot(w, offset)));
+    }
+    sum += waves * std::exp(-0.5 * std::numbers::pi * band.a * band.a * distance * distance);
+  }
+  return sum;
+}
+
 GaborSpectrum GaborSpectrum::scaled(double factor) const {
   GaborSpectrum result = *this;
   for (SpectrumBand& band : result.bands) {
@@ -92,6 +108,21 @@ void GaborSpectrum::validate() const {
     throw std::invalid_argument(
         fmt::format("the variances of all components add up to {}; they must to more than 0", total));
   }
+}
+
+double ExemplarModel::principal_frequency() const {
+  double variance = 0.0;
+  double sum = 0.0;
+  for (const GaborSpectrum& channel : channels) {
+    for (const SpectrumBand& band : channel.bands) {
+      const double width = channel.dimensions * band.a * band.a / (4.0 * std::numbers::pi);
+      for (const SpectrumComponent& component : band.components) {
+        variance += component.variance;
+        sum += component.variance * (glm::dot(component.frequency, component.frequency) + width);
+      }
+    }
+  }
+  return std::sqrt(sum / variance);
 }
 
 void ExemplarModel::validate() const {

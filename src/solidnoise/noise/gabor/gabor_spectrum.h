@@ -40,6 +40,10 @@ struct GaborSpectrum {
   // Two-sided power spectral density; axes of `frequency` beyond `dimensions` must be 0.
   double density(const Vec<3>& frequency) const;
 
+  // The spectrum's inverse Fourier transform, the covariance of the values at places `offset` apart (world
+  // units).
+  double covariance(const Vec<3>& offset) const;
+
   // The spectrum in other units, in which all frequencies are multiplied by `factor` > 0.
   GaborSpectrum scaled(double factor) const;
 
@@ -58,6 +62,10 @@ struct ExemplarModel {
   std::vector<Vec<3>> axes{Vec<3>(1.0)};  // one per channel: its color
   Vec<3> mean{0.0};                       // linear light, unless the file says that values are raw
   bool raw_values = false;
+
+  // Root mean square frequency of all channels together, a component's own width included; it is what scales
+  // a model: with b the variance's share, sqrt(sum of b (|w|^2 + n a^2 / (4 pi))).
+  double principal_frequency() const;
 
   // Throws std::invalid_argument: as GaborSpectrum::validate, and where numbers or dimensions do not agree.
   void validate() const;

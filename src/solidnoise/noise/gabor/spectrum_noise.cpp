@@ -90,6 +90,10 @@ struct BandPlan {
   double radius;  // that impulses per kernel refer to
 };
 
+double density_of(const BandPlan& plan, double amplitude) {
+  return plan.variance / (amplitude * amplitude * plan.moments.second);
+}
+
 // One band, as a noise of the band's variance.
 template <int Dim>
 class BandNoise final : public Noise<Dim> {
@@ -99,7 +103,7 @@ class BandNoise final : public Noise<Dim> {
             std::uint64_t seed)
       : plan_(std::move(plan)), band_(*plan_.band), isotropic_(isotropic) {
     plan_.band = &band_;
-    const double density = plan_.variance / (amplitude * amplitude * plan_.moments.second);
+    const double density = density_of(plan_, amplitude);
     excess_kurtosis_ = noise_excess_kurtosis(density, plan_.moments);
     const double reach = plan_.envelope.radius();
     const auto cells = make_kernel_cells<Dim>(reach, options.period);
@@ -181,13 +185,13 @@ GaborSpectrum of_unit_variance(GaborSpectrum spectrum) {
 }  // namespace
 
 GaborSpectrum SpectrumNoiseOptions::spectrum() const {
-  return model.channels[static_cast<std::size_t>(channel)].scaled(frequency);
+  return model.channels[static_cast<std::size_t>(channel)].scaled(frequency / model.principal_frequency());
 }
 
 void SpectrumNoiseOptions::validate() const {
   model.validate();
   require_in_range("channel", channel, 0, static_cast<double>(model.channels.size() - 1), "of the model");
-  require_positive("frequency", frequency, "units of the exemplar per world unit");
+  require_positive("frequency", frequency, "cycles per world unit");
   require_in_range("error", error, 1e-4, 0.5, "relative RMS error");
   require_in_range("impulses", impulses, 0.0, 100000.0, "mean impulses per kernel; 0 chooses");
   for (int axis = 0; axis < 4; ++axis) {
@@ -216,6 +220,11 @@ SpectrumNoise<Dim>::SpectrumNoise(const SpectrumNoiseOptions& options) {
   }
   impulses_ = options.impulses > 0.0 ? options.impulses : std::ceil(impulses * kurtosis / kDefaultKurtosis);
   amplitude_ = std::sqrt(impulses / impulses_);
+
+  least_density_ = HUGE_VAL;
+  for (const BandPlan& plan : plans) {
+    least_density_ = std::min(least_density_, density_of(plan, amplitude_));
+  }
 
   std::vector<typename FractalNoise<Dim>::Octave> bands;
   for (std::size_t b = 0; b < plans.size(); ++b) {

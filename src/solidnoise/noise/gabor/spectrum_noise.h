@@ -14,7 +14,7 @@ namespace solidnoise {
 struct SpectrumNoiseOptions {
   ExemplarModel model;
   int channel = 0;         // of the model, from 0
-  double frequency = 1.0;  // units of the exemplar (pixels, voxels) per world unit; > 0
+  double frequency = 8.0;  // where the model's principal_frequency() comes to lie, cycles per world unit; > 0
   double error = 0.02;     // relative RMS error against kernels of infinite support; 1e-4 to 0.5
   double impulses = 0.0;   // mean impulses under the kernels of all bands, N; 0: the fewest with excess
                            // kurtosis below 0.5
@@ -49,6 +49,8 @@ class SpectrumNoise final : public Noise<Dim> {
   const GaborSpectrum& spectrum() const { return spectrum_; }  // of unit variance, cycles per world unit
   double impulses_per_kernel() const { return impulses_; }     // N, mean
   double amplitude() const { return amplitude_; }              // of a kernel's envelope
+  // Of the band that has the fewest, per world unit^Dim.
+  double least_impulse_density() const { return least_density_; }
 
   using Noise<Dim>::evaluate;
   std::unique_ptr<NoiseBlock<Dim>> block(const Box<Dim>& box) const override { return bands_->block(box); }
@@ -66,6 +68,7 @@ class SpectrumNoise final : public Noise<Dim> {
   GaborSpectrum spectrum_;
   double impulses_ = 0.0;
   double amplitude_ = 0.0;
+  double least_density_ = 0.0;
   std::unique_ptr<const FractalNoise<Dim>> bands_;
 };
 
