@@ -17,25 +17,6 @@ SurfaceGaborOptions validated(const SurfaceGaborOptions& options) {
   return options;
 }
 
-// Some unit vector at a right angle to a unit vector.
-Vec<3> any_tangent(const Vec<3>& normal) {
-  int least = 0;
-  for (int axis = 1; axis < 3; ++axis) {
-    if (std::abs(normal[axis]) < std::abs(normal[least])) least = axis;
-  }
-  Vec<3> axis(0.0);
-  axis[least] = 1.0;
-  return glm::normalize(glm::cross(normal, axis));
-}
-
-Vec<3> unit_tangent(const Vec<3>& direction, const Vec<3>& normal) {
-  const Vec<3> tangent = direction - glm::dot(direction, normal) * normal;
-  const double length = glm::length(tangent);
-  // Single-precision input leaves nothing but rounding below this.
-  if (length <= 1e-6 * glm::length(direction)) return any_tangent(normal);
-  return tangent / length;
-}
-
 }  // namespace
 
 SurfaceGaborNoise::SurfaceGaborNoise(const SurfaceGaborOptions& options)

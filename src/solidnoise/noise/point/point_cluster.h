@@ -29,7 +29,7 @@ class PointImpulses {
 
   float* position(int axis) { return channels_[static_cast<std::size_t>(axis)].data(); }
   const float* position(int axis) const { return channels_[static_cast<std::size_t>(axis)].data(); }
-  // What an impulse carries: weight and turn, or the components of a gradient.
+  // What an impulse carries: weight and turn, or the components of a gradient, or a wave along the surface.
   enum Attribute {
     kWeight,  // 1 or -1
     kTurn,    // 2^-n + (1 - 2^-n) u of ScaleTransition::fade: its y divided by (r / 2^l)^n
@@ -37,6 +37,9 @@ class PointImpulses {
     kGradientY,
     kGradientZ,
     kMaxAttributes,
+    kWaveX = 0,  // cycles per cell along the points' tangents
+    kWaveY,      // and across them
+    kWaveWeight,
   };
   float* attribute(int channel) { return position(kMaxAxes + channel); }
   const float* attribute(int channel) const { return position(kMaxAxes + channel); }
@@ -73,6 +76,7 @@ struct PointCluster {
   alignas(64) float density[kSamples];                        // (r / 2^l)^n
   alignas(64) float wave[PointImpulses::kMaxAxes][kSamples];  // cycles per cell
   alignas(64) float normal[3][kSamples];                      // of unit length
+  alignas(64) float tangent[3][kSamples];  // of unit length, at a right angle to the normal
   alignas(64) float inverse_square_height[kSamples];
   int count = 0;
 };
@@ -98,6 +102,17 @@ struct PointKernel {
 // `impulses` is padded by one if their number is odd, with one of weight 0.
 void sum_impulses(const PointKernel& kernel, const PointCluster& cluster, const PointPolynomials& polynomials,
                   PointImpulses& impulses, float* values);
+
+// Waves along a surface: with d = o n + x u + y (n cross u) the offset split along the normal and the
+// tangents, the sum of
+//   weight t^2 P(t - 1/2) cos(2 pi (wave x . x + wave y . y)) (1 - o^2 / H^2)^2,   t = 1 - (x^2 + y^2) / r^2,
+// 0 where t or the last factor's base are negative.
+struct LayerWaveKernel {
+  std::vector<float> envelope;  // P, in Chebyshev polynomials of 2 t - 1, from degree 0; at least one
+};
+// Of the cluster it takes coordinates, normals, tangents and inverse squares.
+void sum_layer_waves(const LayerWaveKernel& kernel, const PointCluster& cluster,
+                     const PointImpulses& impulses, float* values);
 
 // Gradient noise projected on surfaces: impulses are lattice points with gradients G, and with d = o n + A
 // the offset split along the normal and along the surface, the kernel is

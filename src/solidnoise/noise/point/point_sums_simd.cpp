@@ -5,6 +5,7 @@
 #define HWY_TARGET_INCLUDE "solidnoise/noise/point/point_sums_simd.cpp"
 #include <hwy/foreach_target.h>
 // After foreach_target.
+#include "solidnoise/noise/point/layer_wave_sum-inl.h"
 #include "solidnoise/noise/point/point_sum-inl.h"
 #include "solidnoise/noise/point/projected_sum-inl.h"
 
@@ -13,6 +14,7 @@ namespace solidnoise {
 
 HWY_EXPORT(CullPointImpulses);
 HWY_EXPORT(SumPointImpulses);
+HWY_EXPORT(SumLayerWaves);
 HWY_EXPORT(SumProjected);
 
 void cull_impulses(const PointImpulses& impulses, const PointCull& cull, PointImpulses& kept) {
@@ -29,6 +31,11 @@ void sum_impulses(const PointKernel& kernel, const PointCluster& cluster, const 
     impulses.set_size(impulses.size() + 1);
   }
   HWY_DYNAMIC_DISPATCH(SumPointImpulses)(kernel, cluster, polynomials, impulses, values);
+}
+
+void sum_layer_waves(const LayerWaveKernel& kernel, const PointCluster& cluster,
+                     const PointImpulses& impulses, float* values) {
+  HWY_DYNAMIC_DISPATCH(SumLayerWaves)(kernel, cluster, impulses, values);
 }
 
 void sum_projected(const ProjectedKernel& kernel, const PointCluster& cluster, const PointImpulses& impulses,

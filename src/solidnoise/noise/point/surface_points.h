@@ -5,6 +5,7 @@
 #include <span>
 
 #include "solidnoise/core/points.h"
+#include "solidnoise/core/vec.h"
 
 namespace solidnoise {
 
@@ -19,5 +20,9 @@ struct SurfacePoints {
   // direction.
   void validate() const;
 };
+
+// A direction laid into the tangent plane of a unit normal, of unit length; some tangent where it is along
+// the normal, as far as single precision tells.
+Vec<3> unit_tangent(const Vec<3>& direction, const Vec<3>& normal);
 
 }  // namespace solidnoise

@@ -1,0 +1,80 @@
+#include "solidnoise/noise/gabor/spectrum_bands.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+namespace solidnoise {
+
+ImpulseBudget share_impulses(std::span<const BandShare> bands, double impulses) {
+  // At amplitude 1.
+  double count = 0.0;
+  double kurtosis = 0.0;
+  for (const BandShare& band : bands) {
+    count += band.variance / band.moments.second * band.support;
+    kurtosis += band.variance * band.moments.fourth / band.moments.second;
+  }
+  ImpulseBudget budget;
+  budget.impulses = impulses > 0.0 ? impulses : std::ceil(count * kurtosis / kDefaultKurtosis);
+  const double power = count / budget.impulses;
+  budget.amplitude = std::sqrt(power);
+  budget.excess_kurtosis = kurtosis * power;
+  return budget;
+}
+
+double variance_of(const SpectrumBand& band) {
+  double sum = 0.0;
+  for (const SpectrumComponent& component : band.components) sum += component.variance;
+  return sum;
+}
+
+GaborSpectrum of_unit_variance(const GaborSpectrum& spectrum) {
+  GaborSpectrum result = spectrum;
+  const double variance = spectrum.variance();
+  std::erase_if(result.bands, [](const SpectrumBand& band) { return variance_of(band) == 0.0; });
+  for (SpectrumBand& band : result.bands) {
+    for (SpectrumComponent& component : band.components) component.variance /= variance;
+  }
+  return result;
+}
+
+Noise<2>::Band frequency_interval(const GaborSpectrum& spectrum) {
+  Noise<2>::Band interval{HUGE_VAL, 0.0};
+  for (const SpectrumBand& band : spectrum.bands) {
+    for (const SpectrumComponent& component : band.components) {
+      if (component.variance == 0.0) continue;
+      const double frequency = glm::length(component.frequency);
+      interval.lower = std::min(interval.lower, std::max(0.0, frequency - band.a));
+      interval.upper = std::max(interval.upper, frequency + band.a);
+    }
+  }
+  return interval;
+}
+
+template <int Dim>
+ComponentDraw<Dim>::ComponentDraw(const SpectrumBand& band, bool isotropic) {
+  std::vector<double> variances;
+  std::vector<Vec<Dim>> frequencies;
+  for (const SpectrumComponent& component : band.components) {
+    variances.push_back(component.variance);
+    frequencies.emplace_back(component.frequency);
+  }
+  components_ = std::make_shared<AliasTable>(variances);
+  frequencies_ = std::make_shared<std::vector<Vec<Dim>>>(std::move(frequencies));
+  Vec<Dim> axis(0.0);
+  axis[0] = 1.0;
+  if (isotropic) directions_.emplace(axis, 0.0);
+}
+
+template <int Dim>
+Vec<Dim> ComponentDraw<Dim>::operator()(RandomStream& stream) const {
+  const Vec<Dim>& frequency = (*frequencies_)[components_->draw(stream.next_unit())];
+  return directions_ ? glm::length(frequency) * directions_->draw(stream) : frequency;
+}
+
+template class ComponentDraw<2>;
+template class ComponentDraw<3>;
+
+}  // namespace solidnoise

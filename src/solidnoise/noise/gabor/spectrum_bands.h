@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "solidnoise/core/alias_table.h"
+#include "solidnoise/core/random.h"
+#include "solidnoise/noise/convolution/impulse_statistics.h"
+#include "solidnoise/noise/gabor/directions.h"
+#include "solidnoise/noise/gabor/gabor_spectrum.h"
+#include "solidnoise/noise/noise.h"
+
+namespace solidnoise {
+
+// What the noises of a spectrum share: how impulses are shared out between its bands, and how an impulse gets
+// its frequency (Galerne et al. 2012, section 4.2).
+
+// A band as far as its impulses go.
+struct BandShare {
+  double variance = 0.0;
+  KernelMoments moments;  // of a kernel of unit amplitude
+  double support = 1.0;   // the volume in which impulses are counted
+};
+
+// With kernels of one amplitude A in all bands the density of a band is variance / (A^2 M), M the kernel's
+// second moment: the number of impulses goes with 1 / A^2, the excess kurtosis with A^2.
+struct ImpulseBudget {
+  double impulses = 0.0;  // in the supports of all bands together, N
+  double amplitude = 0.0;
+  double excess_kurtosis = 0.0;
+
+  double density(const BandShare& band) const {
+    return band.variance / (amplitude * amplitude * band.moments.second);
+  }
+};
+
+// For N impulses, or for N = 0 the fewest with an excess kurtosis below kDefaultKurtosis. The bands'
+// variances add up to 1.
+ImpulseBudget share_impulses(std::span<const BandShare> bands, double impulses);
+
+double variance_of(const SpectrumBand& band);
+
+// The spectrum scaled to a variance of 1, without bands that have none.
+GaborSpectrum of_unit_variance(const GaborSpectrum& spectrum);
+
+// The frequencies between which all but a thousandth of the variance lies: those of the components, and 3.5
+// standard deviations a / sqrt(4 pi) more on either side.
+Noise<2>::Band frequency_interval(const GaborSpectrum& spectrum);
+
+// Streams of random numbers that the bands derive from a noise's seed: one each.
+inline constexpr std::uint64_t kBandStream = 3000;
+
+// Draws frequencies of a band's impulses, in proportion to the components' variances. Cheap to copy.
+template <int Dim>
+class ComponentDraw {
+ public:
+  ComponentDraw(const SpectrumBand& band, bool isotropic);
+
+  Vec<Dim> operator()(RandomStream& stream) const;
+
+ private:
+  std::shared_ptr<const AliasTable> components_;
+  std::shared_ptr<const std::vector<Vec<Dim>>> frequencies_;
+  std::optional<DirectionCone<Dim>> directions_;
+};
+
+extern template class ComponentDraw<2>;
+extern template class ComponentDraw<3>;
+
+}  // namespace solidnoise
