@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "solidnoise/core/vec.h"
+#include "solidnoise/noise/gabor/gabor_spectrum.h"
+
+namespace solidnoise {
+
+// The components that an operation works on: those of one group, or all. Operations leave the order of bands
+// and components as it is, drop bands that become empty, and throw std::invalid_argument for a group that is
+// not there and for a result that GaborSpectrum::validate refuses.
+using GroupChoice = std::optional<std::string>;
+
+// The number of a group. Throws std::invalid_argument that lists the names there are.
+int find_group(const GaborSpectrum& spectrum, const std::string& name);
+
+// Turns frequencies by `degrees`, counterclockwise as seen from the tip of `axis` (in 2D always the third).
+// Isotropic spectra are refused.
+void rotate_group(GaborSpectrum& spectrum, const GroupChoice& group, double degrees,
+                  const Vec<3>& axis = Vec<3>(0.0, 0.0, 1.0));
+// Multiplies frequencies; the bandwidths stay. `factor` > 0.
+void scale_group(GaborSpectrum& spectrum, const GroupChoice& group, double factor);
+// Adds to frequencies, cycles per world unit (w, and with it -w the other way). Isotropic spectra are
+// refused.
+void translate_group(GaborSpectrum& spectrum, const GroupChoice& group, const Vec<3>& by);
+// Multiplies amplitudes K, that is variances by the square. `factor` >= 0.
+void scale_magnitude(GaborSpectrum& spectrum, const GroupChoice& group, double factor);
+// Multiplies bandwidths a, keeping variances. `factor` > 0.
+void scale_bandwidth(GaborSpectrum& spectrum, const GroupChoice& group, double factor);
+// Takes a group's components away.
+void remove_group(GaborSpectrum& spectrum, const std::string& group);
+// Adds a component, in a group that is made if it is not there.
+void add_component(GaborSpectrum& spectrum, double a, SpectrumComponent component, const std::string& group);
+// Adds the components of a group (or all, each with its own group's name) of another spectrum of the same
+// kind. Groups of the same name are merged.
+void copy_group(GaborSpectrum& spectrum, const GaborSpectrum& from, const GroupChoice& group);
+// Gives a group another name; the components join the group of that name if there is one.
+void rename_group(GaborSpectrum& spectrum, const std::string& group, const std::string& name);
+
+}  // namespace solidnoise

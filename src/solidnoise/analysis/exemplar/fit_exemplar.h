@@ -1,0 +1,54 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "solidnoise/analysis/exemplar/color_axes.h"
+#include "solidnoise/analysis/exemplar/cross_spectra.h"
+#include "solidnoise/analysis/exemplar/fit_spectrum.h"
+
+namespace solidnoise {
+
+struct ExemplarFitOptions {
+  SpectrumFitOptions spectrum;
+  ColorAxes axes = ColorAxes::independent;
+  int patch = 0;            // samples; 0: as large as the smallest exemplar
+  bool raw_values = false;  // only noted in the model: values are not linear light
+
+  // Throws std::invalid_argument.
+  void validate() const;
+};
+
+// How much channels depend on each other in the three colour spaces (channel_dependence).
+struct ColorDependence {
+  double rgb = 0.0;
+  double pca = 0.0;
+  double independent = 0.0;
+};
+
+template <int Dim>
+struct ExemplarFit {
+  ExemplarModel model;
+  std::vector<SpectrumFit> channels;          // their spectra are the model's, without groups
+  std::optional<ColorDependence> dependence;  // of exemplars in colour
+  glm::vec<Dim, int> count{1};                // of a patch
+  int patches = 0;
+  bool interrupted = false;
+};
+
+// A noise from exemplars (Galerne et al. 2012): their spectra in the colour space of choice, each decomposed
+// into a sparse sum of Gaussians and grouped after Wold. Gray exemplars have one channel, with the axis
+// (1, 1, 1). A channel without any variance (colours in a plane) gets a millionth of a billionth of that of
+// all. Where `progress` asks to stop, channels are kept as far as they are. Throws std::invalid_argument for
+// bad options and for exemplars that do not agree.
+template <int Dim>
+ExemplarFit<Dim> fit_exemplar(std::span<const Exemplar<Dim>> exemplars,
+                              const ExemplarFitOptions& options = {}, Progress* progress = nullptr);
+
+extern template ExemplarFit<2> fit_exemplar<2>(std::span<const Exemplar<2>>, const ExemplarFitOptions&,
+                                               Progress*);
+extern template ExemplarFit<3> fit_exemplar<3>(std::span<const Exemplar<3>>, const ExemplarFitOptions&,
+                                               Progress*);
+
+}  // namespace solidnoise
