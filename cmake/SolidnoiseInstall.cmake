@@ -31,7 +31,7 @@ foreach(_library IN LISTS _libraries)
     FILES_MATCHING PATTERN "*.h" PATTERN "*-inl.h" EXCLUDE)
 endforeach()
 
-foreach(_tool vdbnoise meshnoise)
+foreach(_tool vdbnoise meshnoise noisefit)
   if(TARGET ${_tool})
     install(TARGETS ${_tool} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
   endif()

@@ -1,0 +1,158 @@
+#include "solidnoise/analysis/exemplar/exemplar_sheet.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "solidnoise/analysis/exemplar/cross_spectra.h"
+#include "solidnoise/analysis/exemplar/gaussian_field.h"
+#include "solidnoise/image/color.h"
+#include "solidnoise/image/drawing.h"
+
+namespace solidnoise {
+namespace {
+
+constexpr int kLargest = 512;  // pixels of an exemplar along an axis
+constexpr int kEnlargeBelow = 200;
+constexpr int kMargin = 12;
+constexpr int kTextLine = 26;
+constexpr double kDecades = 4.0;  // of power, from black to white
+// Of linear light: what an eye sees as brightness.
+constexpr std::array kLuminance{0.2126, 0.7152, 0.0722};
+
+struct Panel {
+  std::string name;
+  Exemplar<2> texture;
+  PowerSpectrum<2> spectrum;
+};
+
+Exemplar<2> cut(const Exemplar<2>& exemplar, const glm::ivec2& count) {
+  Exemplar<2> result;
+  for (const DenseField<2>& channel : exemplar.channels) {
+    DenseField<2>& field = result.channels.emplace_back(count, channel.step);
+    const ArrayShape<2> from{channel.count};
+    const ArrayShape<2> to{count};
+    for (std::size_t i = 0; i < field.size(); ++i) {
+      field.values[i] = channel.values[from.index(to.position(i))];
+    }
+  }
+  return result;
+}
+
+PowerSpectrum<2> brightness_spectrum(const Exemplar<2>& texture) {
+  const CrossSpectra<2> spectra = cross_spectra<2>(std::vector{texture});
+  if (spectra.channels == 1) return spectra.spectrum(std::array{1.0});
+  return spectra.spectrum(kLuminance);
+}
+
+// Of the sparse spectra themselves.
+PowerSpectrum<2> brightness_density(const ExemplarModel& model, const PowerSpectrum<2>& like) {
+  PowerSpectrum<2> sum = like;
+  std::fill(sum.density.begin(), sum.density.end(), 0.0);
+  for (std::size_t k = 0; k < model.channels.size(); ++k) {
+    double along = 0.0;
+    for (int c = 0; c < 3; ++c) along += model.axes[k][c] * kLuminance[static_cast<std::size_t>(c)];
+    const PowerSpectrum<2> channel = sampled_density<2>(model.channels[k], like.count, like.step);
+    for (std::size_t i = 0; i < sum.density.size(); ++i) sum.density[i] += along * along * channel.density[i];
+  }
+  return sum;
+}
+
+// The density below which all but a thousandth of the frequencies lie.
+double bright_density(std::vector<double> density) {
+  const auto at = density.begin() + static_cast<std::ptrdiff_t>(0.999 * static_cast<double>(density.size()));
+  std::nth_element(density.begin(), at, density.end());
+  return *at;
+}
+
+Image draw_spectrum(const PowerSpectrum<2>& spectrum, double white, int size) {
+  Image image(size, size, 3);
+  const glm::ivec2 n = spectrum.count;
+  for (int x = 0; x < size; ++x) {
+    for (int y = 0; y < size; ++y) {
+      const int kx = static_cast<int>(std::floor((x + 0.5) / size * n.x)) - n.x / 2;
+      const int ky = static_cast<int>(std::floor((y + 0.5) / size * n.y)) - n.y / 2;
+      const std::size_t index = ArrayShape<2>{n}.index({(kx + n.x) % n.x, (ky + n.y) % n.y});
+      const double level = 1.0 + std::log10(std::max(1e-30, spectrum.density[index] / white)) / kDecades;
+      for (int c = 0; c < 3; ++c) {
+        image.at(x, size - 1 - y, c) = static_cast<float>(std::clamp(level, 0.0, 1.0));
+      }
+    }
+  }
+  return image;
+}
+
+// The texture as it is seen, each pixel as `zoom` x `zoom`.
+Image draw_texture(const Exemplar<2>& texture, bool raw_values, int zoom) {
+  const Image pixels = image_of_exemplar(texture);
+  Image image(pixels.width * zoom, pixels.height * zoom, 3);
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      for (int c = 0; c < 3; ++c) {
+        const float value = std::clamp(pixels.at(x / zoom, y / zoom, c), 0.0f, 1.0f);
+        image.at(x, y, c) = raw_values ? value : srgb_from_linear(value);
+      }
+    }
+  }
+  return image;
+}
+
+std::vector<Panel> make_panels(const Exemplar<2>& exemplar, const ExemplarModel& model, std::uint64_t seed) {
+  const glm::ivec2 count = exemplar.shape().count;
+  const Vec<2> step = exemplar.shape().step;
+  const Vec<3> origin(0.0);
+  const bool planar = model.channels.front().dimensions == 2;
+  std::vector<Panel> panels;
+  panels.push_back({"exemplar", exemplar, {}});
+  panels.push_back({"Gaussian version", gaussian_version(exemplar, seed), {}});
+  if (planar) {
+    panels.push_back({"sparse spectrum", gaussian_texture(model, count, step, seed), {}});
+    panels.push_back({"procedural noise", procedural_texture(model, count, step, origin, seed), {}});
+  } else {
+    panels.push_back({"solid noise, a slice", procedural_texture(model, count, step, origin, seed), {}});
+    const Vec<3> far(0.0, 0.0, 1000.0 * step.x);
+    panels.push_back({"solid noise, another", procedural_texture(model, count, step, far, seed), {}});
+  }
+  for (Panel& panel : panels) panel.spectrum = brightness_spectrum(panel.texture);
+  if (planar) panels[2].spectrum = brightness_density(model, panels[2].spectrum);
+  return panels;
+}
+
+}  // namespace
+
+Image draw_exemplar_sheet(const Exemplar<2>& whole, const ExemplarModel& model,
+                          const ExemplarSheetOptions& options) {
+  const glm::ivec2 count =
+      glm::ivec2(std::min(kLargest, whole.shape().count.x), std::min(kLargest, whole.shape().count.y));
+  const Exemplar<2> exemplar = cut(whole, count);
+  const std::vector<Panel> panels = make_panels(exemplar, model, options.seed);
+  const int zoom = std::max(1, (kEnlargeBelow + std::max(count.x, count.y) - 1) / std::max(count.x, count.y));
+  const int width = zoom * count.x;
+  const int height = zoom * count.y;
+  const int top = options.title.empty() ? kMargin : kMargin + kTextLine;
+
+  Image sheet(kMargin + 4 * (width + kMargin),
+              top + height + kTextLine + (options.caption.empty() ? 0 : kTextLine), 3);
+  fill_rectangle(sheet, {0.0, 0.0, double(sheet.width), double(sheet.height)}, Color(1.0f));
+  const TextStyle title{.height = 14.0};
+  const TextStyle small{.height = 10.0, .color = Color(0.25f)};
+  draw_text(sheet, options.title, {kMargin, kMargin + 15.0}, title);
+  const double white = bright_density(panels[0].spectrum.density);
+  const int inset = std::max(48, std::min(width, height) / 3);
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    const int left = kMargin + static_cast<int>(i) * (width + kMargin);
+    paste(sheet, draw_texture(panels[i].texture, model.raw_values, zoom), left, top);
+    const int x = left + width - inset;
+    const int y = top + height - inset;
+    paste(sheet, draw_spectrum(panels[i].spectrum, white, inset), x, y);
+    draw_frame(sheet, {x + 0.5, y + 0.5, x + inset - 0.5, y + inset - 0.5}, {Color(1.0f), 1.0});
+    draw_text(sheet, panels[i].name, {double(left), top + height + 17.0}, small);
+  }
+  draw_text(sheet, options.caption, {kMargin, top + height + kTextLine + 15.0}, small);
+  return sheet;
+}
+
+}  // namespace solidnoise

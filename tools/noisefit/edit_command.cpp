@@ -1,0 +1,159 @@
+#include <functional>
+#include <iostream>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "common/exit_status.h"
+#include "common/flag_set.h"
+#include "common/flag_targets.h"
+#include "common/outputs.h"
+#include "common/usage_error.h"
+#include "noisefit/commands.h"
+#include "noisefit/describe.h"
+#include "noisefit/model_file.h"
+#include "solidnoise/analysis/exemplar/edit_spectrum.h"
+#include "solidnoise/analysis/exemplar/group_spectrum.h"
+
+namespace solidnoise {
+namespace {
+
+constexpr char kDescription[] =
+    "noisefit edit changes a spectrum file: the components of one group, or all of them. What is asked for "
+    "is\n"
+    "done in the order in which it is listed here.";
+
+using Operation = std::function<void(GaborSpectrum&, std::size_t channel)>;
+
+struct EditCommand {
+  std::string in;
+  std::string out;
+  GroupChoice group;
+  std::optional<int> channel;
+  std::vector<Operation> operations;
+  Existing existing = Existing::refuse;
+  bool quiet = false;
+
+  void add(const std::function<void(GaborSpectrum&, const GroupChoice&)>& operation) {
+    operations.push_back(
+        [this, operation](GaborSpectrum& spectrum, std::size_t) { operation(spectrum, group); });
+  }
+};
+
+// The component that "A VARIANCE X Y [Z]" describes.
+void add_one(GaborSpectrum& spectrum, const std::vector<double>& v, const std::string& group) {
+  SpectrumComponent component;
+  component.variance = v[1];
+  for (std::size_t i = 2; i < v.size(); ++i) component.frequency[static_cast<int>(i) - 2] = v[i];
+  add_component(spectrum, v[0], component, group);
+}
+
+void declare_flags(FlagSet& flags, EditCommand& command) {
+  flags.argument("FILE", "The spectrum file", command.in);
+  flags.group("Flags");
+  keep(flags, "--out", "FILE.json", "Where the result goes; - for the standard output", command.out);
+  flags.text("--group", "NAME", "The group to work on (default: all components)",
+             [&](const std::string& name) { command.group = name; });
+  flags.integer("--channel", "NUMBER", "The channel to work on, from 0 (default: all)",
+                [&](int number) { command.channel = number; });
+  flags.toggle("--force", "Replace a file that exists", [&] { command.existing = Existing::replace; });
+  flags.toggle("--quiet", "Print errors only", [&] { command.quiet = true; });
+  flags.group("What to do");
+  flags.toggle("--regroup", "Sort the components into groups anew, after Wold", [&] {
+    command.operations.push_back(
+        [](GaborSpectrum& spectrum, std::size_t) { spectrum = group_spectrum(spectrum); });
+  });
+  flags.number("--rotate", "DEGREES", "Turn counterclockwise (in 3D about the z axis)", [&](double degrees) {
+    command.add([degrees](GaborSpectrum& s, const GroupChoice& group) { rotate_group(s, group, degrees); });
+  });
+  flags.number("--scale", "FACTOR", "Multiply the frequencies", [&](double factor) {
+    command.add([factor](GaborSpectrum& s, const GroupChoice& group) { scale_group(s, group, factor); });
+  });
+  flags.numbers(
+      "--translate", "X Y Z", 2, "Add to the frequencies, cycles per unit",
+      [&](const std::vector<double>& v) {
+        const Vec<3> by(v[0], v[1], v.size() > 2 ? v[2] : 0.0);
+        command.add([by](GaborSpectrum& s, const GroupChoice& group) { translate_group(s, group, by); });
+      });
+  flags.number("--magnitude", "FACTOR", "Multiply the amplitudes", [&](double factor) {
+    command.add([factor](GaborSpectrum& s, const GroupChoice& group) { scale_magnitude(s, group, factor); });
+  });
+  flags.number("--bandwidth", "FACTOR", "Multiply the bandwidths", [&](double factor) {
+    command.add([factor](GaborSpectrum& s, const GroupChoice& group) { scale_bandwidth(s, group, factor); });
+  });
+  flags.numbers("--add", "A VARIANCE X Y Z", 4, "Add a component, to --group or \"added\"",
+                [&](const std::vector<double>& v) {
+                  command.add([v](GaborSpectrum& s, const GroupChoice& group) {
+                    add_one(s, v, group.value_or("added"));
+                  });
+                });
+  flags.text("--rename", "NAME", "Give --group another name, or join it with that group",
+             [&](const std::string& name) {
+               command.add([name](GaborSpectrum& s, const GroupChoice& group) {
+                 if (!group) throw UsageError("--rename needs --group, the group to rename");
+                 rename_group(s, *group, name);
+               });
+             });
+  flags.toggle("--remove", "Remove --group", [&] {
+    command.add([](GaborSpectrum& s, const GroupChoice& group) {
+      if (!group) throw UsageError("--remove needs --group, the group to remove");
+      remove_group(s, *group);
+    });
+  });
+  flags.text("--copy", "FILE.json", "Add --group, or all, of another file, channel by channel",
+             [&](const std::string& file) {
+               const ExemplarModel from = read_model(file);
+               command.operations.push_back([&command, from](GaborSpectrum& s, std::size_t channel) {
+                 if (channel < from.channels.size()) copy_group(s, from.channels[channel], command.group);
+               });
+             });
+}
+
+// A group may be missing in some channels, but not in all.
+bool has_group(const GaborSpectrum& spectrum, const std::string& name) {
+  for (const std::string& group : spectrum.groups) {
+    if (group == name) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+int run_edit(const std::vector<std::string>& arguments) {
+  EditCommand command;
+  FlagSet flags("noisefit edit", kDescription);
+  declare_flags(flags, command);
+  flags.parse(arguments);
+  flags.apply();
+  if (command.out.empty()) throw UsageError("--out is missing; say where the result goes: --out new.json");
+  if (command.operations.empty()) throw UsageError("there is nothing to do; say --rotate, --scale, ...");
+  require_outputs({command.out}, command.existing);
+
+  ExemplarModel model = read_model(command.in);
+  if (command.channel &&
+      (*command.channel < 0 || *command.channel >= static_cast<int>(model.channels.size()))) {
+    throw UsageError(fmt::format("--channel is {}; {} has {}, from 0", *command.channel, command.in,
+                                 model.channels.size()));
+  }
+  const bool makes_group = flags.given("--add") || flags.given("--copy") || flags.given("--regroup");
+  bool edited = false;
+  for (std::size_t k = 0; k < model.channels.size(); ++k) {
+    if (command.channel && *command.channel != static_cast<int>(k)) continue;
+    if (command.group && !makes_group && !has_group(model.channels[k], *command.group)) continue;
+    edited = true;
+    try {
+      for (const Operation& operation : command.operations) operation(model.channels[k], k);
+    } catch (const std::invalid_argument& error) {
+      throw UsageError(fmt::format("{}: channel {}: {}", command.in, k, error.what()));
+    }
+  }
+  if (!edited) throw UsageError(fmt::format("{} has no group {}", command.in, *command.group));
+  write_model(command.out, model, command.existing);
+  if (!command.quiet) std::cerr << describe(model);
+  return kDone;
+}
+
+}  // namespace solidnoise

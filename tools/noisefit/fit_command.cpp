@@ -1,0 +1,185 @@
+#include <array>
+#include <chrono>
+#include <filesystem>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "common/exit_status.h"
+#include "common/flag_set.h"
+#include "common/flag_targets.h"
+#include "common/interrupt.h"
+#include "common/outputs.h"
+#include "common/task_progress.h"
+#include "common/usage_error.h"
+#include "noisefit/commands.h"
+#include "noisefit/describe.h"
+#include "noisefit/model_file.h"
+#include "solidnoise/analysis/exemplar/exemplar_sheet.h"
+#include "solidnoise/analysis/exemplar/fit_exemplar.h"
+#include "solidnoise/analysis/exemplar/gaussianity.h"
+#include "solidnoise/image/image_file.h"
+
+namespace solidnoise {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr char kDescription[] =
+    "noisefit turns pictures of a texture into a procedural noise that looks like it: its power spectrum as\n"
+    "a few hundred numbers, in a file that vdbnoise and meshnoise take as --noise.\n"
+    "  noisefit IN.png ... --out OUT.json    learns from one or several exemplars\n"
+    "  noisefit info FILE.json               prints what is in such a file\n"
+    "  noisefit edit FILE.json --out ...     changes groups of its components";
+
+constexpr Choices<ColorAxes, 3> kColorAxesChoices{
+    {{ColorAxes::independent, "independent"}, {ColorAxes::pca, "pca"}, {ColorAxes::rgb, "rgb"}}};
+
+struct FitCommand {
+  std::vector<std::string> inputs;
+  std::string out;
+  std::string preview;
+  ExemplarReading reading;
+  ExemplarFitOptions fit;
+  int seed = 1;
+  bool gray = false;
+  Existing existing = Existing::refuse;
+  bool quiet = false;
+};
+
+void declare_flags(FlagSet& flags, FitCommand& command) {
+  flags.arguments("IN", "Pictures of the texture: .png, .jpg, .tif, .exr and others; more are averaged",
+                  command.inputs);
+  flags.group("Flags");
+  keep(flags, "--out", "FILE.json", "Where the noise goes; - for the standard output", command.out);
+  keep(flags, "--preview", "FILE.png",
+       "A sheet: the exemplar, its Gaussian version, the sparse spectrum, the noise", command.preview);
+  flags.integer("--seed", "NUMBER", "Of the textures in the sheet (default 1)",
+                [&](int value) { command.seed = value; });
+  flags.toggle("--force", "Replace files that exist", [&] { command.existing = Existing::replace; });
+  flags.toggle("--quiet", "Print errors only", [&] { command.quiet = true; });
+  flags.group("The exemplar");
+  flags.number("--pixel-size", "UNITS", "World units of a pixel (default 1)",
+               [&](double value) { command.reading.pixel_size = value; });
+  flags.toggle("--raw-values", "Take values as they are stored; otherwise they become linear light",
+               [&] { command.reading.raw_values = true; });
+  flags.toggle("--gray", "Learn the brightness alone", [&] { command.gray = true; });
+  flags.integer("--patch", "PIXELS", "Average over patches of this size (default: the smallest exemplar)",
+                [&](int value) { command.fit.patch = value; });
+  declare_choice(flags, "--axes", kColorAxesChoices, "The channels of a coloured noise (default independent)",
+                 command.fit.axes);
+  flags.group("The spectrum");
+  flags.toggle("--paper", "The paper's parameters: kappa 1/256, and the narrowest band",
+               [&] { command.fit.spectrum = SpectrumFitOptions::of_paper(); });
+  flags.number("--kappa", "RATIO", "Fewer components against accuracy, up to 1 (default 0.0625)",
+               [&](double value) { command.fit.spectrum.kappa = value; });
+  flags.toggle("--narrowest-band", "Components as narrow as one frequency, for periodic textures",
+               [&] { command.fit.spectrum.narrowest_band = true; });
+  flags.number("--gap", "RATIO", "Duality gap at which a solution is accepted (default 0.01)",
+               [&](double value) { command.fit.spectrum.gap_tolerance = value; });
+  flags.footer("A Ctrl-C ends the fit early and keeps the last solution.");
+  flags.version(std::string(kNoisefit) + "\n");
+}
+
+// Brightness as an eye weighs the colours of linear light.
+void make_gray(Exemplar<2>& exemplar) {
+  if (exemplar.channels.size() == 1) return;
+  constexpr std::array kWeights{0.2126f, 0.7152f, 0.0722f};
+  DenseField<2> gray(exemplar.shape().count, exemplar.shape().step);
+  for (std::size_t c = 0; c < 3; ++c) {
+    for (std::size_t i = 0; i < gray.values.size(); ++i) {
+      gray.values[i] += kWeights[c] * exemplar.channels[c].values[i];
+    }
+  }
+  exemplar.channels = {gray};
+}
+
+// One picture in colour makes all of them so.
+void agree_on_channels(std::vector<Exemplar<2>>& exemplars) {
+  bool color = false;
+  for (const Exemplar<2>& exemplar : exemplars) color = color || exemplar.channels.size() == 3;
+  if (!color) return;
+  for (Exemplar<2>& exemplar : exemplars) exemplar.channels.resize(3, exemplar.channels.front());
+}
+
+void warn_of_structure(const std::vector<Exemplar<2>>& exemplars, const std::vector<std::string>& names) {
+  for (std::size_t i = 0; i < exemplars.size(); ++i) {
+    Exemplar<2> gray = exemplars[i];
+    make_gray(gray);
+    for (const std::string& warning : test_gaussianity(gray.channels.front()).warnings) {
+      std::cerr << fmt::format("noisefit: warning: {}: {}\n", names[i], warning);
+    }
+  }
+}
+
+FitCommand parse(const std::vector<std::string>& arguments) {
+  FitCommand command;
+  FlagSet flags("noisefit", kDescription);
+  declare_flags(flags, command);
+  flags.parse(arguments);
+  try {
+    flags.apply();
+    command.fit.raw_values = command.reading.raw_values;
+    command.fit.validate();
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(flags.name_flag(error.what()));
+  }
+  if (!(command.reading.pixel_size > 0.0)) {
+    throw UsageError(
+        fmt::format("--pixel-size is {}; it must be greater than 0", command.reading.pixel_size));
+  }
+  if (command.fit.patch != 0 && command.fit.patch < 16) {
+    throw UsageError(fmt::format("--patch is {}; it must be at least 16", command.fit.patch));
+  }
+  if (command.out.empty() && command.preview.empty()) {
+    throw UsageError("--out is missing; say where the noise goes: --out sand.json");
+  }
+  require_outputs({command.out, command.preview}, command.existing);
+  return command;
+}
+
+}  // namespace
+
+int run_fit(const std::vector<std::string>& arguments) {
+  const FitCommand command = parse(arguments);
+  std::vector<Exemplar<2>> exemplars;
+  for (const std::string& input : command.inputs) {
+    exemplars.push_back(read_exemplar(input, command.reading));
+    if (command.gray) make_gray(exemplars.back());
+  }
+  agree_on_channels(exemplars);
+  if (!command.quiet) warn_of_structure(exemplars, command.inputs);
+
+  catch_interrupts();
+  const Clock::time_point start = Clock::now();
+  ExemplarFit<2> fit;
+  {
+    TaskProgress progress(command.quiet ? ProgressBar::Visibility::hidden
+                                        : ProgressBar::Visibility::if_terminal);
+    progress.begin("fitting");
+    fit = fit_exemplar<2>(exemplars, command.fit, &progress);
+  }
+  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+
+  if (!command.out.empty()) write_model(command.out, fit.model, command.existing);
+  if (!command.preview.empty() && !fit.interrupted) {
+    const std::string name = std::filesystem::path(command.inputs.front()).stem().string();
+    write_image(command.preview, draw_exemplar_sheet(exemplars.front(), fit.model,
+                                                     {.title = name,
+                                                      .caption = describe_shortly(fit, seconds),
+                                                      .seed = static_cast<std::uint64_t>(command.seed)}));
+  }
+  if (!command.quiet) std::cerr << describe(fit, seconds);
+  if (fit.interrupted) {
+    std::cerr << fmt::format("noisefit: interrupted; {}\n", command.out.empty()
+                                                                ? "nothing is written"
+                                                                : command.out + " is the last solution");
+    return kInterrupted + interrupt_signal();
+  }
+  return kDone;
+}
+
+}  // namespace solidnoise

@@ -1,0 +1,23 @@
+#include "noisefit/model_file.h"
+
+#include <ostream>
+
+#include "common/recipe_file.h"
+#include "common/text_file.h"
+#include "solidnoise/recipe/exemplar_model_json.h"
+#include "solidnoise/recipe/json.h"
+
+namespace solidnoise {
+
+ExemplarModel read_model(const std::filesystem::path& path) {
+  ExemplarModel model;
+  read_recipe(path, read_text_file(path), [&](const Json& json) { model = exemplar_file_from_json(json); });
+  return model;
+}
+
+void write_model(const std::filesystem::path& path, const ExemplarModel& model, Existing existing) {
+  const std::string text = format_json(exemplar_file_to_json(model));
+  write_output(path, {.existing = existing}, [&](std::ostream& stream) { stream << text; });
+}
+
+}  // namespace solidnoise
