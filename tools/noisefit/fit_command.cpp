@@ -72,9 +72,11 @@ void declare_flags(FlagSet& flags, FitCommand& command) {
   declare_choice(flags, "--axes", kColorAxesChoices, "The channels of a coloured noise (default independent)",
                  command.fit.axes);
   flags.group("The spectrum");
-  flags.toggle("--paper", "The paper's parameters: kappa 1/256, and the narrowest band",
-               [&] { command.fit.spectrum = SpectrumFitOptions::of_paper(); });
-  flags.number("--kappa", "RATIO", "Fewer components against accuracy, up to 1 (default 0.0625)",
+  flags.toggle("--paper", "The paper's parameters: the narrowest band, one kappa for all channels", [&] {
+    command.fit.spectrum = SpectrumFitOptions::of_paper();
+    command.fit.weigh_channels = false;
+  });
+  flags.number("--kappa", "RATIO", "Fewer components against accuracy, up to 1 (default 1/256 = 0.0039)",
                [&](double value) { command.fit.spectrum.kappa = value; });
   flags.toggle("--narrowest-band", "Components as narrow as one frequency, for periodic textures",
                [&] { command.fit.spectrum.narrowest_band = true; });

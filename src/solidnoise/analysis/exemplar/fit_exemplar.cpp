@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -14,7 +15,8 @@
 namespace solidnoise {
 namespace {
 
-constexpr double kNoVariance = 1e-15;  // of that of all channels
+constexpr double kLargestKappa = 0.25;  // of a weak channel
+constexpr double kNoVariance = 1e-15;   // of that of all channels
 
 // The channels' progress as that of one task.
 class SharedProgress {
@@ -104,17 +106,25 @@ ExemplarFit<Dim> fit_exemplar(std::span<const Exemplar<Dim>> exemplars, const Ex
   }
 
   double total = 0.0;
-  for (const std::vector<double>& direction : directions) total += spectra.variance(direction);
+  double strongest = 0.0;
+  for (const std::vector<double>& direction : directions) {
+    total += spectra.variance(direction);
+    strongest = std::max(strongest, spectra.variance(direction));
+  }
   result.channels.resize(directions.size());
   SharedProgress shared(progress, directions.size());
   tbb::parallel_for(std::size_t(0), directions.size(), [&](std::size_t k) {
     const PowerSpectrum<Dim> periodogram = spectra.spectrum(directions[k]);
     const double variance = spectra.variance(directions[k]);
+    SpectrumFitOptions channel = options.spectrum;
+    if (options.weigh_channels) {
+      const double weighted = channel.kappa * std::sqrt(strongest / variance);
+      channel.kappa = std::max(channel.kappa, std::min(kLargestKappa, weighted));
+    }
     SharedProgress::Channel storage;
-    result.channels[k] =
-        variance > kNoVariance * total && periodogram.variance() > kNoVariance * total
-            ? fit_channel(periodogram, variance, options.spectrum, shared.channel(k, storage))
-            : empty_channel(periodogram, kNoVariance * total);
+    result.channels[k] = variance > kNoVariance * total && periodogram.variance() > kNoVariance * total
+                             ? fit_channel(periodogram, variance, channel, shared.channel(k, storage))
+                             : empty_channel(periodogram, kNoVariance * total);
   });
   for (const SpectrumFit& fit : result.channels) {
     result.model.channels.push_back(group_spectrum(fit.spectrum));

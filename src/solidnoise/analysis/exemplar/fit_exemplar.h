@@ -13,6 +13,9 @@ namespace solidnoise {
 struct ExemplarFitOptions {
   SpectrumFitOptions spectrum;
   ColorAxes axes = ColorAxes::independent;
+  // Gives weaker channels a larger kappa, in proportion to the deviation of the strongest, up to 1/4: what is
+  // hardly seen needs fewer components. Otherwise (the paper) all have spectrum.kappa.
+  bool weigh_channels = true;
   int patch = 0;            // samples; 0: as large as the smallest exemplar
   bool raw_values = false;  // only noted in the model: values are not linear light
 

@@ -104,7 +104,6 @@ GaborSpectrum components_of(const GaussianAtoms& atoms, const GaussianAtoms::Coe
 
 SpectrumFitOptions SpectrumFitOptions::of_paper() {
   SpectrumFitOptions options;
-  options.kappa = 1.0 / 256.0;
   options.narrowest_band = true;
   return options;
 }

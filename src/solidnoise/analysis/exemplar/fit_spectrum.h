@@ -8,7 +8,7 @@
 namespace solidnoise {
 
 struct SpectrumFitOptions {
-  double kappa = 1.0 / 16.0;  // sparseness against accuracy; above 0, at most 1
+  double kappa = 1.0 / 256.0;  // sparseness against accuracy; above 0, at most 1
   // Whether there are Gaussians as narrow as one frequency of the exemplar, for textures with periodic parts.
   // Stochastic ones are better off without: such Gaussians follow the periodogram's own noise.
   bool narrowest_band = false;
@@ -42,7 +42,9 @@ struct SpectrumFit {
 // that were found follow the periodogram's own noise instead, and are further from the true spectrum.)
 //
 // Departures: Gaussians of unit length (GaussianAtoms), frequencies no denser than they can be told apart,
-// the default range of bands and kappa. They lower the error against the true spectrum.
+// the default range of bands. They lower the error against the true
+// spectrum; a larger kappa lowers it further for textures of a few broad peaks, but those with a steep
+// spectrum, as most natural ones, need a small one for their faint, fine detail.
 template <int Dim>
 SpectrumFit fit_spectrum(const PowerSpectrum<Dim>& periodogram, double variance,
                          const SpectrumFitOptions& options = {}, Progress* progress = nullptr);

@@ -14,7 +14,8 @@
 namespace solidnoise {
 namespace {
 
-constexpr int kStrip = 32;  // columns that are evaluated together
+constexpr int kStrip = 32;            // columns that are evaluated together
+constexpr double kImpulses = 1024.0;  // as in the paper; of fewer, those of narrow bands show
 
 template <int Dim>
 DenseField<2> evaluate(const SpectrumNoise<Dim>& noise, const glm::ivec2& count, const Vec<2>& step,
@@ -47,6 +48,8 @@ Exemplar<2> procedural_texture(const ExemplarModel& model, const glm::ivec2& cou
     SpectrumNoiseOptions options;
     options.model = model;
     options.channel = static_cast<int>(k);
+    options.frequency = model.principal_frequency();  // as in the exemplar
+    options.impulses = kImpulses;
     options.seed = derive_seed(seed, k);
     channels.push_back(model.channels[k].dimensions == 2
                            ? evaluate(SpectrumNoise<2>(options), count, step, origin)

@@ -8,7 +8,7 @@
 namespace solidnoise {
 
 struct SparseFitOptions {
-  double kappa = 1.0 / 16.0;       // regularization, relative to where it leaves nothing; above 0, at most 1
+  double kappa = 1.0 / 256.0;      // regularization, relative to where it leaves nothing; above 0, at most 1
   double gap_tolerance = 1e-2;     // where a solution is accepted: duality gap / objective; > 0
   int iterations_per_level = 600;  // at most, of each kappa; >= 1
 
