@@ -38,6 +38,11 @@ std::string describe_groups(const GaborSpectrum& spectrum) {
   return text;
 }
 
+std::string describe(const ColorDependence& dependence) {
+  return fmt::format("dependence of the channels J: rgb {:.3g}, pca {:.3g}, independent {:.3g}\n",
+                     dependence.rgb, dependence.pca, dependence.independent);
+}
+
 }  // namespace
 
 std::string describe(const ExemplarModel& model) {
@@ -70,10 +75,7 @@ std::string describe(const ExemplarModel& model) {
 std::string describe(const ExemplarFit<2>& fit, double seconds) {
   std::string text = fmt::format("{} x {} pixels, {} patch{}, {:.2f} s\n", fit.count.x, fit.count.y,
                                  fit.patches, fit.patches == 1 ? "" : "es", seconds);
-  if (fit.dependence) {
-    text += fmt::format("dependence of the channels J: rgb {:.3g}, pca {:.3g}, independent {:.3g}\n",
-                        fit.dependence->rgb, fit.dependence->pca, fit.dependence->independent);
-  }
+  if (fit.dependence) text += describe(*fit.dependence);
   for (std::size_t k = 0; k < fit.channels.size(); ++k) {
     const SpectrumFit& channel = fit.channels[k];
     text += fmt::format(
@@ -91,6 +93,27 @@ std::string describe_shortly(const ExemplarFit<2>& fit, double seconds) {
   return fmt::format(
       "{} x {} pixels; {} components of the first channel, {:.2f} % of the pixels; kappa 1/{:.4g}; {:.1f} s",
       fit.count.x, fit.count.y, first.components, 100.0 * first.sparseness, 1.0 / first.kappa, seconds);
+}
+
+std::string describe(const SolidExemplarFit& fit) {
+  std::string text = fmt::format("{} x {} pixels, {} patch{}, solid noise\n", fit.count.x, fit.count.y,
+                                 fit.patches, fit.patches == 1 ? "" : "es");
+  if (fit.dependence) text += describe(*fit.dependence);
+  for (std::size_t k = 0; k < fit.channels.size(); ++k) {
+    const SolidFit& channel = fit.channels[k];
+    text += fmt::format(
+        "  channel {}: deviation {:.4g}, {} components, residual {:.3g}, attainable {:.3g}, "
+        "anisotropy {:.2g}\n",
+        k, std::sqrt(channel.spectrum.variance()), channel.components, channel.residual,
+        channel.attainability, channel.anisotropy);
+  }
+  return text;
+}
+
+std::string describe_shortly(const SolidExemplarFit& fit) {
+  const SolidFit& first = fit.channels.front();
+  return fmt::format("{} x {} pixels; {} components of the first channel; residual {:.2g}, attainable {:.2g}",
+                     fit.count.x, fit.count.y, first.components, first.residual, first.attainability);
 }
 
 }  // namespace solidnoise

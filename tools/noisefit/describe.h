@@ -3,12 +3,16 @@
 #include <string>
 
 #include "solidnoise/analysis/exemplar/fit_exemplar.h"
+#include "solidnoise/analysis/exemplar/solid_spectrum.h"
 
 namespace solidnoise {
 
 // What a fit found, for people: several lines, and one line for a sheet.
 std::string describe(const ExemplarFit<2>& fit, double seconds);
 std::string describe_shortly(const ExemplarFit<2>& fit, double seconds);
+
+std::string describe(const SolidExemplarFit& fit);
+std::string describe_shortly(const SolidExemplarFit& fit);
 
 // What is in a spectrum file.
 std::string describe(const ExemplarModel& model);

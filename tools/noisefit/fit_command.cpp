@@ -21,6 +21,7 @@
 #include "solidnoise/analysis/exemplar/exemplar_sheet.h"
 #include "solidnoise/analysis/exemplar/fit_exemplar.h"
 #include "solidnoise/analysis/exemplar/gaussianity.h"
+#include "solidnoise/analysis/exemplar/solid_spectrum.h"
 #include "solidnoise/image/image_file.h"
 
 namespace solidnoise {
@@ -46,6 +47,7 @@ struct FitCommand {
   ExemplarFitOptions fit;
   int seed = 1;
   bool gray = false;
+  bool solid = false;
   Existing existing = Existing::refuse;
   bool quiet = false;
 };
@@ -80,6 +82,8 @@ void declare_flags(FlagSet& flags, FitCommand& command) {
                [&](double value) { command.fit.spectrum.kappa = value; });
   flags.toggle("--narrowest-band", "Components as narrow as one frequency, for periodic textures",
                [&] { command.fit.spectrum.narrowest_band = true; });
+  flags.toggle("--solid", "An isotropic noise in 3D whose slices look like the exemplar",
+               [&] { command.solid = true; });
   flags.number("--gap", "RATIO", "Duality gap at which a solution is accepted (default 0.01)",
                [&](double value) { command.fit.spectrum.gap_tolerance = value; });
   flags.footer("A Ctrl-C ends the fit early and keeps the last solution.");
@@ -143,6 +147,54 @@ FitCommand parse(const std::vector<std::string>& arguments) {
   return command;
 }
 
+// Writes and draws a model; what it says in the sheet is `caption`.
+void write_outputs(const FitCommand& command, const Exemplar<2>& exemplar, const ExemplarModel& model,
+                   const std::string& caption) {
+  if (!command.out.empty()) write_model(command.out, model, command.existing);
+  if (command.preview.empty()) return;
+  const std::string name = std::filesystem::path(command.inputs.front()).stem().string();
+  write_image(command.preview,
+              draw_exemplar_sheet(
+                  exemplar, model,
+                  {.title = name, .caption = caption, .seed = static_cast<std::uint64_t>(command.seed)}));
+}
+
+int fit_solid(const FitCommand& command, const std::vector<Exemplar<2>>& exemplars) {
+  SolidExemplarFit fit =
+      fit_solid_exemplar(exemplars, command.fit.axes, command.fit.spectrum.kappa, command.fit.patch);
+  fit.model.raw_values = command.reading.raw_values;
+  write_outputs(command, exemplars.front(), fit.model, describe_shortly(fit));
+  if (command.quiet) return kDone;
+  std::cerr << describe(fit);
+  for (const std::string& warning : fit.channels.front().warnings) {
+    std::cerr << fmt::format("noisefit: warning: {}\n", warning);
+  }
+  return kDone;
+}
+
+int fit_planar(const FitCommand& command, const std::vector<Exemplar<2>>& exemplars) {
+  const Clock::time_point start = Clock::now();
+  ExemplarFit<2> fit;
+  {
+    TaskProgress progress(command.quiet ? ProgressBar::Visibility::hidden
+                                        : ProgressBar::Visibility::if_terminal);
+    progress.begin("fitting");
+    fit = fit_exemplar<2>(exemplars, command.fit, &progress);
+  }
+  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  if (fit.interrupted) {
+    // What takes long is left out.
+    if (!command.out.empty()) write_model(command.out, fit.model, command.existing);
+    std::cerr << fmt::format("noisefit: interrupted; {}\n", command.out.empty()
+                                                                ? "nothing is written"
+                                                                : command.out + " has the last solution");
+    return kInterrupted + interrupt_signal();
+  }
+  write_outputs(command, exemplars.front(), fit.model, describe_shortly(fit, seconds));
+  if (!command.quiet) std::cerr << describe(fit, seconds);
+  return kDone;
+}
+
 }  // namespace
 
 int run_fit(const std::vector<std::string>& arguments) {
@@ -156,32 +208,7 @@ int run_fit(const std::vector<std::string>& arguments) {
   if (!command.quiet) warn_of_structure(exemplars, command.inputs);
 
   catch_interrupts();
-  const Clock::time_point start = Clock::now();
-  ExemplarFit<2> fit;
-  {
-    TaskProgress progress(command.quiet ? ProgressBar::Visibility::hidden
-                                        : ProgressBar::Visibility::if_terminal);
-    progress.begin("fitting");
-    fit = fit_exemplar<2>(exemplars, command.fit, &progress);
-  }
-  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-
-  if (!command.out.empty()) write_model(command.out, fit.model, command.existing);
-  if (!command.preview.empty() && !fit.interrupted) {
-    const std::string name = std::filesystem::path(command.inputs.front()).stem().string();
-    write_image(command.preview, draw_exemplar_sheet(exemplars.front(), fit.model,
-                                                     {.title = name,
-                                                      .caption = describe_shortly(fit, seconds),
-                                                      .seed = static_cast<std::uint64_t>(command.seed)}));
-  }
-  if (!command.quiet) std::cerr << describe(fit, seconds);
-  if (fit.interrupted) {
-    std::cerr << fmt::format("noisefit: interrupted; {}\n", command.out.empty()
-                                                                ? "nothing is written"
-                                                                : command.out + " is the last solution");
-    return kInterrupted + interrupt_signal();
-  }
-  return kDone;
+  return command.solid ? fit_solid(command, exemplars) : fit_planar(command, exemplars);
 }
 
 }  // namespace solidnoise

@@ -64,16 +64,6 @@ SpectrumFit fit_channel(const PowerSpectrum<Dim>& periodogram, double variance,
   }
 }
 
-// What stands for a channel that the exemplar does not have.
-template <int Dim>
-SpectrumFit empty_channel(const PowerSpectrum<Dim>& periodogram, double variance) {
-  SpectrumFit fit;
-  fit.spectrum.dimensions = Dim;
-  fit.spectrum.bands = {{0.25 / periodogram.step[0], {{Vec<3>(0.0), variance}}}};
-  fit.components = 1;
-  return fit;
-}
-
 }  // namespace
 
 void ExemplarFitOptions::validate() const {
@@ -89,42 +79,28 @@ ExemplarFit<Dim> fit_exemplar(std::span<const Exemplar<Dim>> exemplars, const Ex
   result.count = spectra.count;
   result.patches = spectra.patches;
   result.model.raw_values = options.raw_values;
-  for (int i = 0; i < 3; ++i) {
-    result.model.mean[i] = spectra.mean[static_cast<std::size_t>(spectra.channels == 1 ? 0 : i)];
-  }
-  std::vector<std::vector<double>> directions{{1.0}};
-  if (spectra.channels == 3) {
-    const AxisMatrix axes = color_axes(spectra, options.axes);
-    result.model.axes.assign(axes.begin(), axes.end());
-    directions.clear();
-    for (const Vec<3>& axis : axes) directions.push_back({axis.x, axis.y, axis.z});
-    const auto dependence = [&](ColorAxes kind) {
-      return channel_dependence(spectra, color_axes(spectra, kind));
-    };
-    result.dependence = {dependence(ColorAxes::rgb), dependence(ColorAxes::pca),
-                         dependence(ColorAxes::independent)};
-  }
+  const ExemplarChannels channels = exemplar_channels(spectra, options.axes);
+  result.model.mean = channels.mean;
+  result.model.axes = channels.axes;
+  result.dependence = channels.dependence;
 
-  double total = 0.0;
-  double strongest = 0.0;
-  for (const std::vector<double>& direction : directions) {
-    total += spectra.variance(direction);
-    strongest = std::max(strongest, spectra.variance(direction));
-  }
-  result.channels.resize(directions.size());
-  SharedProgress shared(progress, directions.size());
-  tbb::parallel_for(std::size_t(0), directions.size(), [&](std::size_t k) {
-    const PowerSpectrum<Dim> periodogram = spectra.spectrum(directions[k]);
-    const double variance = spectra.variance(directions[k]);
+  const double strongest = *std::max_element(channels.variances.begin(), channels.variances.end());
+  result.channels.resize(channels.axes.size());
+  SharedProgress shared(progress, result.channels.size());
+  tbb::parallel_for(std::size_t(0), result.channels.size(), [&](std::size_t k) {
+    const PowerSpectrum<Dim> periodogram = spectra.spectrum(channels.directions[k]);
+    const double variance = channels.variances[k];
+    if (channels.is_empty(k) || !(periodogram.variance() > 0.0)) {
+      result.channels[k].spectrum = channels.empty_spectrum(Dim, periodogram.step[0]);
+      return;
+    }
     SpectrumFitOptions channel = options.spectrum;
     if (options.weigh_channels) {
       const double weighted = channel.kappa * std::sqrt(strongest / variance);
       channel.kappa = std::max(channel.kappa, std::min(kLargestKappa, weighted));
     }
     SharedProgress::Channel storage;
-    result.channels[k] = variance > kNoVariance * total && periodogram.variance() > kNoVariance * total
-                             ? fit_channel(periodogram, variance, channel, shared.channel(k, storage))
-                             : empty_channel(periodogram, kNoVariance * total);
+    result.channels[k] = fit_channel(periodogram, variance, channel, shared.channel(k, storage));
   });
   for (const SpectrumFit& fit : result.channels) {
     result.model.channels.push_back(group_spectrum(fit.spectrum));

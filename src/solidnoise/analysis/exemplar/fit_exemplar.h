@@ -4,8 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "solidnoise/analysis/exemplar/color_axes.h"
-#include "solidnoise/analysis/exemplar/cross_spectra.h"
+#include "solidnoise/analysis/exemplar/exemplar_channels.h"
 #include "solidnoise/analysis/exemplar/fit_spectrum.h"
 
 namespace solidnoise {
@@ -23,13 +22,6 @@ struct ExemplarFitOptions {
   void validate() const;
 };
 
-// How much channels depend on each other in the three colour spaces (channel_dependence).
-struct ColorDependence {
-  double rgb = 0.0;
-  double pca = 0.0;
-  double independent = 0.0;
-};
-
 template <int Dim>
 struct ExemplarFit {
   ExemplarModel model;
@@ -41,10 +33,8 @@ struct ExemplarFit {
 };
 
 // A noise from exemplars (Galerne et al. 2012): their spectra in the colour space of choice, each decomposed
-// into a sparse sum of Gaussians and grouped after Wold. Gray exemplars have one channel, with the axis
-// (1, 1, 1). A channel without any variance (colours in a plane) gets a millionth of a billionth of that of
-// all. Where `progress` asks to stop, channels are kept as far as they are. Throws std::invalid_argument for
-// bad options and for exemplars that do not agree.
+// into a sparse sum of Gaussians and grouped after Wold. Where `progress` asks to stop, channels are kept as
+// far as they are. Throws std::invalid_argument for bad options and for exemplars that do not agree.
 template <int Dim>
 ExemplarFit<Dim> fit_exemplar(std::span<const Exemplar<Dim>> exemplars,
                               const ExemplarFitOptions& options = {}, Progress* progress = nullptr);
