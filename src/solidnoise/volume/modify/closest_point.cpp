@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace solidnoise {
 namespace {
@@ -17,8 +18,8 @@ Vec3d unit_or_zero(const Vec3d& vector) {
 
 }  // namespace
 
-ClosestPointFinder::ClosestPointFinder(const openvdb::FloatGrid& level_set)
-    : values_(level_set.getConstAccessor()), per_voxel_(1.0 / level_set.voxelSize().x()) {}
+ClosestPointFinder::ClosestPointFinder(const openvdb::FloatGrid& surface)
+    : values_(surface.getConstAccessor()), per_voxel_(1.0 / surface.voxelSize().x()) {}
 
 ClosestPointFinder::Guess ClosestPointFinder::guess(const Coord& voxel) const {
   Vec3d slope;
@@ -38,7 +39,7 @@ ClosestPointFinder::Foot ClosestPointFinder::find(const Coord& voxel, const Gues
   // this one settles for k from -1, the centre of a hollow, to 1.8.
   constexpr double kStep = 0.7;
   constexpr int kMostSteps = 12;
-  constexpr double kSmallEnough = 0.01;  // voxels
+  constexpr double kSmallEnough = 0.05;  // voxels
   constexpr double kOnSurface = 0.1;     // voxels, before the last projection
   constexpr double kFarthestOff = 2.0;   // voxels
   const Vec3d from = voxel.asVec3d();
@@ -74,10 +75,9 @@ ClosestPointFinder::Sample ClosestPointFinder::sample(const Vec3d& point) const 
   double block[4][4][4];
   for (int i = 0; i < 4; ++i) {
     for (int j = 0; j < 4; ++j) {
-      for (int k = 0; k < 4; ++k) {
-        const int outer = (i == 0 || i == 3) + (j == 0 || j == 3) + (k == 0 || k == 3);
-        if (outer <= 1) block[i][j][k] = values_.getValue(corner.offsetBy(i - 1, j - 1, k - 1));
-      }
+      const int outer = (i == 0 || i == 3) + (j == 0 || j == 3);
+      if (outer == 0) read_row(corner.offsetBy(i - 1, j - 1, -1), std::span(block[i][j], 4));
+      if (outer == 1) read_row(corner.offsetBy(i - 1, j - 1, 0), std::span(block[i][j] + 1, 2));
     }
   }
   double value = 0.0;
@@ -92,7 +92,22 @@ ClosestPointFinder::Sample ClosestPointFinder::sample(const Vec3d& point) const 
       }
     }
   }
-  return {per_voxel_ * value, unit_or_zero(slope)};
+  // Values that are no distances are about their slope times one.
+  constexpr double kLeastSlope = 0.5;
+  const double steepness = std::max(0.5 * per_voxel_ * slope.length(), kLeastSlope);
+  return {per_voxel_ * value / steepness, unit_or_zero(slope)};
+}
+
+void ClosestPointFinder::read_row(const Coord& first, std::span<double> row) const {
+  using Leaf = openvdb::FloatTree::LeafNodeType;
+  const auto count = static_cast<unsigned>(row.size());
+  const Leaf* const leaf = values_.probeConstLeaf(first);
+  if (leaf != nullptr && (first.z() & (Leaf::DIM - 1)) + count <= Leaf::DIM) {
+    const float* const values = leaf->buffer().data() + Leaf::coordToOffset(first);
+    for (unsigned i = 0; i < count; ++i) row[i] = values[i];
+    return;
+  }
+  for (unsigned i = 0; i < count; ++i) row[i] = values_.getValue(first.offsetBy(0, 0, static_cast<int>(i)));
 }
 
 }  // namespace solidnoise

@@ -1,20 +1,22 @@
 #pragma once
 
+#include <span>
+
 #include "solidnoise/volume/vdb/openvdb.h"
 
 namespace solidnoise {
 
-// Finds the points of a level set's surface that are closest to voxels, in index space. The level set's
-// voxels must be cubes. One per thread.
+// Finds the points of a surface that are closest to voxels, in index space: of a level set, or of the zeros
+// of a grid whose values have a slope there, of no less than a half. Voxels must be cubes. One per thread.
 class ClosestPointFinder {
  public:
-  explicit ClosestPointFinder(const openvdb::FloatGrid& level_set);
+  explicit ClosestPointFinder(const openvdb::FloatGrid& surface);
 
   struct Guess {
     openvdb::Vec3d point;   // x - phi(x) grad phi(x) / |grad phi(x)|
     double distance = 0.0;  // phi(x), voxels
   };
-  // By the values at the voxel and its six neighbours alone.
+  // By the values at the voxel and its six neighbours alone; of a level set.
   Guess guess(const openvdb::Coord& voxel) const;
 
   struct Foot {
@@ -22,17 +24,18 @@ class ClosestPointFinder {
     double distance = 0.0;  // from the voxel to it, negative inside, voxels
   };
   // Improves a guess until the way from the voxel to the point is the surface's normal there:
-  //   p <- p + d t,   t = (x - p) - ((x - p) . n) n,   p <- p - phi(p) n,
+  //   p <- p + d t,   t = (x - p) - ((x - p) . n) n,   p <- p - n phi(p) / |grad phi(p)|,
   // with phi and its gradient (central differences) interpolated trilinearly, n = grad phi / |grad phi|, and
   // d < 1. Where that leads away from the guess, the guess is what is returned.
   Foot find(const openvdb::Coord& voxel, const Guess& guess) const;
 
  private:
   struct Sample {
-    double value = 0.0;  // voxels
+    double value = 0.0;  // over the slope, voxels
     openvdb::Vec3d normal;
   };
   Sample sample(const openvdb::Vec3d& point) const;
+  void read_row(const openvdb::Coord& first, std::span<double> row) const;  // along z
 
   openvdb::FloatGrid::ConstAccessor values_;
   double per_voxel_;

@@ -1,19 +1,18 @@
 #include "solidnoise/volume/modify/displace_level_set.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <stdexcept>
 
 #include <openvdb/tools/ChangeBackground.h>
-#include <openvdb/tools/FastSweeping.h>
-#include <openvdb/tools/LevelSetTracker.h>
 #include <openvdb/tools/Morphology.h>
 #include <openvdb/tools/Prune.h>
 #include <openvdb/tree/LeafManager.h>
 
 #include "solidnoise/core/check.h"
+#include "solidnoise/volume/modify/measure_distances.h"
 #include "solidnoise/volume/modify/move_surface.h"
-#include "solidnoise/volume/topology/interrupter.h"
 
 namespace solidnoise {
 namespace {
@@ -39,30 +38,19 @@ void cut_band(FloatGrid& grid, float background) {
   openvdb::tools::pruneLevelSet(grid.tree());
 }
 
-// Distances of the band's width from the zeros of a grid that is active close to them.
-FloatGrid::Ptr measure_distances(FloatGrid::Ptr grid, float background, Progress* progress) {
-  // So many of its steps reach all that is as many voxels away: along the axes, and along diagonals further.
-  using openvdb::tools::NN_FACE_EDGE;
-  const auto steps_to = [](double voxels) { return std::max(1, static_cast<int>(std::ceil(voxels)) - 1); };
-  constexpr int kMargin = 2;  // voxels beyond the band, for what looks at neighbours
-  const float voxel = static_cast<float>(grid->voxelSize().x());
-  const float wide = background + kMargin * voxel;
-  throw_if_cancelled(progress);
-  grid = openvdb::tools::sdfToSdf(*grid);
-  throw_if_cancelled(progress);
-  grid = openvdb::tools::dilateSdf(*grid, steps_to(wide / voxel), NN_FACE_EDGE);
-  throw_if_cancelled(progress);
-  cut_band(*grid, wide);
-
-  // Fast sweeping is exact to first order; a few steps of fifth-order normalization do the rest.
-  constexpr int kSteps = 8;
-  Interrupter interrupter(progress);
-  openvdb::tools::LevelSetTracker<FloatGrid> tracker(*grid, &interrupter);
-  tracker.setNormCount(kSteps);
-  tracker.normalize();
-  throw_if_cancelled(progress);
-  cut_band(*grid, background);
-  return grid;
+// Whether a level set has nothing that cut_band would change.
+bool is_cut(const FloatGrid& grid) {
+  if (grid.tree().hasActiveTiles()) return false;
+  const float background = grid.background();
+  std::atomic<bool> cut{true};
+  openvdb::tree::LeafManager<const FloatTree> leaves(grid.tree());
+  leaves.foreach ([&](const Leaf& leaf, std::size_t) {
+    for (unsigned voxel = 0; voxel < Leaf::SIZE; ++voxel) {
+      const float size = std::abs(leaf.getValue(voxel));
+      if (leaf.isValueOn(voxel) ? !(size < background) : size != background) cut = false;
+    }
+  });
+  return cut;
 }
 
 // Puts back what was there, outside of a mask.
@@ -92,16 +80,26 @@ FloatGrid::Ptr displace_level_set(const FloatGrid& level_set, const PointField& 
     throw std::invalid_argument("the grid's class is not level set");
   }
   if (!level_set.hasUniformVoxels()) throw std::invalid_argument("the level set's voxels are not cubes");
-  const float background = level_set.background();
-  const FloatGrid::Ptr band = level_set.deepCopy();
-  cut_band(*band, background);
-
-  MovedSurface surface = move_surface(*band, noise, amount, progress);
+  FloatGrid::ConstPtr band = level_set.copy();
+  if (!is_cut(level_set)) {
+    const FloatGrid::Ptr copy = level_set.deepCopy();
+    cut_band(*copy, level_set.background());
+    band = copy;
+  }
+  constexpr double kMoved = 0.5;  // share of the time
+  PartialProgress moving(progress, 0.0, kMoved);
+  PartialProgress measuring(progress, kMoved, 1.0);
+  MovedSurface surface = move_surface(*band, noise, amount, &moving);
+  band.reset();
   if (surface.moved->empty()) return level_set.deepCopy();
-  const FloatGrid::Ptr result = measure_distances(std::move(surface.values), background, progress);
-  const int reach = static_cast<int>(std::ceil(background / level_set.voxelSize().x())) + 3;
-  openvdb::tools::dilateActiveValues(*surface.moved, reach, openvdb::tools::NN_FACE_EDGE_VERTEX,
-                                     openvdb::tools::IGNORE_TILES);
+  const FloatGrid::Ptr result = measure_distances(*surface.values, &measuring);
+  surface.values.reset();
+  const int reach = static_cast<int>(std::ceil(level_set.background() / level_set.voxelSize().x())) + 3;
+  for (int step = 0; step < reach; ++step) {
+    throw_if_cancelled(progress);
+    openvdb::tools::dilateActiveValues(*surface.moved, 1, openvdb::tools::NN_FACE_EDGE_VERTEX,
+                                       openvdb::tools::IGNORE_TILES);
+  }
   restore_outside(*result, level_set, *surface.moved);
   return result;
 }

@@ -16,13 +16,14 @@ namespace solidnoise {
 //   phi'(x) = s(x) - amount n(p(x)),
 // the same along each normal, so that detail does not smear across the band. The zeros of phi' are the moved
 // surface as long as it stays nearer to the old one than that bends (its radius of curvature) or than another
-// part of it is: further out, parts meet and merge. The band is first widened (OpenVDB's dilateSdf) to hold
-// all of the moved surface; phi' is then made a distance field anew (sdfToSdf: fast sweeping) and cut to the
-// band's width.
+// part of it is: further out, parts meet and merge. phi' is made where the moved surface is, however far
+// outside of the band; the new band's distances are those to the closest points on its zeros, normalized by
+// OpenVDB's LevelSetTracker.
 //
 // In parallel; the same to the last bit for any number of threads. Throws std::invalid_argument if the grid's
 // class is not level set, its voxels are not cubes, its background is not greater than 0 or it has no surface
-// or values that are not finite; Cancelled.
+// or values that are not finite; Cancelled. Progress is told from one thread, and is an estimate; it is asked
+// many times a second whether to stop.
 openvdb::FloatGrid::Ptr displace_level_set(const openvdb::FloatGrid& level_set, const PointField& noise,
                                            double amount, Progress* progress = nullptr);
 

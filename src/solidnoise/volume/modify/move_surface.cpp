@@ -1,17 +1,19 @@
 #include "solidnoise/volume/modify/move_surface.h"
 
 #include <algorithm>
-#include <array>
+#include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include <openvdb/tools/Morphology.h>
 #include <openvdb/tools/Prune.h>
 #include <openvdb/tree/LeafManager.h>
+#include <tbb/parallel_for.h>
 
-#include "solidnoise/volume/modify/closest_point.h"
+#include "solidnoise/volume/modify/distance_front.h"
+#include "solidnoise/volume/modify/select_voxels.h"
 
 namespace solidnoise {
 namespace {
@@ -24,28 +26,13 @@ using openvdb::Vec3d;
 using FloatLeaf = FloatTree::LeafNodeType;
 using MaskLeaf = MaskTree::LeafNodeType;
 using FloatLeaves = openvdb::tree::LeafManager<FloatTree>;
-using MaskLeaves = openvdb::tree::LeafManager<MaskTree>;
 
-constexpr std::array<std::array<int, 3>, 6> kFaces{
-    {{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}}};
+// Voxels this near to the moved surface, by phi', are always made.
+constexpr float kClose = 2.0f;
 
-Coord neighbour(const Coord& voxel, const std::array<int, 3>& face) {
-  return voxel.offsetBy(face[0], face[1], face[2]);
-}
-
-// A topology without what was switched off in it, leaf by leaf.
-template <typename Keep>
-MaskTree::Ptr select(const MaskTree& from, const Keep& keep) {
-  auto result = std::make_shared<MaskTree>(from);
-  MaskLeaves leaves(*result);
-  leaves.foreach ([&](MaskLeaf& leaf, std::size_t) {
-    const auto test = keep();
-    for (auto voxel = leaf.cbeginValueOn(); voxel; ++voxel) {
-      if (!test(voxel.getCoord())) leaf.setValueOff(voxel.pos());
-    }
-  });
-  openvdb::tools::pruneInactive(*result);
-  return result;
+// What the finding of closest points on the moved surface looks at around voxels beside it.
+void dilate_for_stencils(MaskTree& mask) {
+  openvdb::tools::dilateActiveValues(mask, 2, openvdb::tools::NN_FACE_EDGE, openvdb::tools::IGNORE_TILES);
 }
 
 class SurfaceMover {
@@ -56,38 +43,67 @@ class SurfaceMover {
         amount_(static_cast<float>(amount)),
         progress_(progress),
         voxel_(static_cast<float>(band.voxelSize().x())),
-        distances_(band.deepCopy()),
+        beyond_(FloatGrid::create(band.background())),
         result_{band.deepCopy(), std::make_shared<MaskTree>()} {
+    beyond_->setTransform(band.transform().copy());
     FloatLeaves leaves(result_.values->tree());
     leaves.foreach ([](FloatLeaf& leaf, std::size_t) { leaf.setValuesOff(); });
   }
 
   MovedSurface run() {
     const MaskTree all(band_.tree(), false, true, openvdb::TopologyCopy());
-    MaskTree::Ptr added = select(all, [&] {
+    grow(select_voxels(all, progress_, [&] {
       return [this, values = band_.getConstAccessor()](const Coord& voxel) {
         return std::abs(values.getValue(voxel)) < voxel_;
       };
-    });
-    while (!added->empty()) {
-      add(*added);
-      added = next_to(*added);
-    }
+    }));
+    complete_stencils();
     keep_close_ones();
     return result_;
   }
 
  private:
+  // Evaluates voxels, and those that they lead to.
+  void grow(MaskTree::Ptr added) {
+    while (!added->empty()) {
+      add(*added);
+      tell_progress();
+      added = next_to(*added);
+    }
+  }
+
+  // Evaluates what is around the zeros and was not on the way.
+  void complete_stencils() {
+    const MaskTree::Ptr missing = voxels_beside_zeros(*result_.values, progress_);
+    dilate_for_stencils(*missing);
+    while (true) {
+      missing->topologyDifference(result_.values->tree());
+      const MaskTree::Ptr next = select_voxels(*missing, progress_, [&] {
+        return [band = band_.getConstAccessor(), beyond = beyond_->getConstAccessor()](const Coord& voxel) {
+          const auto others = face_neighbours(voxel);
+          return band.isValueOn(voxel) || std::any_of(others.begin(), others.end(), [&](const Coord& other) {
+                   return band.isValueOn(other) || beyond.isValueOn(other);
+                 });
+        };
+      });
+      if (next->empty()) return;
+      grow(next);
+    }
+  }
+
   // Evaluates the voxels of a layer.
   void add(MaskTree& layer) {
-    distances_->tree().topologyUnion(layer);
+    MaskTree outside(layer);
+    outside.topologyDifference(band_.tree());
+    beyond_->tree().topologyUnion(outside);
     result_.values->tree().topologyUnion(layer);
     MaskTree moved(layer);
-    MaskLeaves leaves(moved);
-    std::vector<float> longest(leaves.leafCount());
-    leaves.foreach ([&](MaskLeaf& leaf, std::size_t index) {
+    std::vector<MaskLeaf*> leaves;
+    moved.getNodes(leaves);
+    std::vector<float> longest(leaves.size());
+    tbb::parallel_for(std::size_t{0}, leaves.size(), [&](std::size_t index) {
       throw_if_cancelled(progress_);
-      longest[index] = add(layer, leaf);
+      longest[index] = add(layer, *leaves[index]);
     });
     for (const float way : longest) longest_way_ = std::max(longest_way_, way);
     openvdb::tools::pruneInactive(moved);
@@ -97,26 +113,28 @@ class SurfaceMover {
   // One leaf of it; leaves those voxels on whose closest point moved. Returns the longest way of them.
   float add(const MaskTree& layer, MaskLeaf& leaf) {
     const ClosestPointFinder finder(band_);
+    const DistanceFront front({band_, band_, *beyond_, layer});
+    const auto band = band_.getConstAccessor();
+    FloatLeaf* const beyond = beyond_->tree().probeLeaf(leaf.origin());
     std::vector<Vec<3>> points;
     std::vector<float> distances;
     for (auto voxel = leaf.cbeginValueOn(); voxel; ++voxel) {
       const Coord x = voxel.getCoord();
-      const auto foot =
-          finder.find(x, band_.tree().isValueOn(x) ? finder.guess(x) : guess_from_known(layer, x));
+      const bool in_band = band.isValueOn(x);
+      const auto foot = in_band ? finder.find(x, finder.guess(x)) : front.find(x);
       const Vec3d world = band_.indexToWorld(foot.point);
       points.emplace_back(world.x(), world.y(), world.z());
       distances.push_back(static_cast<float>(foot.distance) * voxel_);
+      if (!in_band) beyond->setValueOnly(voxel.pos(), distances.back());
     }
     std::vector<float> values(points.size());
     noise_.evaluate(points, values);
 
-    FloatLeaf& known = *distances_->tree().probeLeaf(leaf.origin());
     FloatLeaf& result = *result_.values->tree().probeLeaf(leaf.origin());
     std::size_t i = 0;
     float longest = 0.0f;
     for (auto voxel = leaf.beginValueOn(); voxel; ++voxel, ++i) {
       const float way = amount_ * values[i];
-      if (!band_.tree().isValueOn(voxel.getCoord())) known.setValueOnly(voxel.pos(), distances[i]);
       result.setValueOnly(voxel.pos(), distances[i] - way);
       if (way == 0.0f) leaf.setValueOff(voxel.pos());
       longest = std::max(longest, std::abs(way));
@@ -124,56 +142,31 @@ class SurfaceMover {
     return longest;
   }
 
-  // Solves the eikonal equation |grad s| = 1 at a voxel, by the nearest known neighbour on each axis: sums of
-  // (s - s_i)^2 over the axes that make s larger than all of their s_i are 1 (Sethian 1996, the upwind scheme
-  // of fast marching).
-  ClosestPointFinder::Guess guess_from_known(const MaskTree& layer, const Coord& voxel) const {
-    const auto known = distances_->getConstAccessor();
-    const double sign = known.getValue(voxel) < 0.0f ? -1.0 : 1.0;
-    struct Axis {
-      double distance;  // voxels, positive
-      Vec3d away;       // from the neighbour
-    };
-    std::vector<Axis> axes;
-    for (std::size_t pair = 0; pair < kFaces.size(); pair += 2) {
-      std::optional<Axis> nearest;
-      for (std::size_t face = pair; face < pair + 2; ++face) {
-        const Coord next = neighbour(voxel, kFaces[face]);
-        if (!known.isValueOn(next) || (layer.isValueOn(next) && !band_.tree().isValueOn(next))) continue;
-        const double distance = std::abs(static_cast<double>(known.getValue(next))) / voxel_;
-        if (!nearest || distance < nearest->distance) nearest = {distance, (voxel - next).asVec3d()};
-      }
-      if (nearest) axes.push_back(*nearest);
-    }
-    std::sort(axes.begin(), axes.end(), [](const Axis& a, const Axis& b) { return a.distance < b.distance; });
-    double solution = 0.0;
-    Vec3d slope(0.0);
-    double sum = 0.0;
-    double squares = 0.0;
-    for (std::size_t count = 1; count <= axes.size(); ++count) {
-      if (count > 1 && axes[count - 1].distance >= solution) break;
-      sum += axes[count - 1].distance;
-      squares += axes[count - 1].distance * axes[count - 1].distance;
-      const double n = static_cast<double>(count);
-      solution = (sum + std::sqrt(std::max(0.0, sum * sum - n * (squares - 1.0)))) / n;
-      slope = Vec3d(0.0);
-      for (std::size_t i = 0; i < count; ++i) slope += (solution - axes[i].distance) * axes[i].away;
-    }
-    return {voxel.asVec3d() - solution * slope.unitSafe(), sign * solution};
+  // The layers that are to come are those of the longest way so far, and fewer and fewer voxels go so far.
+  void tell_progress() {
+    ++layers_;
+    if (progress_ == nullptr) return;
+    const double most = layers_ + kClose + longest_way_ / voxel_;
+    const double left = 1.0 - layers_ / most;
+    constexpr double kUnits = 1000.0;
+    progress_->advance(static_cast<std::uint64_t>(kUnits * (1.0 - left * left)),
+                       static_cast<std::uint64_t>(kUnits));
   }
 
   // What comes after a layer: the neighbours of its voxels that are close to the moved surface or on the way
   // to it, which is where they are on another side than their neighbours were.
   MaskTree::Ptr next_to(const MaskTree& layer) {
-    const MaskTree::Ptr next = select(layer, [&] {
-      return [this, values = result_.values->getConstAccessor(),
-              distances = distances_->getConstAccessor()](const Coord& voxel) {
+    const MaskTree::Ptr next = select_voxels(layer, progress_, [&] {
+      return [this, values = result_.values->getConstAccessor(), band = band_.getConstAccessor(),
+              beyond = beyond_->getConstAccessor()](const Coord& voxel) {
         const float value = values.getValue(voxel);
         if (std::abs(value) < kClose * voxel_) return true;
-        if (std::abs(distances.getValue(voxel)) > longest_way_ + kClose * voxel_) return false;
-        return std::any_of(kFaces.begin(), kFaces.end(), [&](const auto& face) {
-          const Coord other = neighbour(voxel, face);
-          return !values.isValueOn(other) && (distances.getValue(other) < 0.0f) != (value < 0.0f);
+        float distance = 0.0f;
+        if (!band.probeValue(voxel, distance)) distance = beyond.getValue(voxel);
+        if (std::abs(distance) > longest_way_ + kClose * voxel_) return false;
+        const auto others = face_neighbours(voxel);
+        return std::any_of(others.begin(), others.end(), [&](const Coord& other) {
+          return !values.isValueOn(other) && (band.getValue(other) < 0.0f) != (value < 0.0f);
         });
       };
     });
@@ -186,40 +179,29 @@ class SurfaceMover {
   // Switches off voxels that were on the way only.
   void keep_close_ones() {
     FloatGrid& grid = *result_.values;
-    const MaskTree all(grid.tree(), false, true, openvdb::TopologyCopy());
-    const MaskTree::Ptr close = select(all, [&] {
-      return [this, values = grid.getConstAccessor()](const Coord& voxel) {
-        const float value = values.getValue(voxel);
-        if (std::abs(value) < kClose * voxel_) return true;
-        return std::any_of(kFaces.begin(), kFaces.end(), [&](const auto& face) {
-          const Coord other = neighbour(voxel, face);
-          return values.isValueOn(other) && (values.getValue(other) < 0.0f) != (value < 0.0f);
-        });
-      };
-    });
+    const MaskTree::Ptr close = voxels_beside_zeros(grid, progress_);
+    dilate_for_stencils(*close);
     const float background = grid.background();
     FloatLeaves leaves(grid.tree());
     leaves.foreach ([&](FloatLeaf& leaf, std::size_t) {
       const MaskLeaf* const kept = close->probeConstLeaf(leaf.origin());
       for (unsigned voxel = 0; voxel < FloatLeaf::SIZE; ++voxel) {
-        if (kept != nullptr && kept->isValueOn(voxel)) continue;
+        if (kept != nullptr && kept->isValueOn(voxel) && leaf.isValueOn(voxel)) continue;
         leaf.setValueOff(voxel, std::copysign(background, leaf.getValue(voxel)));
       }
     });
     openvdb::tools::pruneLevelSet(grid.tree());
   }
 
-  // Voxels this near to the moved surface, by phi', are always made.
-  static constexpr float kClose = 2.0f;
-
   const FloatGrid& band_;
   const PointField& noise_;
   const float amount_;
   Progress* const progress_;
   const float voxel_;
-  FloatGrid::Ptr distances_;  // active where they are known
+  FloatGrid::Ptr beyond_;  // distances where the band is not
   MovedSurface result_;
   float longest_way_ = 0.0f;
+  int layers_ = 0;
 };
 
 }  // namespace

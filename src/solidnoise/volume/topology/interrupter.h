@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
+
 #include <openvdb/util/NullInterrupter.h>
 
 #include "solidnoise/core/progress.h"
@@ -7,14 +10,20 @@
 namespace solidnoise {
 
 // Lets OpenVDB's tools be cancelled: they ask this now and then, and then return early, with a grid that
-// means nothing. Ask the Progress again afterwards.
+// means nothing. Ask the Progress again afterwards. Where it is known how often they begin something, progress
+// counts that.
 class Interrupter final : public openvdb::util::NullInterrupter {
  public:
-  explicit Interrupter(Progress* progress) : progress_(progress) {}
+  explicit Interrupter(Progress* progress, std::uint64_t steps = 0) : progress_(progress), steps_(steps) {}
+  void start(const char* = nullptr) override {
+    if (progress_ != nullptr && steps_ > 0) progress_->advance(std::min(begun_++, steps_), steps_);
+  }
   bool wasInterrupted(int = -1) override { return progress_ != nullptr && progress_->cancelled(); }
 
  private:
   Progress* progress_;
+  std::uint64_t steps_;
+  std::uint64_t begun_ = 0;
 };
 
 }  // namespace solidnoise
