@@ -1,0 +1,169 @@
+#include "solidnoise/analysis/exemplar/exemplar.h"
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "solidnoise/analysis/exemplar/fit_exemplar.h"
+#include "solidnoise/analysis/exemplar/gaussian_field.h"
+#include "solidnoise/analysis/exemplar/gaussianity.h"
+#include "solidnoise/core/random.h"
+#include "solidnoise/image/color.h"
+#include "solidnoise/image/image_file.h"
+#include "support/message_of.h"
+#include "support/temporary_folder.h"
+
+namespace solidnoise {
+namespace {
+
+Image random_image(int width, int height, int channels) {
+  Image image(width, height, channels);
+  RandomStream stream(4);
+  for (float& value : image.pixels) value = static_cast<float>(stream.next_unit());
+  return image;
+}
+
+std::string refusal(const Image& image) {
+  return message_of<std::invalid_argument>([&] { exemplar_of_image(image, {}, "it"); });
+}
+
+TEST(Exemplar, IsThePictureInLinearLightWithYUp) {
+  const Image image = random_image(20, 17, 3);
+  const Exemplar<2> exemplar = exemplar_of_image(image, {.pixel_size = 0.5}, "it");
+  ASSERT_EQ(exemplar.channels.size(), 3u);
+  EXPECT_EQ(exemplar.shape().count, glm::ivec2(20, 17));
+  EXPECT_EQ(exemplar.shape().step, Vec<2>(0.5));
+  // Pixel (3, 2) from the top is sample (3, 14) from the bottom.
+  EXPECT_EQ(exemplar.channels[1].values[3 * 17 + 14], linear_from_srgb(image.at(3, 2, 1)));
+  const Exemplar<2> raw = exemplar_of_image(image, {.raw_values = true}, "it");
+  EXPECT_EQ(raw.channels[1].values[3 * 17 + 14], image.at(3, 2, 1));
+  EXPECT_EQ(image_of_exemplar(raw).pixels, image.pixels);
+}
+
+TEST(Exemplar, OfEqualChannelsIsGray) {
+  Image image = random_image(16, 16, 3);
+  for (int i = 0; i < 256; ++i) {
+    for (int c = 1; c < 3; ++c) image.at(i % 16, i / 16, c) = image.at(i % 16, i / 16, 0);
+  }
+  EXPECT_EQ(exemplar_of_image(image, {}, "it").channels.size(), 1u);
+}
+
+TEST(Exemplar, MayHaveAnAlphaChannelThatIsOne) {
+  Image image = random_image(16, 16, 4);
+  for (int i = 0; i < 256; ++i) image.at(i % 16, i / 16, 3) = 1.0f;
+  EXPECT_EQ(exemplar_of_image(image, {}, "it").channels.size(), 3u);
+  image.at(5, 6, 3) = 0.5f;
+  EXPECT_NE(refusal(image).find("it: has an alpha channel, which is 0.5 at (5, 6)"), std::string::npos);
+}
+
+TEST(Exemplar, RefusesWhatHoldsNoTexture) {
+  EXPECT_NE(refusal(random_image(15, 40, 1)).find("15 samples along an axis"), std::string::npos);
+  EXPECT_NE(refusal(Image(32, 32, 3)).find("is constant"), std::string::npos);
+  EXPECT_NE(refusal(random_image(32, 32, 5)).find("5 channels"), std::string::npos);
+  Image image = random_image(32, 32, 1);
+  image.at(3, 3) = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_NE(refusal(image).find("not finite"), std::string::npos);
+}
+
+TEST(Exemplar, IsReadFromFiles) {
+  const TemporaryFolder folder;
+  const Image image = random_image(24, 18, 3);
+  write_image(folder / "a.png", image, {.sample_type = SampleType::uint16});
+  const Exemplar<2> decoded = read_exemplar(folder / "a.png");
+  EXPECT_NEAR(decoded.channels[0].values[17], linear_from_srgb(image.at(0, 0, 0)), 1e-4);
+  write_image(folder / "a.exr", image, {.color_space = ColorSpace::linear});
+  EXPECT_EQ(read_exemplar(folder / "a.exr").channels[0].values[17], image.at(0, 0, 0));  // is linear
+  EXPECT_THROW(read_exemplar(folder / "none.png"), std::runtime_error);
+}
+
+// Odd and oblong exemplars are cut to 60 x 36; the model's channels have the samples' variances.
+TEST(FitExemplar, MakesAModelOfAnyShape) {
+  const Exemplar<2> exemplar = exemplar_of_image(random_image(61, 37, 3), {}, "it");
+  const ExemplarFit<2> fit = fit_exemplar<2>(std::vector{exemplar});
+  EXPECT_EQ(fit.count, glm::ivec2(60, 36));
+  ASSERT_EQ(fit.model.channels.size(), 3u);
+  EXPECT_NO_THROW(fit.model.validate());
+  ASSERT_TRUE(fit.dependence);
+  EXPECT_LE(fit.dependence->independent, fit.dependence->pca * (1.0 + 1e-9));
+  // The sum of the channels' variances is the trace of the covariance in any orthonormal axes.
+  const CrossSpectra<2> spectra = cross_spectra<2>(std::vector{exemplar});
+  double total = 0.0;
+  for (const GaborSpectrum& channel : fit.model.channels) total += channel.variance();
+  EXPECT_NEAR(total, spectra.covariance[0] + spectra.covariance[4] + spectra.covariance[8], 1e-6);
+}
+
+// Colours along one line: two channels hold nothing.
+TEST(FitExemplar, ToleratesChannelsWithoutAnything) {
+  Image image = random_image(32, 32, 3);
+  for (int i = 0; i < 1024; ++i) {
+    const float value = image.at(i % 32, i / 32, 0);
+    image.at(i % 32, i / 32, 1) = 0.25f + 0.5f * value;
+    image.at(i % 32, i / 32, 2) = 0.5f;
+  }
+  const ExemplarFit<2> fit =
+      fit_exemplar<2>(std::vector{exemplar_of_image(image, {.raw_values = true}, "it")});
+  EXPECT_NO_THROW(fit.model.validate());
+  EXPECT_LT(fit.model.channels[2].variance(), 1e-10 * fit.model.channels[0].variance());
+}
+
+struct StoppedAtOnce final : Progress {
+  void advance(std::uint64_t, std::uint64_t) override {}
+  bool cancelled() override { return true; }
+};
+
+TEST(FitExemplar, KeepsWhatItHasWhenItIsStopped) {
+  StoppedAtOnce stop;
+  const ExemplarFit<2> fit =
+      fit_exemplar<2>(std::vector{exemplar_of_image(random_image(32, 32, 3), {}, "it")}, {}, &stop);
+  EXPECT_TRUE(fit.interrupted);
+  EXPECT_NO_THROW(fit.model.validate());
+}
+
+DenseField<2> low_pass_field(std::uint64_t seed) {
+  PowerSpectrum<2> density;
+  density.count = glm::ivec2(96, 80);
+  density.density.resize(96 * 80);
+  for (std::size_t i = 0; i < density.density.size(); ++i) {
+    const Vec<2> f = density.frequency(i);
+    density.density[i] = std::exp(-(f.x * f.x + f.y * f.y) / 0.02);
+  }
+  return gaussian_field(density, seed);
+}
+
+// Of a Gaussian texture the report's numbers are scatter: 8 of them without a warning, where one by chance is
+// a matter of more than 5 deviations.
+TEST(Gaussianity, AcceptsGaussianTextures) {
+  for (std::uint64_t seed = 0; seed < 8; ++seed) {
+    const GaussianityReport report = test_gaussianity(low_pass_field(seed));
+    EXPECT_TRUE(report.warnings.empty());
+    EXPECT_LT(std::abs(report.structure), 0.5);
+  }
+}
+
+TEST(Gaussianity, WarnsOfBricksAndOfLopsidedValues) {
+  DenseField<2> bricks(glm::ivec2(96), Vec<2>(1.0));
+  RandomStream stream(2);
+  for (int x = 0; x < 96; ++x) {
+    for (int y = 0; y < 96; ++y) {
+      const int shifted = (x + (y / 8 % 2) * 8) % 16;
+      const bool mortar = shifted == 0 || y % 8 == 0;
+      bricks.values[static_cast<std::size_t>(96 * x + y)] =
+          static_cast<float>((mortar ? 1.0 : 0.2) + 0.05 * stream.next_unit());
+    }
+  }
+  const GaussianityReport structured = test_gaussianity(bricks);
+  EXPECT_FALSE(structured.warnings.empty());
+  EXPECT_GT(std::abs(structured.structure), 1.0);
+
+  DenseField<2> exponential = low_pass_field(1);
+  for (float& value : exponential.values) value = std::exp(20.0f * value);
+  const GaussianityReport lopsided = test_gaussianity(exponential);
+  EXPECT_GT(lopsided.skewness, 1.0);
+  EXPECT_FALSE(lopsided.warnings.empty());
+}
+
+}  // namespace
+}  // namespace solidnoise

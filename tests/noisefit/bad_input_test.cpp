@@ -1,0 +1,96 @@
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "noisefit/run_noisefit.h"
+#include "support/temporary_folder.h"
+#include "tools/refusal.h"
+
+namespace solidnoise {
+namespace {
+
+const std::vector<Refusal> kRefusals = {
+    {"NoArguments", 2, {}, {"an exemplar or a command is missing"}},
+    {"NoOutput", 2, {"in.png"}, {"--out is missing"}},
+    {"NoSuchFile", 1, {"none.png", "--out", "x.json"}, {"none.png"}},
+    {"NotAPicture", 1, {"text.png", "--out", "x.json"}, {"text.png"}},
+    {"TooSmall", 1, {"small.png", "--out", "x.json"}, {"small.png", "12 samples", "at least 16"}},
+    {"Constant", 1, {"constant.png", "--out", "x.json"}, {"constant.png", "is constant"}},
+    {"Transparent", 1, {"alpha.png", "--out", "x.json"}, {"alpha.png", "alpha channel", "flatten"}},
+    {"NotFinite", 1, {"nan.exr", "--out", "x.json"}, {"nan.exr", "not finite"}},
+    {"KappaZero", 2, {"in.png", "--out", "x.json", "--kappa", "0"}, {"--kappa is 0"}},
+    {"KappaWord", 2, {"in.png", "--out", "x.json", "--kappa", "some"}, {"--kappa", "some"}},
+    {"PixelSize", 2, {"in.png", "--out", "x.json", "--pixel-size", "-1"}, {"--pixel-size is -1"}},
+    {"Patch", 2, {"in.png", "--out", "x.json", "--patch", "4"}, {"--patch is 4", "16"}},
+    {"Exists", 1, {"in.png", "--out", "model.json"}, {"model.json exists", "--force"}},
+    {"OneOutputTwice", 2, {"in.png", "--out", "x.json", "--preview", "x.json"}, {"two outputs"}},
+};
+
+const std::vector<Refusal> kEditRefusals = {
+    {"NothingToDo", 2, {"edit", "model.json", "--out", "x.json"}, {"nothing to do"}},
+    {"NoOutput", 2, {"edit", "model.json", "--rotate", "3"}, {"--out is missing"}},
+    {"NoGroup",
+     2,
+     {"edit", "model.json", "--out", "x.json", "--rotate", "3", "--group", "no"},
+     {"no group no"}},
+    {"NoChannel",
+     2,
+     {"edit", "model.json", "--out", "x.json", "--rotate", "3", "--channel", "4"},
+     {"--channel is 4"}},
+    {"NegativeScale", 2, {"edit", "model.json", "--out", "x.json", "--scale", "-2"}, {"scale is -2"}},
+    {"Negative",
+     1,
+     {"edit", "negative.json", "--out", "x.json", "--scale", "2"},
+     {"negative.json", "variance"}},
+    {"Version",
+     1,
+     {"edit", "version.json", "--out", "x.json", "--scale", "2"},
+     {"version.json", "solidnoise"}},
+};
+
+class NoisefitRefuses : public testing::Test {
+ protected:
+  void SetUp() override {
+    write_image(folder_ / "in.png", wavy_picture(32, 32));
+    write_image(folder_ / "small.png", wavy_picture(32, 12));
+    write_image(folder_ / "constant.png", Image(32, 32, 3));
+    write_image(folder_ / "alpha.png", wavy_picture(32, 32, 4));
+    Image broken = wavy_picture(32, 32);
+    broken.at(4, 4) = std::nanf("");
+    write_image(folder_ / "nan.exr", broken, {.color_space = ColorSpace::linear});
+    folder_.write("text.png", "no picture");
+    const std::string model =
+        "\"exemplar\": {\"raw_values\": false, \"mean\": [0, 0, 0], \"channels\": [{\"axis\": [1, 1, 1], "
+        "\"dimensions\": 2, \"isotropic\": false, \"groups\": [\"all\"], \"bands\": [{\"a\": 0.1, "
+        "\"components\": "
+        "[[0.1, 0.1, ";
+    const std::string end = ", 0]]}]}]}}";
+    folder_.write("model.json", "{\"solidnoise\": 1, \"algorithm\": 1, " + model + "1" + end);
+    folder_.write("negative.json", "{\"solidnoise\": 1, \"algorithm\": 1, " + model + "-1" + end);
+    folder_.write("version.json", "{\"solidnoise\": 99, \"algorithm\": 1, " + model + "1" + end);
+    files_ = folder_.names();
+  }
+
+  void refuse(const std::vector<Refusal>& refusals, const std::string& command) {
+    for (const Refusal& refusal : refusals) {
+      SCOPED_TRACE(refusal.name);
+      expect_refusal(run_noisefit(refusal.arguments, {.folder = folder_.path()}), refusal, command);
+      EXPECT_EQ(folder_.names(), files_);
+    }
+  }
+
+  TemporaryFolder folder_;
+  std::set<std::string> files_;
+};
+
+TEST_F(NoisefitRefuses, BadExemplarsAndFlags) {
+  refuse(kRefusals, "noisefit");
+}
+
+TEST_F(NoisefitRefuses, BadFilesAndEdits) {
+  refuse(kEditRefusals, "noisefit edit");
+}
+
+}  // namespace
+}  // namespace solidnoise
