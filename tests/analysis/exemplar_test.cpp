@@ -1,5 +1,6 @@
 #include "solidnoise/analysis/exemplar/exemplar.h"
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -79,7 +80,8 @@ TEST(Exemplar, IsReadFromFiles) {
   EXPECT_THROW(read_exemplar(folder / "none.png"), std::runtime_error);
 }
 
-// Odd and oblong exemplars are cut to 60 x 36; the model's channels have the samples' variances.
+// Odd and oblong exemplars are cut to 60 x 36; the model's channels have the periodograms'
+// variances.
 TEST(FitExemplar, MakesAModelOfAnyShape) {
   const Exemplar<2> exemplar = exemplar_of_image(random_image(61, 37, 3), {}, "it");
   const ExemplarFit<2> fit = fit_exemplar<2>(std::vector{exemplar});
@@ -88,11 +90,15 @@ TEST(FitExemplar, MakesAModelOfAnyShape) {
   EXPECT_NO_THROW(fit.model.validate());
   ASSERT_TRUE(fit.dependence);
   EXPECT_LE(fit.dependence->independent, fit.dependence->pca * (1.0 + 1e-9));
-  // The sum of the channels' variances is the trace of the covariance in any orthonormal axes.
+  // The sum of the channels' variances is the same along any orthonormal axes.
   const CrossSpectra<2> spectra = cross_spectra<2>(std::vector{exemplar});
   double total = 0.0;
   for (const GaborSpectrum& channel : fit.model.channels) total += channel.variance();
-  EXPECT_NEAR(total, spectra.covariance[0] + spectra.covariance[4] + spectra.covariance[8], 1e-6);
+  double expected = 0.0;
+  for (const std::array<double, 3>& axis : {std::array{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}) {
+    expected += spectra.spectrum(axis).variance();
+  }
+  EXPECT_NEAR(total, expected, 1e-6);
 }
 
 // Colours along one line: two channels hold nothing.

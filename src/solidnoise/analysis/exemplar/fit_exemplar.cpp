@@ -15,8 +15,8 @@
 namespace solidnoise {
 namespace {
 
-constexpr double kLargestKappa = 0.25;  // of a weak channel
-constexpr double kNoVariance = 1e-15;   // of that of all channels
+constexpr double kLargestKappa = 1.0 / 64.0;  // of a weak channel
+constexpr double kNoVariance = 1e-15;         // of that of all channels
 
 // The channels' progress as that of one task.
 class SharedProgress {
@@ -89,14 +89,14 @@ ExemplarFit<Dim> fit_exemplar(std::span<const Exemplar<Dim>> exemplars, const Ex
   SharedProgress shared(progress, result.channels.size());
   tbb::parallel_for(std::size_t(0), result.channels.size(), [&](std::size_t k) {
     const PowerSpectrum<Dim> periodogram = spectra.spectrum(channels.directions[k]);
-    const double variance = channels.variances[k];
-    if (channels.is_empty(k) || !(periodogram.variance() > 0.0)) {
+    const double variance = periodogram.variance();
+    if (channels.is_empty(k) || !(variance > 0.0)) {
       result.channels[k].spectrum = channels.empty_spectrum(Dim, periodogram.step[0]);
       return;
     }
     SpectrumFitOptions channel = options.spectrum;
     if (options.weigh_channels) {
-      const double weighted = channel.kappa * std::sqrt(strongest / variance);
+      const double weighted = channel.kappa * std::sqrt(strongest / channels.variances[k]);
       channel.kappa = std::max(channel.kappa, std::min(kLargestKappa, weighted));
     }
     SharedProgress::Channel storage;

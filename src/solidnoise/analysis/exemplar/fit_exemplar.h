@@ -12,8 +12,8 @@ namespace solidnoise {
 struct ExemplarFitOptions {
   SpectrumFitOptions spectrum;
   ColorAxes axes = ColorAxes::independent;
-  // Gives weaker channels a larger kappa, in proportion to the deviation of the strongest, up to 1/4: what is
-  // hardly seen needs fewer components. Otherwise (the paper) all have spectrum.kappa.
+  // Gives weaker channels a larger kappa, in proportion to the deviation of the strongest, up to 1/64: what
+  // is hardly seen needs fewer components. Otherwise (the paper) all have spectrum.kappa.
   bool weigh_channels = true;
   int patch = 0;            // samples; 0: as large as the smallest exemplar
   bool raw_values = false;  // only noted in the model: values are not linear light
@@ -33,8 +33,10 @@ struct ExemplarFit {
 };
 
 // A noise from exemplars (Galerne et al. 2012): their spectra in the colour space of choice, each decomposed
-// into a sparse sum of Gaussians and grouped after Wold. Where `progress` asks to stop, channels are kept as
-// far as they are. Throws std::invalid_argument for bad options and for exemplars that do not agree.
+// into a sparse sum of Gaussians and grouped after Wold. A channel has the variance of
+// its periodogram, that of the exemplar without the trend from border to border. Where `progress` asks to
+// stop, channels are kept as far as they are. Throws std::invalid_argument for bad options and for exemplars
+// that do not agree.
 template <int Dim>
 ExemplarFit<Dim> fit_exemplar(std::span<const Exemplar<Dim>> exemplars,
                               const ExemplarFitOptions& options = {}, Progress* progress = nullptr);

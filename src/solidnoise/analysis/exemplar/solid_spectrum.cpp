@@ -223,7 +223,8 @@ SolidExemplarFit fit_solid_exemplar(std::span<const Exemplar<2>> exemplars, Colo
       fit.spectrum = channels.empty_spectrum(3, spectra.step.x);
       fit.spectrum.isotropic = true;
     } else {
-      fit = fit_solid_spectrum(spectra.spectrum(channels.directions[k]), channels.variances[k], kappa);
+      const PowerSpectrum<2> periodogram = spectra.spectrum(channels.directions[k]);
+      fit = fit_solid_spectrum(periodogram, periodogram.variance(), kappa);
     }
     result.model.channels.push_back(fit.spectrum);
   }
