@@ -10,6 +10,7 @@
 
 #include "solidnoise/image/color_ramp.h"
 #include "support/message_of.h"
+#include "support/spectra.h"
 #include "support/surfaces.h"
 
 namespace solidnoise {
@@ -56,6 +57,39 @@ TEST(BakeMesh, ColorsAreTheRampsAtTheValues) {
     const Color color = ramp.srgb(static_cast<float>(0.5 + 1.5 * value / 5.0));
     EXPECT_EQ(baked.mesh.property("green")->values[i], std::round(255.0 * color.g));
   }
+}
+
+// Two channels' colours along axes of their own, whose standard deviations follow from the spectra, around a
+// mean; the third channel along an axis of length 0.
+TEST(BakeMesh, ByExampleHasTheColorsOfTheExemplar) {
+  BakeRecipe recipe;
+  recipe.noise.kind = SurfaceNoiseKind::spectrum;
+  GaborSpectrum spectrum = some_spectrum(2).model.channels[0];
+  for (SpectrumComponent& component : spectrum.bands[0].components) component.variance *= 0.01;
+  spectrum.bands[1].components[0].variance *= 0.01;
+  recipe.noise.exemplar.channels = {spectrum, spectrum, spectrum};
+  recipe.noise.exemplar.axes = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.5}, {0.0, 0.0, 0.0}};
+  recipe.noise.exemplar.mean = {0.5, 0.4, 0.3};
+  recipe.frequency = ParameterRange{40.0, 40.0};
+  recipe.ramp = kExemplarRamp;
+  const BakedMesh baked = bake_all(torus_mesh(1.0, 0.4, {.n = 60}), recipe);
+  const double count = static_cast<double>(baked.colors.size());
+  const auto covariance = [&](int a, int b) {
+    double sum = 0.0;
+    for (const Color& color : baked.colors) {
+      sum += (color[a] - recipe.noise.exemplar.mean[a]) * (color[b] - recipe.noise.exemplar.mean[b]);
+    }
+    return sum / count;
+  };
+  // Vertices are a wavelength and more apart: samples about independent; 5 standard errors of a variance, of
+  // sqrt(2.5 / count), and of a product of independent numbers, of sqrt(1 / count).
+  const double tolerance = 5.0 * std::sqrt(2.5 / count);
+  EXPECT_NEAR(covariance(0, 0) / 0.01, 1.0, tolerance);
+  EXPECT_NEAR(covariance(1, 1) / 0.01, 1.0, tolerance);
+  EXPECT_NEAR(covariance(1, 2) / 0.01, 0.5, tolerance);
+  EXPECT_NEAR(covariance(0, 1) / 0.01, 0.0, tolerance);
+  const double first = baked.mesh.property("noise")->values[7];
+  EXPECT_NEAR(baked.colors[7].x, 0.5 + 0.1 * first, 1e-5);
 }
 
 TEST(BakeMesh, RangesFollowWhatTheyAreToldTo) {

@@ -14,13 +14,14 @@
 #include "solidnoise/noise/gradient/gradient_noise.h"
 #include "solidnoise/noise/noise_recipe.h"
 #include "support/message_of.h"
+#include "support/spectra.h"
 
 namespace solidnoise {
 namespace {
 
-constexpr SurfaceNoiseKind kKinds[] = {SurfaceNoiseKind::surface, SurfaceNoiseKind::oriented,
-                                       SurfaceNoiseKind::solid, SurfaceNoiseKind::kensler,
-                                       SurfaceNoiseKind::kensler_solid};
+constexpr SurfaceNoiseKind kKinds[] = {SurfaceNoiseKind::surface,       SurfaceNoiseKind::oriented,
+                                       SurfaceNoiseKind::solid,         SurfaceNoiseKind::kensler,
+                                       SurfaceNoiseKind::kensler_solid, SurfaceNoiseKind::spectrum};
 
 // Points spread evenly over a sphere, whose normals they are.
 struct Sphere {
@@ -56,6 +57,7 @@ SurfaceNoiseRecipe recipe_of(SurfaceNoiseKind kind, int octaves = 1) {
   recipe.kind = kind;
   recipe.fractal.octaves = octaves;
   recipe.seed = 3;
+  if (kind == SurfaceNoiseKind::spectrum) recipe.exemplar = some_spectrum(2).model;
   return recipe;
 }
 
@@ -71,6 +73,22 @@ TEST(BakeNoise, SolidNoiseIsTheFieldThatVolumesHave) {
     float value = 0.0f;
     noise->evaluate(voxel, {.values = std::span(&value, 1)});
     // Positions are rounded to 2^-24 of 4 units here and to 2^-20 of a cell there: some 1e-6 of a wavelength.
+    EXPECT_NEAR(baked[i], value, 2e-4);
+  }
+}
+
+TEST(BakeNoise, ByAnExampleInSpaceIsTheFieldThatVolumesHave) {
+  const Sphere sphere(500);
+  SurfaceNoiseRecipe recipe = recipe_of(SurfaceNoiseKind::spectrum);
+  recipe.exemplar = some_spectrum(3).model;
+  EXPECT_FALSE(has_direction(recipe));
+  const auto baked = bake_noise(recipe, sphere.vertices(2.0));
+  const SpectrumNoise<3> noise({.model = recipe.exemplar, .frequency = 2.0, .seed = 3});
+  for (std::size_t i = 0; i < baked.size(); ++i) {
+    Lattice<3> voxel;
+    voxel.origin = sphere.positions[i];
+    float value = 0.0f;
+    noise.evaluate(voxel, {.values = std::span(&value, 1)});
     EXPECT_NEAR(baked[i], value, 2e-4);
   }
 }

@@ -9,6 +9,7 @@
 
 #include "solidnoise/mesh/bake_recipe_json.h"
 #include "support/message_of.h"
+#include "support/spectra.h"
 
 namespace solidnoise {
 namespace {
@@ -41,8 +42,28 @@ BakeRecipe unusual_recipe() {
   return recipe;
 }
 
+BakeRecipe recipe_by_example() {
+  BakeRecipe recipe;
+  recipe.noise.kind = SurfaceNoiseKind::spectrum;
+  recipe.noise.exemplar = some_spectrum(2).model;
+  recipe.ramp = kExemplarRamp;
+  return recipe;
+}
+
+TEST(BakeRecipe, OnlyANoiseByExampleHasItsColors) {
+  EXPECT_NO_THROW(recipe_by_example().validate());
+  BakeRecipe recipe;
+  recipe.ramp = kExemplarRamp;
+  EXPECT_EQ(message_of<std::invalid_argument>([&] { recipe.validate(); }),
+            "ramp is exemplar; only a noise by example has such colours");
+  recipe = recipe_by_example();
+  recipe.frequency = ParameterRange{1.0, 2.0};
+  EXPECT_EQ(message_of<std::invalid_argument>([&] { recipe.validate(); }),
+            "frequency is 1..2; this noise has one frequency for all vertices");
+}
+
 TEST(BakeRecipe, ComesBackFromJsonAsItWas) {
-  for (const BakeRecipe& recipe : {BakeRecipe{}, unusual_recipe()}) {
+  for (const BakeRecipe& recipe : {BakeRecipe{}, unusual_recipe(), recipe_by_example()}) {
     EXPECT_EQ(bake_recipe_from_json(parse_json(format_json(to_json(recipe)))), recipe);
   }
 }

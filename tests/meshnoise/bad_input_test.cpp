@@ -31,6 +31,8 @@ void write_bad_files(const TemporaryFolder& folder) {
   folder.write("range.json", R"({"solidnoise": 1, "bandwidth": -1})");
   folder.write("unknown.json", R"({"solidnoise": 1, "surfaces": {}})");
   folder.write("heat.json", R"({"solidnoise": 1, "bias": [0, 1], "by": {"attribute": "heat"}})");
+  folder.write("example.json", R"({"solidnoise": 1, "exemplar": {"channels": [{"bands": [{"a": 0.1,
+               "components": [[0.2, 0, 3, 0]]}]}]}})");
   std::filesystem::create_directory(folder.path() / "folder.ply");
 }
 
@@ -130,6 +132,18 @@ const Refusal kUsage[] = {
      2,
      {"--out", "x.ply", "--refine", "1", "--refine-shape", "round"},
      {"--refine-shape is round", "edges", "smooth"}},
+    {"ExampleIsMissing", 1, {"--out", "x.ply", "--noise", "none.json"}, {"none.json", "No such file"}},
+    {"ExampleIsARecipe", 1, {"--out", "x.ply", "--noise", "heat.json"}, {"heat.json", "exemplar is missing"}},
+    {"ExampleIsBroken", 1, {"--out", "x.ply", "--noise", "broken.json"}, {"broken.json", "line 2"}},
+    {"ExampleWithABandwidth",
+     2,
+     {"--out", "x.ply", "--noise", "example.json", "--bandwidth", "2"},
+     {"--bandwidth does not apply", "spectrum"}},
+    {"ExampleWithARange",
+     2,
+     {"--out", "x.ply", "--noise", "example.json", "--frequency", "2..4"},
+     {"--frequency is 2..4", "one frequency for all vertices"}},
+    {"ColorsOfNoExample", 2, {"--out", "x.ply", "--ramp", "exemplar"}, {"--ramp is exemplar", "by example"}},
     {"SolidLayer", 2, {"--out", "x.ply", "--noise", "solid", "--layer", "0.5"}, {"--layer", "surface"}},
     {"KeepWeightOfNone",
      2,

@@ -26,6 +26,8 @@ TEST_P(BadInput, IsRefusedInOneLineAndLeavesNothing) {
   folder.write("broken.json", "{\"solidnoise\": 1, \n\"noise\": }");
   folder.write("bandwidth.json", R"({"solidnoise": 1, "noise": {"type": "gabor", "bandwidth": -1}})");
   folder.write("unknown.json", R"({"solidnoise": 1, "nose": {}})");
+  folder.write("flat.json", R"({"solidnoise": 1, "exemplar": {"channels": [{"bands": [{"a": 0.1,
+               "components": [[0.2, 0, 3, 0]]}]}]}})");
   folder.write("future.json", R"({"solidnoise": 99})");
   std::filesystem::create_directory(folder.path() / "folder.vdb");
   const std::set<std::string> before = folder.names();
@@ -91,6 +93,13 @@ const Refusal kRefusals[] = {
      2,
      {"--out", "x.vdb", "--noise", "perlin"},
      {"--noise is perlin", "gabor, gabor-oriented, kensler"}},
+    {"FlatExample", 2, {"--out", "x.vdb", "--noise", "flat.json"}, {"of 2 dimensions", "of 3"}},
+    {"ExampleIsMissing", 1, {"--out", "x.vdb", "--noise", "none.json"}, {"none.json", "No such file"}},
+    {"ExampleIsARecipe", 1, {"--out", "x.vdb", "--noise", "bandwidth.json"}, {"exemplar is missing"}},
+    {"ExampleWithABandwidth",
+     2,
+     {"--out", "x.vdb", "--noise", "flat.json", "--bandwidth", "2"},
+     {"--bandwidth does not apply to --noise spectrum"}},
     {"Codec", 2, {"--out", "x.vdb", "--codec", "rar"}, {"--codec is rar", "blosc, zip, none"}},
     {"Shape", 2, {"--out", "x.vdb", "--shape", "teapot"}, {"--shape is teapot", "FILE.obj (or .ply"}},
     {"Preset", 2, {"--out", "x.vdb", "--preset", "fog"}, {"--preset is fog", "cumulus"}},

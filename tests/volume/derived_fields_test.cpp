@@ -1,13 +1,16 @@
 #include "solidnoise/volume/field/derived_fields.h"
 
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <stdexcept>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "solidnoise/noise/noise_recipe.h"
 #include "support/evaluated.h"
+#include "support/spectra.h"
 #include "support/vector_fields.h"
 
 namespace solidnoise {
@@ -175,6 +178,30 @@ TEST(ChannelsField, AppliesTheRangeToEachChannel) {
   const auto after = channels_on(*unit, some_lattice());
   for (std::size_t i = 0; i < before.size(); ++i) {
     EXPECT_NEAR(after[i], 0.5 + 0.5 * std::clamp(before[i] / 3.0, -1.0, 1.0), 1e-6);
+  }
+}
+
+TEST(ExemplarColors, AreTheMeanAndTheChannelsAlongTheirAxes) {
+  ExemplarModel model = some_spectrum(3).model;
+  for (SpectrumBand& band : model.channels[0].bands) {
+    for (SpectrumComponent& component : band.components) component.variance *= 4.0;
+  }
+  model.channels.resize(3, model.channels[0]);
+  model.axes = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.5}, {0.2, 0.0, 1.0}};
+  model.mean = {0.5, 0.4, 0.3};
+  const NoiseRecipe recipe{SpectrumNoiseOptions{.model = model}, {}};
+  std::vector<std::shared_ptr<const Noise<3>>> noises;
+  for (int k = 0; k < 3; ++k) noises.push_back(make_noise<3>(channel_of(recipe, k)));
+  const Lattice<3> lattice = some_lattice();
+  const std::size_t size = lattice.size();
+  const auto colors = channels_on(*make_exemplar_colors(noises, model), lattice);
+  std::vector<Evaluated<3>> n;
+  for (const auto& noise : noises) n.push_back(evaluate_in_one_block<3>(*noise, lattice));
+  for (std::size_t i = 0; i < size; ++i) {
+    // The standard deviation of each channel is 2: its spectrum's variance is 4.
+    EXPECT_NEAR(colors[i], 0.5 + 2.0 * n[0].values[i] + 0.4 * n[2].values[i], 1e-5);
+    EXPECT_NEAR(colors[size + i], 0.4 + 2.0 * n[1].values[i], 1e-5);
+    EXPECT_NEAR(colors[2 * size + i], 0.3 + 1.0 * n[1].values[i] + 2.0 * n[2].values[i], 1e-5);
   }
 }
 

@@ -64,23 +64,23 @@ void check_consistency(const FlagSet& flags, const BakeRecipe& recipe) {
     }
   }
   for (const char* flag : {"--follow", "--direction", "--direction-smooth"}) {
-    if (flags.given(flag) && recipe.noise.kind != SurfaceNoiseKind::oriented) {
-      throw UsageError(fmt::format("{} applies to --noise oriented only", flag));
+    if (flags.given(flag) && !has_direction(recipe.noise)) {
+      throw UsageError(fmt::format("{} applies to --noise oriented and to flat exemplars only", flag));
     }
   }
   if (flags.given("--refine-shape") && recipe.refine.mode == RefineRecipe::Mode::off) {
     throw UsageError("--refine-shape has no effect without --refine");
   }
   for (const char* flag : {"--bandwidth", "--impulses", "--error"}) {
-    if (flags.given(flag) && !is_gabor(recipe.noise.kind)) {
+    const bool applies = std::string_view(flag) == "--bandwidth" ? has_bandwidth(recipe.noise.kind)
+                                                                 : is_gabor(recipe.noise.kind);
+    if (flags.given(flag) && !applies) {
       throw UsageError(fmt::format("{} does not apply to --noise {}", flag,
                                    name_of(kSurfaceNoiseChoices, recipe.noise.kind)));
     }
   }
-  const bool layered =
-      recipe.noise.kind == SurfaceNoiseKind::surface || recipe.noise.kind == SurfaceNoiseKind::oriented;
-  if (flags.given("--layer") && !layered)
-    throw UsageError("--layer applies to --noise surface and oriented only");
+  if (flags.given("--layer") && !has_layer(recipe.noise))
+    throw UsageError("--layer applies to --noise surface, oriented and flat exemplars only");
 }
 
 void check_outputs(const BakeOptions& options) {

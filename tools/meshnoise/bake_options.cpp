@@ -1,19 +1,24 @@
 #include "meshnoise/bake_options.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <sstream>
 #include <stdexcept>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
 #include "common/flag_targets.h"
 #include "common/parse_value.h"
+#include "common/recipe_file.h"
+#include "common/text_file.h"
 #include "common/usage_error.h"
 #include "solidnoise/core/check.h"
 #include "solidnoise/image/color_ramp.h"
 #include "solidnoise/mesh/bake_mesh.h"
 #include "solidnoise/mesh/bake_recipe_json.h"
+#include "solidnoise/recipe/exemplar_model_json.h"
 
 namespace solidnoise {
 namespace {
@@ -103,13 +108,42 @@ void declare_range(FlagSet& flags, const std::string& flag, const std::string& u
   flags.text(flag, unit, help, [=](const std::string& text) { set(parse_range(flag, text)); });
 }
 
+// A noise by example has one frequency and the colours of the exemplar: what a preset says of other noises
+// does not suit it.
+void take_example(BakeRecipe& recipe, const std::string& file) {
+  const std::uint64_t seed = recipe.noise.seed;
+  recipe.noise = {};
+  recipe.noise.kind = SurfaceNoiseKind::spectrum;
+  recipe.noise.seed = seed;
+  read_recipe(file, read_text_file(file),
+              [&](const Json& json) { recipe.noise.exemplar = exemplar_file_from_json(json); });
+  recipe.frequency.reset();
+  recipe.detail = recipe.bandwidth = recipe.magnitude = {1.0, 1.0};
+  recipe.bias = {0.0, 0.0};
+  recipe.ramp = kExemplarRamp;
+  recipe.contrast = 1.0;
+}
+
+void choose_noise(BakeRecipe& recipe, const std::string& noise) {
+  if (noise.ends_with(".json")) return take_example(recipe, noise);
+  std::vector<std::string_view> names = names_of(kSurfaceNoiseChoices);
+  names.pop_back();  // an exemplar is given by its file
+  const auto found = std::find(names.begin(), names.end(), noise);
+  if (found == names.end()) {
+    throw UsageError(fmt::format("--noise is {}; it must be one of {}, or FILE.json of noisefit", noise,
+                                 fmt::join(names, ", ")));
+  }
+  recipe.noise.kind = kSurfaceNoiseChoices[static_cast<std::size_t>(found - names.begin())].value;
+}
+
 void declare_noise(FlagSet& flags, BakeRecipe& recipe) {
   flags.group("Noise");
-  declare_choice(
-      flags, "--noise", kSurfaceNoiseChoices,
-      "surface: of the tangent plane; oriented: its waves follow a direction; solid: the field that volumes "
-      "have; kensler: gradient noise, projected or solid (default surface)",
-      recipe.noise.kind);
+  flags.text(
+      "--noise", "KIND",
+      "surface: of the tangent plane; oriented: its waves follow a direction; solid: the field that "
+      "volumes have; kensler, kensler-solid: gradient noise, projected or solid; FILE.json of noisefit: by "
+      "example (default surface)",
+      [&](const std::string& noise) { choose_noise(recipe, noise); });
   declare_range(flags, "--frequency", "A[..B]",
                 "Principal frequency, cycles per world unit; a range follows --by (default: suits the mesh)",
                 [&](const ParameterRange& range) {
@@ -194,13 +228,15 @@ void declare_direction(FlagSet& flags, BakeRecipe& recipe) {
 
 void declare_look(FlagSet& flags, BakeRecipe& recipe) {
   flags.group("Look");
-  flags.text("--ramp", "RAMP",
-             fmt::format("{}, or stops such as 0:#000,1:#fff; sRGB, blended in linear light (default rust)",
-                         fmt::join(ramp_names(), ", ")),
-             [&](const std::string& text) {
-               parse_color_ramp(text);
-               recipe.ramp = text;
-             });
+  flags.text(
+      "--ramp", "RAMP",
+      fmt::format(
+          "{}, or stops such as 0:#000,1:#fff; sRGB, blended in linear light; or exemplar (default rust)",
+          fmt::join(ramp_names(), ", ")),
+      [&](const std::string& text) {
+        if (text != kExemplarRamp) parse_color_ramp(text);
+        recipe.ramp = text;
+      });
   flags.number("--contrast", "FACTOR",
                "The ramp spans 2.5 / FACTOR standard deviations to each side (default 1)",
                [&](double value) { recipe.contrast = value; });

@@ -54,9 +54,8 @@ Json describe_bake(const BakePlan& plan, const BakeRecipe& recipe) {
                    {"bias", describe_number(plan.parameters.bias)},
                    {"highest_frequency", plan.highest_frequency},
                    {"mean_cycles_per_edge", plan.mean_cycles_per_edge}};
-  const bool on_surface =
-      recipe.noise.kind == SurfaceNoiseKind::surface || recipe.noise.kind == SurfaceNoiseKind::oriented;
-  if (on_surface) json["noise"]["kernel"] = describe_kernel(recipe.noise, plan.parameters);
+  if (recipe.noise.kind == SurfaceNoiseKind::surface || recipe.noise.kind == SurfaceNoiseKind::oriented)
+    json["noise"]["kernel"] = describe_kernel(recipe.noise, plan.parameters);
   if (!plan.guides.numbers.empty()) json["steering"] = describe_steering(plan.guides.steering);
   json["recipe"] = to_json(recipe);
   return json;

@@ -161,6 +161,49 @@ RefinedMesh refine_mesh(const PolygonMesh& mesh, const RefineRecipe& recipe, con
   return refine(mesh, target, options);
 }
 
+// Noise times magnitude plus bias at each vertex.
+std::vector<float> bake_values(const BakePlan& plan, const SurfaceNoiseRecipe& noise, Progress* progress) {
+  BakeVertices vertices;
+  vertices.positions = plan.mesh.positions;
+  vertices.normals = plan.guides.normals;
+  vertices.frequency = plan.parameters.frequency;
+  vertices.bandwidth = plan.parameters.bandwidth;
+  vertices.magnitude = plan.parameters.magnitude;
+  vertices.directions = plan.guides.directions;
+  std::vector<float> values = bake_noise(noise, vertices, progress);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] += static_cast<float>(at(plan.parameters.bias, i));
+  return values;
+}
+
+std::vector<Color> ramp_colors(const BakeRecipe& recipe, const std::vector<float>& values) {
+  const ColorRamp ramp = parse_color_ramp(recipe.ramp);
+  std::vector<Color> colors(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    colors[i] = ramp.linear(place_on_ramp(values[i], recipe.contrast));
+  }
+  return colors;
+}
+
+// The exemplar's own, of the values of its first channel and of the others.
+std::vector<Color> exemplar_colors(const BakePlan& plan, const BakeRecipe& recipe,
+                                   const std::vector<float>& first, Progress* progress) {
+  const ExemplarModel& exemplar = recipe.noise.exemplar;
+  std::vector<std::vector<float>> others;
+  for (std::size_t k = 1; k < exemplar.channels.size(); ++k) {
+    others.push_back(bake_values(plan, channel_of(recipe.noise, static_cast<int>(k)), progress));
+  }
+  std::vector<Color> colors(first.size());
+  std::vector<double> values(exemplar.channels.size());
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    values[0] = recipe.contrast * first[i];
+    for (std::size_t k = 0; k < others.size(); ++k) values[k + 1] = recipe.contrast * others[k][i];
+    const Color color(exemplar.color(values));
+    colors[i] = exemplar.raw_values ? linear_from_srgb(color) : color;
+  }
+  return colors;
+}
+
 }  // namespace
 
 BakePlan plan_bake(const PolygonMesh& mesh, const BakeRecipe& recipe) {
@@ -200,7 +243,7 @@ void require_keepable(const std::vector<std::string>& names, const BakeRecipe& r
       throw std::invalid_argument(
           fmt::format("keep is {}; there is none where no parameter is a range", name));
     }
-    if (needs == Needs::directions && recipe.noise.kind != SurfaceNoiseKind::oriented) {
+    if (needs == Needs::directions && !has_direction(recipe.noise)) {
       throw std::invalid_argument(fmt::format("keep is {}; only oriented noise has one", name));
     }
   }
@@ -217,23 +260,10 @@ BakedMesh bake(const BakePlan& plan, const BakeRecipe& recipe, const std::vector
       baked.mesh.set_property(std::move(property));
   }
 
-  BakeVertices vertices;
-  vertices.positions = plan.mesh.positions;
-  vertices.normals = plan.guides.normals;
-  vertices.frequency = plan.parameters.frequency;
-  vertices.bandwidth = plan.parameters.bandwidth;
-  vertices.magnitude = plan.parameters.magnitude;
-  vertices.directions = plan.guides.directions;
-  std::vector<float> values = bake_noise(recipe.noise, vertices, progress);
-  for (std::size_t i = 0; i < values.size(); ++i)
-    values[i] += static_cast<float>(at(plan.parameters.bias, i));
-
+  std::vector<float> values = bake_values(plan, recipe.noise, progress);
   baked.moments = Moments::of(values);
-  const ColorRamp ramp = parse_color_ramp(recipe.ramp);
-  baked.colors.resize(values.size());
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    baked.colors[i] = ramp.linear(place_on_ramp(values[i], recipe.contrast));
-  }
+  baked.colors = recipe.has_exemplar_colors() ? exemplar_colors(plan, recipe, values, progress)
+                                              : ramp_colors(recipe, values);
   set_vertex_colors(baked.mesh, baked.colors);
   baked.mesh.set_property({"noise", ScalarType::float32, {values.begin(), values.end()}});
   if (recipe.displace != 0.0) {

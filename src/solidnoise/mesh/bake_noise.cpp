@@ -43,7 +43,7 @@ void validate(const SurfaceNoiseRecipe& recipe, const BakeVertices& vertices) {
   require_number("frequency", vertices.frequency, 1e-12, 1e12, count);
   require_number("bandwidth", vertices.bandwidth, 0.1, 4.0, count);
   require_number("magnitude", vertices.magnitude, 0.0, 1e12, count);
-  if (recipe.kind == SurfaceNoiseKind::oriented) require_size("direction", vertices.directions.size(), count);
+  if (has_direction(recipe)) require_size("direction", vertices.directions.size(), count);
   if (may_vary(recipe.kind)) return;
   for (const auto& [name, number] :
        {std::pair("frequency", &vertices.frequency), std::pair("bandwidth", &vertices.bandwidth)}) {
@@ -149,7 +149,7 @@ std::vector<float> bake_noise(const SurfaceNoiseRecipe& recipe, const BakeVertic
   std::atomic<std::uint64_t> done{0};
   tbb::parallel_for_each(batches, [&](const VertexBatch& batch) {
     throw_if_cancelled(progress);
-    GatheredBatch gathered(vertices, batch, recipe.kind == SurfaceNoiseKind::oriented);
+    GatheredBatch gathered(vertices, batch, has_direction(recipe));
     std::vector<float> sum(batch.vertices.size());
     std::vector<float> octave(batch.vertices.size());
     for (const WeightedOctave& weighted : octaves) {

@@ -26,7 +26,7 @@ struct BakeVertices {
   VertexNumber frequency{8.0, {}};     // principal frequency, cycles per world unit; > 0
   VertexNumber bandwidth{1.0, {}};     // octaves; 0.1 to 4
   VertexNumber magnitude{1.0, {}};     // standard deviation of the value; >= 0
-  std::span<const Vec<3>> directions;  // of oriented noise; tangential or not, either sign
+  std::span<const Vec<3>> directions;  // where has_direction(); tangential or not, either sign
 };
 
 // Evaluates a noise at all vertices, in parallel: one value per vertex, of mean 0 and variance magnitude^2
@@ -36,8 +36,8 @@ struct BakeVertices {
 // that of GradientNoise<3>.
 //
 // Throws std::invalid_argument naming the field or vertex: recipe.validate(); spans whose sizes differ; a
-// parameter that is out of range, or that varies where may_vary() says no; oriented noise without directions.
-// Throws Cancelled.
+// parameter that is out of range, or that varies where may_vary() says no; a noise that has_direction()
+// without any. Throws Cancelled.
 std::vector<float> bake_noise(const SurfaceNoiseRecipe& recipe, const BakeVertices& vertices,
                               Progress* progress = nullptr);
 

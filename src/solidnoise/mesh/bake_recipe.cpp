@@ -49,7 +49,11 @@ void BakeRecipe::validate() const {
   for (int axis = 0; axis < 3; ++axis) require_finite("direction", direction.axis[axis]);
   if (glm::length(direction.axis) == 0.0)
     throw std::invalid_argument("direction is 0 0 0; it must point somewhere");
-  parse_color_ramp(ramp);
+  if (!has_exemplar_colors()) {
+    parse_color_ramp(ramp);
+  } else if (noise.kind != SurfaceNoiseKind::spectrum) {
+    throw std::invalid_argument("ramp is exemplar; only a noise by example has such colours");
+  }
   require_positive("contrast", contrast);
   if (refine.mode == RefineRecipe::Mode::rounds) require_in_range("refine", refine.rounds, 1, 8, "rounds");
   require_finite("displace", displace);

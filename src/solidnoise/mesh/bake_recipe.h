@@ -37,6 +37,9 @@ struct RefineRecipe {
   friend bool operator==(const RefineRecipe&, const RefineRecipe&) = default;
 };
 
+// The ramp of a noise by example that has the colours of the exemplar.
+inline constexpr char kExemplarRamp[] = "exemplar";
+
 // Everything that a bake depends on but the mesh: plain data.
 struct BakeRecipe {
   std::string description;  // one line
@@ -51,8 +54,9 @@ struct BakeRecipe {
   int smooth = 2;                      // rounds of smoothing of the curvature, 0 to 10000
   double smooth_radius = 0.0;          // of smoothing that does not depend on the mesh, world units; >= 0
   DirectionRecipe direction;
-  std::string ramp = "rust";  // a name or stops, see parse_color_ramp()
-  double contrast = 1.0;      // the ramp spans -2.5 to 2.5 standard deviations over this; > 0
+  std::string ramp = "rust";  // a name or stops, see parse_color_ramp(); or exemplar, for its own colours
+  double contrast = 1.0;  // the ramp spans -2.5 to 2.5 standard deviations over this; > 0. Of an exemplar's
+                          // own colours, the factor of what differs from their mean
   RefineRecipe refine;
   double displace = 0.0;  // along the normals, world units for a value of 1
   UpAxis up = UpAxis::y;
@@ -61,6 +65,7 @@ struct BakeRecipe {
   void validate() const;
   // Whether a parameter follows the steering.
   bool steers() const;
+  bool has_exemplar_colors() const { return ramp == kExemplarRamp; }
 
   friend bool operator==(const BakeRecipe&, const BakeRecipe&) = default;
 };

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "solidnoise/recipe/exemplar_model_json.h"
 #include "solidnoise/recipe/json_reader.h"
 #include "solidnoise/recipe/recipe_header.h"
 
@@ -23,6 +24,10 @@ void read_range(JsonReader& reader, const std::string& key, ParameterRange& rang
 Json surface_to_json(const SurfaceNoiseRecipe& recipe) {
   Json json = Json::object();
   json["noise"] = name_of(kSurfaceNoiseChoices, recipe.kind);
+  if (recipe.kind == SurfaceNoiseKind::spectrum) {
+    json["exemplar"] = to_json(recipe.exemplar);
+    json["channel"] = recipe.channel;
+  }
   json["error"] = recipe.error;
   json["impulses"] = recipe.impulses;
   json["layer"] = recipe.layer;
@@ -36,6 +41,8 @@ Json surface_to_json(const SurfaceNoiseRecipe& recipe) {
 
 void read_surface(JsonReader& reader, SurfaceNoiseRecipe& recipe) {
   reader.read("noise", kSurfaceNoiseChoices, recipe.kind);
+  if (auto exemplar = reader.object("exemplar")) recipe.exemplar = exemplar_model_from_json(*exemplar);
+  reader.read("channel", recipe.channel);
   reader.read("error", recipe.error);
   reader.read("impulses", recipe.impulses);
   reader.read("layer", recipe.layer);

@@ -6,12 +6,13 @@
 
 namespace solidnoise {
 
-inline constexpr Choices<SurfaceNoiseKind, 5> kSurfaceNoiseChoices{{
+inline constexpr Choices<SurfaceNoiseKind, 6> kSurfaceNoiseChoices{{
     {SurfaceNoiseKind::surface, "surface"},
     {SurfaceNoiseKind::oriented, "oriented"},
     {SurfaceNoiseKind::solid, "solid"},
     {SurfaceNoiseKind::kensler, "kensler"},
     {SurfaceNoiseKind::kensler_solid, "kensler-solid"},
+    {SurfaceNoiseKind::spectrum, "spectrum"},
 }};
 
 // An attribute is given by its name instead.

@@ -3,7 +3,9 @@
 #include <type_traits>
 
 #include "solidnoise/noise/gabor/gabor_noise.h"
+#include "solidnoise/noise/gabor/spectrum_noise.h"
 #include "solidnoise/noise/gabor/surface_gabor_noise.h"
+#include "solidnoise/noise/gabor/surface_spectrum_noise.h"
 #include "solidnoise/noise/gabor/varying_gabor_noise.h"
 #include "solidnoise/noise/gradient/gradient_noise.h"
 #include "solidnoise/noise/gradient/projected_gradient_noise.h"
@@ -43,15 +45,30 @@ class SolidOctave final : public SurfaceOctave {
   VaryingGaborNoise<3> varying_;
 };
 
-template <class Gradient>
-class GradientOctave final : public SurfaceOctave {
+class SpectrumOctave final : public SurfaceOctave {
+ public:
+  SpectrumOctave(const SpectrumNoiseOptions& options, double layer) : noise_(options, layer) {}
+
+  void evaluate(const SurfacePoints& points, const VaryingParameters<3>& parameters,
+                std::span<float> values) const override {
+    noise_.evaluate(points, parameters.direction, values);
+  }
+  Noise<2>::Band band() const override { return noise_.band(); }
+
+ private:
+  SurfaceSpectrumNoise noise_;
+};
+
+// A noise that has no parameters but its options: of space, or projected.
+template <class Fixed>
+class FixedOctave final : public SurfaceOctave {
  public:
   template <class Options>
-  explicit GradientOctave(const Options& options) : noise_(options) {}
+  explicit FixedOctave(const Options& options) : noise_(options) {}
 
   void evaluate(const SurfacePoints& points, const VaryingParameters<3>&,
                 std::span<float> values) const override {
-    if constexpr (std::is_same_v<Gradient, ProjectedGradientNoise>) {
+    if constexpr (std::is_same_v<Fixed, ProjectedGradientNoise>) {
       noise_.evaluate(points, values);
     } else {
       noise_.evaluate(points.positions, Samples<3>{.values = values});
@@ -60,7 +77,7 @@ class GradientOctave final : public SurfaceOctave {
   Noise<2>::Band band() const override { return {noise_.band().lower, noise_.band().upper}; }
 
  private:
-  Gradient noise_;
+  Fixed noise_;
 };
 
 }  // namespace
@@ -96,12 +113,23 @@ std::unique_ptr<SurfaceOctave> make_surface_octave(const SurfaceNoiseRecipe& rec
       return std::make_unique<SolidOctave>(options, varying);
     }
     case SurfaceNoiseKind::kensler:
-      return std::make_unique<GradientOctave<ProjectedGradientNoise>>(
+      return std::make_unique<FixedOctave<ProjectedGradientNoise>>(
           ProjectedGradientOptions{.frequency = frequency, .seed = seed});
+    case SurfaceNoiseKind::spectrum: {
+      SpectrumNoiseOptions options;
+      options.model = recipe.exemplar;
+      options.channel = recipe.channel;
+      options.frequency = frequency;
+      options.error = recipe.error;
+      options.impulses = recipe.impulses;
+      options.seed = seed;
+      if (has_direction(recipe)) return std::make_unique<SpectrumOctave>(options, recipe.layer);
+      return std::make_unique<FixedOctave<SpectrumNoise<3>>>(options);
+    }
     case SurfaceNoiseKind::kensler_solid:
       break;
   }
-  return std::make_unique<GradientOctave<GradientNoise<3>>>(
+  return std::make_unique<FixedOctave<GradientNoise<3>>>(
       GradientNoiseOptions{.frequency = frequency, .seed = seed});
 }
 

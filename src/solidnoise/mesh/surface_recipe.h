@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "solidnoise/noise/fractal_noise.h"
+#include "solidnoise/noise/gabor/gabor_spectrum.h"
 
 namespace solidnoise {
 
@@ -13,6 +14,8 @@ enum class SurfaceNoiseKind {
   solid,          // isotropic Gabor noise of space, the field that volumes have (GaborNoise<3>)
   kensler,        // gradient noise projected on the tangent plane (ProjectedGradientNoise)
   kensler_solid,  // gradient noise of space (GradientNoise<3>)
+  spectrum,  // by example: in the tangent plane along a direction (SurfaceSpectrumNoise), or, of an exemplar
+             // in three dimensions, the field of space (SpectrumNoise<3>)
 };
 
 // Everything that defines a noise on a surface but the frequency and what varies with the vertex: plain data.
@@ -23,6 +26,8 @@ struct SurfaceNoiseRecipe {
   double layer = 0.5;     // of surface and oriented: half the layer's thickness, in kernel radii; 0.1 to 1
   FractalOptions fractal;
   std::uint64_t seed = 0;
+  ExemplarModel exemplar{};  // of spectrum
+  int channel = 0;           // of the exemplar, that is baked; from 0
 
   // Throws std::invalid_argument naming the field, its value and what is allowed.
   void validate() const;
@@ -32,7 +37,15 @@ struct SurfaceNoiseRecipe {
 
 // Whether frequency and bandwidth may differ from vertex to vertex.
 bool may_vary(SurfaceNoiseKind kind);
-// Whether there is a bandwidth, an error and a number of impulses.
+// Whether there is an error and a number of impulses; and also a bandwidth.
 bool is_gabor(SurfaceNoiseKind kind);
+bool has_bandwidth(SurfaceNoiseKind kind);
+// Whether impulses are taken from a layer around the surface.
+bool has_layer(const SurfaceNoiseRecipe& recipe);
+// Whether the noise lies along a direction of the tangent plane.
+bool has_direction(const SurfaceNoiseRecipe& recipe);
+
+// The noise of another channel of the exemplar, which is independent.
+SurfaceNoiseRecipe channel_of(const SurfaceNoiseRecipe& recipe, int channel);
 
 }  // namespace solidnoise

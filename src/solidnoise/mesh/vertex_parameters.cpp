@@ -70,7 +70,7 @@ std::vector<double> steering_numbers(const PolygonMesh& mesh, const Curvature& c
 VertexGuides measure_guides(const PolygonMesh& mesh, const SurfaceMesh& surface, const BakeRecipe& recipe) {
   VertexGuides guides;
   guides.normals = surface.to_vertices(surface.normals());
-  const bool oriented = recipe.noise.kind == SurfaceNoiseKind::oriented;
+  const bool oriented = has_direction(recipe.noise);
   const bool steered_by_curvature = recipe.steers() && recipe.by.source != SteeringSource::attribute &&
                                     recipe.by.source != SteeringSource::height;
   const bool directed_by_curvature = oriented && recipe.direction.source != DirectionRecipe::Source::axis;

@@ -39,6 +39,15 @@ std::unique_ptr<Field> make_velocity(const VolumeRecipe& recipe, const VolumePla
   return make_curl_field(options);
 }
 
+// Null where the noise is not by an example in colour, or its values are to be of another range than its own.
+std::unique_ptr<Field> make_colors_by_example(const VolumeRecipe& recipe) {
+  const auto* const spectrum = std::get_if<SpectrumNoiseOptions>(&recipe.noise.noise);
+  const bool own_range = std::get<RawShaping>(recipe.shaping).range == RawShaping::Range::raw;
+  if (!spectrum || spectrum->model.channels.size() < 3 || !own_range) return nullptr;
+  return make_exemplar_colors({channel_noise(recipe, 0), channel_noise(recipe, 1), channel_noise(recipe, 2)},
+                              spectrum->model);
+}
+
 }  // namespace
 
 std::unique_ptr<Field> make_derived_field(const VolumeRecipe& recipe, const VolumePlan& plan) {
@@ -46,6 +55,7 @@ std::unique_ptr<Field> make_derived_field(const VolumeRecipe& recipe, const Volu
     case Output::curl:
       return make_velocity(recipe, plan);
     case Output::color:
+      if (auto colors = make_colors_by_example(recipe)) return colors;
       return make_channels_field(
           {channel_noise(recipe, 0), channel_noise(recipe, 1), channel_noise(recipe, 2)},
           std::get<RawShaping>(recipe.shaping));

@@ -125,6 +125,14 @@ double ExemplarModel::principal_frequency() const {
   return std::sqrt(sum / variance);
 }
 
+Vec<3> ExemplarModel::color(std::span<const double> values) const {
+  Vec<3> sum = mean;
+  for (std::size_t k = 0; k < channels.size(); ++k) {
+    sum += std::sqrt(channels[k].variance()) * values[k] * axes[k];
+  }
+  return sum;
+}
+
 void ExemplarModel::validate() const {
   if (channels.size() != 1 && channels.size() != 3) {
     refuse("number of channels", static_cast<double>(channels.size()), "1 or 3");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -66,6 +67,9 @@ struct ExemplarModel {
   // Root mean square frequency of all channels together, a component's own width included; it is what scales
   // a model: with b the variance's share, sqrt(sum of b (|w|^2 + n a^2 / (4 pi))).
   double principal_frequency() const;
+
+  // The color that noises of unit variance make, one value per channel. Not clamped. Precondition: valid.
+  Vec<3> color(std::span<const double> values) const;
 
   // Throws std::invalid_argument: as GaborSpectrum::validate, and where numbers or dimensions do not agree.
   void validate() const;

@@ -12,7 +12,7 @@ namespace solidnoise {
 
 // Parameters of a noise by example.
 struct SpectrumNoiseOptions {
-  ExemplarModel model;
+  ExemplarModel model{};
   int channel = 0;         // of the model, from 0
   double frequency = 8.0;  // where the model's principal_frequency() comes to lie, cycles per world unit; > 0
   double error = 0.02;     // relative RMS error against kernels of infinite support; 1e-4 to 0.5

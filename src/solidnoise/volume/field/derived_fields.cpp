@@ -137,6 +137,49 @@ class Channels final : public Field {
   std::vector<std::unique_ptr<Field>> fields_;
 };
 
+class ExemplarColorsBlock final : public FieldBlock {
+ public:
+  ExemplarColorsBlock(std::vector<std::unique_ptr<NoiseBlock<3>>> blocks, const ExemplarModel& model)
+      : blocks_(std::move(blocks)), model_(model) {}
+
+  void evaluate(const Lattice<3>& lattice, std::span<float> values) const override {
+    const std::size_t size = lattice.size();
+    std::vector<float> noises(blocks_.size() * size);
+    for (std::size_t k = 0; k < blocks_.size(); ++k) {
+      blocks_[k]->evaluate(lattice, {std::span(noises).subspan(k * size, size)});
+    }
+    std::vector<double> sample(blocks_.size());
+    for (std::size_t i = 0; i < size; ++i) {
+      for (std::size_t k = 0; k < sample.size(); ++k) sample[k] = noises[k * size + i];
+      const Vec<3> color = model_.color(sample);
+      for (int c = 0; c < 3; ++c) {
+        values[static_cast<std::size_t>(c) * size + i] = static_cast<float>(color[c]);
+      }
+    }
+  }
+
+ private:
+  std::vector<std::unique_ptr<NoiseBlock<3>>> blocks_;
+  const ExemplarModel& model_;  // the field's own, which outlives its blocks
+};
+
+class ExemplarColors final : public Field {
+ public:
+  ExemplarColors(std::vector<std::shared_ptr<const Noise<3>>> noises, const ExemplarModel& model)
+      : noises_(std::move(noises)), model_(model) {}
+
+  int channels() const override { return 3; }
+  std::unique_ptr<FieldBlock> block(const Box<3>& box) const override {
+    std::vector<std::unique_ptr<NoiseBlock<3>>> blocks;
+    for (const auto& noise : noises_) blocks.push_back(noise->block(box));
+    return std::make_unique<ExemplarColorsBlock>(std::move(blocks), model_);
+  }
+
+ private:
+  std::vector<std::shared_ptr<const Noise<3>>> noises_;
+  ExemplarModel model_;
+};
+
 }  // namespace
 
 std::unique_ptr<Field> make_gradient_field(std::shared_ptr<const Noise<3>> noise,
@@ -157,6 +200,11 @@ std::unique_ptr<Field> make_channels_field(const std::vector<std::shared_ptr<con
   std::vector<std::unique_ptr<Field>> fields;
   for (const auto& noise : noises) fields.push_back(make_field(noise, range));
   return std::make_unique<Channels>(std::move(fields));
+}
+
+std::unique_ptr<Field> make_exemplar_colors(std::vector<std::shared_ptr<const Noise<3>>> noises,
+                                            const ExemplarModel& model) {
+  return std::make_unique<ExemplarColors>(std::move(noises), model);
 }
 
 }  // namespace solidnoise

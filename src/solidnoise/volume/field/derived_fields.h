@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "solidnoise/noise/gabor/gabor_spectrum.h"
 #include "solidnoise/noise/noise.h"
 #include "solidnoise/volume/field/field.h"
 #include "solidnoise/volume/field/shaping.h"
@@ -30,5 +31,10 @@ std::unique_ptr<Field> make_phasor_field(std::shared_ptr<const Noise<3>> real,
 // Independent noises, such as three colours: each in a channel, in a range of RawShaping.
 std::unique_ptr<Field> make_channels_field(const std::vector<std::shared_ptr<const Noise<3>>>& noises,
                                            const RawShaping& range);
+
+// The colours of an exemplar: noises of unit variance, one for each channel of its model, put together as
+// ExemplarModel::color says. In the exemplar's own values: linear light, unless the model's are raw.
+std::unique_ptr<Field> make_exemplar_colors(std::vector<std::shared_ptr<const Noise<3>>> noises,
+                                            const ExemplarModel& model);
 
 }  // namespace solidnoise
