@@ -184,6 +184,10 @@ void declare_kinds(FlagSet& flags, NoiseRecipe& recipe) {
 
 }  // namespace
 
+void change_noise_type(NoiseRecipe& recipe, const std::string& type) {
+  choose_noise(recipe, type);
+}
+
 void declare_noise_flags(FlagSet& flags, NoiseRecipe& recipe) {
   flags.text("--noise", "KIND",
              "gabor, gabor-oriented or kensler, or FILE.json of noisefit: a noise by example (default gabor)",

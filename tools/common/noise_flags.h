@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "common/flag_set.h"
 #include "solidnoise/noise/noise_recipe.h"
 
@@ -8,5 +10,8 @@ namespace solidnoise {
 // Declares the flags of a noise, which act on `recipe` when they are applied. A flag that the noise has no
 // use for is refused then.
 void declare_noise_flags(FlagSet& flags, NoiseRecipe& recipe);
+
+// Makes it another kind of noise ("gabor-oriented"), with what the old one and it have in common.
+void change_noise_type(NoiseRecipe& recipe, const std::string& type);
 
 }  // namespace solidnoise

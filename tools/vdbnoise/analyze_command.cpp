@@ -45,7 +45,7 @@ std::optional<VolumeRecipe> stored_recipe(const openvdb::FloatGrid& grid, const 
 
 bool holds_noise_itself(const VolumeRecipe& recipe) {
   const auto* raw = std::get_if<RawShaping>(&recipe.shaping);
-  return raw && raw->range == RawShaping::Range::raw && recipe.layers.empty();
+  return raw && raw->range == RawShaping::Range::raw && recipe.layers.empty() && !recipe.parameters.any();
 }
 
 // The slice through the middle of a block, across z.

@@ -90,8 +90,39 @@ void describe_evolution(const NoiseRecipe& recipe, Json& json) {
   }
 }
 
+// Least and greatest of the grids' active voxels.
+void describe_parameters(const ParameterFields& parameters, Json& json) {
+  const auto add = [&](const char* key, const std::optional<ScalarField>& field) {
+    if (field) json[key] = {field->least(), field->greatest()};
+  };
+  add("frequency", parameters.frequency());
+  add("bandwidth", parameters.bandwidth());
+  add("magnitude", parameters.magnitude());
+}
+
+template <typename Noise>
+void describe_statistics(const Noise& noise, double largest_voxel, Json& json) {
+  const auto band = noise.band();
+  json["variance"] = noise.variance();
+  json["excess_kurtosis"] = noise.excess_kurtosis();
+  json["band_cycles_per_unit"] = {band.lower, band.upper};
+  json["band_cycles_per_voxel"] = {band.lower * largest_voxel, band.upper * largest_voxel};
+}
+
+// A noise whose kernels vary from place to place.
+Json describe_varying(const VolumeRecipe& recipe, const VolumePlan& plan, double largest_voxel) {
+  Json json = Json::object();
+  json["type"] = noise_type(recipe.noise);
+  json["dims"] = recipe.dims;
+  json["octaves"] = recipe.noise.fractal.octaves;
+  describe_parameters(*plan.parameters, json["from_grids"]);
+  describe_statistics(*make_varying_volume_noise(recipe, plan.parameters), largest_voxel, json);
+  return json;
+}
+
 // The kernel is that of the first octave; the others have theirs, smaller by the lacunarity.
-Json describe_noise(const VolumeRecipe& recipe, double largest_voxel) {
+Json describe_noise(const VolumeRecipe& recipe, const VolumePlan& plan, double largest_voxel) {
+  if (recipe.parameters.vary_kernel()) return describe_varying(recipe, plan, largest_voxel);
   Json json = Json::object();
   json["type"] = noise_type(recipe.noise);
   json["dims"] = recipe.dims;
@@ -103,12 +134,8 @@ Json describe_noise(const VolumeRecipe& recipe, double largest_voxel) {
 
   if (evolves(recipe.noise)) describe_evolution(recipe.noise, json["evolution"]);
 
-  const std::shared_ptr<const Noise<3>> noise = make_volume_noise(recipe);
-  const auto band = noise->band();
-  json["variance"] = noise->variance();
-  json["excess_kurtosis"] = noise->excess_kurtosis();
-  json["band_cycles_per_unit"] = {band.lower, band.upper};
-  json["band_cycles_per_voxel"] = {band.lower * largest_voxel, band.upper * largest_voxel};
+  if (plan.parameters) describe_parameters(*plan.parameters, json["from_grids"]);
+  describe_statistics(*make_volume_noise(recipe), largest_voxel, json);
   return json;
 }
 
@@ -143,7 +170,7 @@ Json describe_volume(const VolumeRecipe& recipe) {
   const VolumePlan plan = plan_volume(recipe);
   const Vec<3>& voxel = plan.frame.voxel_size();
   Json json = Json::object();
-  json["noise"] = describe_noise(at_resolution(recipe, voxel), std::max({voxel.x, voxel.y, voxel.z}));
+  json["noise"] = describe_noise(at_resolution(recipe, voxel), plan, std::max({voxel.x, voxel.y, voxel.z}));
   json["grid"] = describe_grid(plan);
   json["grids"] = describe_outputs(recipe);
   json["recipe"] = to_json(recipe);

@@ -26,6 +26,7 @@
 #include "vdbnoise/make_options.h"
 #include "vdbnoise/modify_flags.h"
 #include "vdbnoise/output_flags.h"
+#include "vdbnoise/parameter_flags.h"
 #include "vdbnoise/recipe_source.h"
 #include "vdbnoise/sequence_flags.h"
 #include "vdbnoise/time_flags.h"
@@ -75,6 +76,7 @@ void check_consistency(const FlagSet& flags, const MakeOptions& options) {
   }
   check_modify_flags(flags, options.recipe);
   check_layer_flags(flags, options.recipe);
+  check_parameter_flags(flags, options.recipe);
   const bool raw = std::holds_alternative<RawShaping>(options.recipe.shaping);
   for (const char* flag : {"--optical-depth", "--density"}) {
     if (raw && flags.given(flag)) throw UsageError(fmt::format("{} has no effect on raw noise", flag));
@@ -109,6 +111,7 @@ void write_recipe(const MakeOptions& options, const VolumePlan& plan) {
   recipe.shape = plan.shape;
   if (plan.modification) recipe.modification = plan.modification->modification;
   recipe.boundary = plan.boundary;
+  if (plan.parameters) recipe.parameters = plan.parameters->grids();
   write_text_file(options.write_recipe, format_json(to_json(recipe)));
 }
 
@@ -117,7 +120,7 @@ void make_volume_files(const MakeOptions& options) {
   const VolumePlan plan = plan_volume(options.recipe, options.part);
   if (options.out.empty() && options.preview.empty()) return write_recipe(options, plan);
   check_memory(options, plan);
-  if (!options.quiet && options.warns) warn_of_resolution(options.recipe, plan.frame, std::cerr);
+  if (!options.quiet && options.warns) warn_of_resolution(options.recipe, plan, std::cerr);
 
   Volume volume;
   {

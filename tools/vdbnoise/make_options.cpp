@@ -17,6 +17,7 @@
 #include "vdbnoise/layer_flags.h"
 #include "vdbnoise/modify_flags.h"
 #include "vdbnoise/output_flags.h"
+#include "vdbnoise/parameter_flags.h"
 #include "vdbnoise/sequence_flags.h"
 #include "vdbnoise/time_flags.h"
 
@@ -155,6 +156,7 @@ void declare_make_flags(FlagSet& flags, MakeOptions& options) {
   declare_output(flags, options);
   declare_recipes(flags, options);
   declare_noise(flags, options.recipe);
+  declare_parameter_flags(flags, options.recipe);
   declare_time_flags(flags, options.recipe);
   declare_shaping(flags, options.recipe);
   declare_layer_flags(flags, options.recipe);

@@ -29,9 +29,15 @@ void parse_shard(const std::string& text, VolumePart& part) {
   }
 }
 
-// Calls `visit` with each file that a recipe reads for what it modifies, and the flag that names it.
+// Calls `visit` with each file that a recipe reads for its parameters or for what it modifies, and the flag
+// that names it.
 template <typename Recipe, typename Visit>
 void visit_inputs(Recipe& recipe, const Visit& visit) {
+  auto& parameters = recipe.parameters;
+  if (parameters.frequency) visit("--frequency-grid", parameters.frequency->source.file);
+  if (parameters.bandwidth) visit("--bandwidth-grid", parameters.bandwidth->source.file);
+  if (parameters.magnitude) visit("--magnitude-grid", parameters.magnitude->source.file);
+  if (parameters.direction) visit("--direction-grid", parameters.direction->file);
   if (!recipe.modification) return;
   visit("--on", recipe.modification->on.file);
   if (recipe.modification->mask) visit("--mask", recipe.modification->mask->file);
@@ -120,12 +126,12 @@ void check_sequence(const FlagSet& flags, const MakeOptions& options) {
   } else {
     if (!changes_with_time(options.recipe) && !has_input_per_frame(options.recipe)) {
       throw UsageError(
-          "--frames has no effect on a noise that does not change; give --evolve or --dims 4 too, or --on a "
-          "file of each frame, such as smoke.####.vdb");
+          "--frames has no effect on a noise that does not change; give --evolve or --dims 4 too, or a file "
+          "of each frame, such as --on smoke.####.vdb");
     }
     if (has_input_per_frame(options.recipe) && !options.write_recipe.empty()) {
       throw UsageError(
-          "--write-recipe is of one volume; leave it out where --on names a file for each frame");
+          "--write-recipe is of one volume; leave it out where a grid is from a file for each frame");
     }
     if (options.out == "-") throw UsageError("--out is -; frames go to files, such as cloud.####.vdb");
     loop_frames(options);

@@ -7,16 +7,15 @@
 
 #include <fmt/format.h>
 
-#include "solidnoise/volume/make_volume.h"
-
 namespace solidnoise {
 namespace {
 
 // Frequencies that the voxels cannot hold come back as others.
-void warn_of_aliasing(const VolumeRecipe& recipe, const Vec<3>& voxel, std::ostream& stream) {
+void warn_of_aliasing(const VolumeRecipe& recipe, const VolumePlan& plan, std::ostream& stream) {
   constexpr double kHighestCyclesPerVoxel = 0.5;
   if (recipe.band_limit) return;
-  const double highest = highest_frequency(recipe) * std::max({voxel.x, voxel.y, voxel.z});
+  const Vec<3>& voxel = plan.frame.voxel_size();
+  const double highest = highest_frequency(recipe, plan) * std::max({voxel.x, voxel.y, voxel.z});
   if (highest <= kHighestCyclesPerVoxel) return;
   stream << fmt::format(
       "vdbnoise: warning: the noise reaches {:.2f} cycles per voxel, above 0.5, and will alias; {}make "
@@ -53,9 +52,9 @@ void warn_of_divergence(const VolumeRecipe& recipe, std::ostream& stream) {
 
 }  // namespace
 
-void warn_of_resolution(const VolumeRecipe& recipe, const GridFrame& frame, std::ostream& stream) {
-  warn_of_aliasing(recipe, frame.voxel_size(), stream);
-  warn_of_tiles(recipe, frame.voxel_size(), stream);
+void warn_of_resolution(const VolumeRecipe& recipe, const VolumePlan& plan, std::ostream& stream) {
+  warn_of_aliasing(recipe, plan, stream);
+  warn_of_tiles(recipe, plan.frame.voxel_size(), stream);
   warn_of_divergence(recipe, stream);
 }
 

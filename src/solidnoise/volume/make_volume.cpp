@@ -20,7 +20,9 @@
 #include "solidnoise/volume/finish_volume.h"
 #include "solidnoise/volume/merge_parts.h"
 #include "solidnoise/volume/modify/modified_volume.h"
+#include "solidnoise/volume/parameters/magnified_field.h"
 #include "solidnoise/volume/topology/topology.h"
+#include "solidnoise/volume/topology/world_bounds.h"
 
 namespace solidnoise {
 namespace {
@@ -51,6 +53,26 @@ Topology make_topology(const VolumeRecipe& recipe, const VolumePlan& plan, Progr
   return std::visit(by_shape, recipe.shape);
 }
 
+using Parameters = std::shared_ptr<const ParameterFields>;
+
+NoiseView view_of(const VolumeRecipe& recipe) {
+  return {recipe.dims, recipe.time, recipe.offset};
+}
+
+// Octave k of a recipe's noise by itself.
+std::shared_ptr<const Field> make_volume_octave(const VolumeRecipe& recipe, const Parameters& parameters,
+                                                int k) {
+  std::shared_ptr<const Field> field;
+  if (recipe.parameters.vary_kernel()) {
+    field = make_varying_octave(recipe.noise, k, view_of(recipe), parameters);
+  } else {
+    VolumeRecipe octave = recipe;
+    octave.noise = octave_of(recipe.noise, k);
+    field = std::make_shared<NoiseField>(make_volume_noise(octave));
+  }
+  return recipe.parameters.magnitude ? with_magnitude(field, parameters) : field;
+}
+
 std::unique_ptr<Field> make_cloud(const VolumeRecipe& recipe, const VolumePlan& plan,
                                   const CloudShaping& shaping) {
   CloudParts parts;
@@ -61,9 +83,8 @@ std::unique_ptr<Field> make_cloud(const VolumeRecipe& recipe, const VolumePlan& 
   parts.up = recipe.up;
   parts.seed = seed_of(recipe.noise);
   for (int k = 0; k < recipe.noise.fractal.octaves; ++k) {
-    VolumeRecipe octave = recipe;
-    octave.noise = octave_of(recipe.noise, k);
-    parts.octaves.push_back({make_volume_noise(octave), std::pow(recipe.noise.fractal.gain, k)});
+    parts.octaves.push_back(
+        {make_volume_octave(recipe, plan.parameters, k), std::pow(recipe.noise.fractal.gain, k)});
   }
   return make_cloud_field(parts);
 }
@@ -79,23 +100,38 @@ std::shared_ptr<const LayeredField> make_layers(const VolumeRecipe& recipe) {
 }
 
 // What is shaped: the noise, or the layers in its place.
-std::shared_ptr<const Field> make_source(const VolumeRecipe& recipe) {
+std::shared_ptr<const Field> make_source(const VolumeRecipe& recipe, const Parameters& parameters) {
   if (!recipe.layers.empty()) return make_layers(recipe);
-  return std::make_shared<NoiseField>(make_volume_noise(recipe));
+  std::shared_ptr<const Field> field;
+  if (recipe.parameters.vary_kernel()) {
+    field = make_varying_volume_noise(recipe, parameters);
+  } else {
+    field = std::make_shared<NoiseField>(make_volume_noise(recipe));
+  }
+  return recipe.parameters.magnitude ? with_magnitude(field, parameters) : field;
 }
 
-std::unique_ptr<PointField> make_volume_points(const VolumeRecipe& recipe) {
+std::unique_ptr<PointField> make_volume_points(const VolumeRecipe& recipe, const Parameters& parameters) {
   const auto& raw = std::get<RawShaping>(recipe.shaping);
   if (!recipe.layers.empty()) return make_point_field(make_layers(recipe), raw);
-  return make_point_field(make_volume_noise(recipe), raw);
+  if (!recipe.parameters.any()) return make_point_field(make_volume_noise(recipe), raw);
+  std::shared_ptr<const PointField> points;
+  if (recipe.parameters.vary_kernel()) {
+    points = make_varying_volume_noise(recipe, parameters);
+  } else {
+    points = make_point_field(make_volume_noise(recipe), RawShaping{});
+  }
+  if (recipe.parameters.magnitude) points = with_magnitude(points, parameters);
+  return make_point_field(points, raw);
 }
 
 std::unique_ptr<Field> make_volume_field(const VolumeRecipe& recipe, const VolumePlan& plan) {
   if (!is_scalar(recipe)) return make_derived_field(recipe, plan);
+  const auto source = [&] { return make_source(recipe, plan.parameters); };
   const Overloaded by_shaping{
-      [&](const RawShaping& raw) { return make_field(make_source(recipe), raw); },
-      [&](const RemapShaping& remap) { return make_field(make_source(recipe), remap, plan.box); },
-      [&](const VeinShaping& veins) { return make_field(make_source(recipe), veins); },
+      [&](const RawShaping& raw) { return make_field(source(), raw); },
+      [&](const RemapShaping& remap) { return make_field(source(), remap, plan.box); },
+      [&](const VeinShaping& veins) { return make_field(source(), veins); },
       [&](const CloudShaping& cloud) { return make_cloud(recipe, plan, cloud); },
   };
   return std::visit(by_shaping, recipe.shaping);
@@ -143,11 +179,8 @@ void plan_boundary(const VolumeRecipe& recipe, VolumePlan& plan) {
       std::make_shared<DistanceSpline>(surface, plan.boundary->width.value_or(1.0 / frequency));
 }
 
-}  // namespace
-
-VolumePlan plan_volume(const VolumeRecipe& recipe, const VolumePart& part) {
-  recipe.validate();
-  part.validate();
+// All of the plan but the parameters.
+VolumePlan plan_voxels(const VolumeRecipe& recipe, const VolumePart& part) {
   VolumePlan plan;
   plan.part = part;
   plan.box = recipe.box;
@@ -184,10 +217,28 @@ VolumePlan plan_volume(const VolumeRecipe& recipe, const VolumePart& part) {
   return plan;
 }
 
+}  // namespace
+
+VolumePlan plan_volume(const VolumeRecipe& recipe, const VolumePart& part) {
+  recipe.validate();
+  part.validate();
+  VolumePlan plan = plan_voxels(recipe, part);
+  if (!recipe.parameters.any()) return plan;
+  plan.parameters = std::make_shared<ParameterFields>(recipe.parameters);
+  plan.parameters->require_overlap(plan.modification ? world_bounds(plan.modification->grid()) : plan.box);
+  plan.memory += plan.parameters->memory();
+  return plan;
+}
+
 std::shared_ptr<const Noise<3>> make_volume_noise(const VolumeRecipe& recipe) {
   if (recipe.band_limit) throw std::invalid_argument("band_limit needs the size of the voxels");
   return make_framed(
       recipe, [](auto dim, const NoiseRecipe& noise) { return make_noise<decltype(dim)::value>(noise); });
+}
+
+std::shared_ptr<const VaryingField> make_varying_volume_noise(const VolumeRecipe& recipe,
+                                                              std::shared_ptr<const ParameterFields> fields) {
+  return make_varying_field(recipe.noise, view_of(recipe), std::move(fields));
 }
 
 std::shared_ptr<const Noise<3>> make_volume_quadrature(const VolumeRecipe& recipe) {
@@ -196,7 +247,10 @@ std::shared_ptr<const Noise<3>> make_volume_quadrature(const VolumeRecipe& recip
   });
 }
 
-double highest_frequency(const VolumeRecipe& recipe) {
+double highest_frequency(const VolumeRecipe& recipe, const VolumePlan& plan) {
+  if (recipe.parameters.vary_kernel()) {
+    return make_varying_volume_noise(recipe, plan.parameters)->band().upper;
+  }
   if (recipe.layers.empty()) return make_volume_noise(recipe)->band().upper;
   double highest = 0.0;
   for (const NoiseRecipe& noise : noises_of(recipe.layers, recipe.noise)) {
@@ -208,19 +262,26 @@ double highest_frequency(const VolumeRecipe& recipe) {
 Volume make_volume(const VolumeRecipe& recipe, const VolumePlan& plan, const std::string& creator,
                    Progress* progress) {
   const auto at_voxels = [&](const VolumeRecipe& of) { return at_resolution(of, plan.frame.voxel_size()); };
+  VolumeRecipe noted = recipe;
+  noted.shape = plan.shape;
+  noted.boundary = plan.boundary;
+  if (plan.parameters) noted.parameters = plan.parameters->grids();
   if (plan.modification) {
     const auto field = [&](const VolumeRecipe& of) { return make_volume_field(at_voxels(of), plan); };
-    const auto points = [&](const VolumeRecipe& of) { return make_volume_points(at_voxels(of)); };
-    return make_modified_volume(recipe, *plan.modification, {field, points}, progress);
+    const auto points = [&](const VolumeRecipe& of) {
+      return make_volume_points(at_voxels(of), plan.parameters);
+    };
+    if (plan.parameters && plan.modification->on_lattice()) {
+      plan.parameters->require_allowed_at(grid_topology(plan.modification->grid()));
+    }
+    return make_modified_volume(noted, *plan.modification, {field, points}, progress);
   }
   const std::unique_ptr<Field> field = make_volume_field(at_voxels(recipe), plan);
   const Topology topology = make_topology(recipe, plan, progress);
   const Topology part = take_part(topology, plan.part);
+  if (plan.parameters) plan.parameters->require_allowed_at(part);
   Volume volume{fill_grids(part, *field, components_of(recipe.output),
                            is_raw(recipe) ? Sparsity::keep : Sparsity::drop, progress)};
-  VolumeRecipe noted = recipe;
-  noted.shape = plan.shape;
-  noted.boundary = plan.boundary;
   if (plan.part.whole()) {
     finish_volume(noted, creator, volume);
   } else {

@@ -10,6 +10,8 @@
 #include "solidnoise/core/progress.h"
 #include "solidnoise/volume/field/distance_spline.h"
 #include "solidnoise/volume/modify/modify_volume.h"
+#include "solidnoise/volume/parameters/parameter_fields.h"
+#include "solidnoise/volume/parameters/varying_field.h"
 #include "solidnoise/volume/topology/grid_frame.h"
 #include "solidnoise/volume/topology/triangle_mesh.h"
 #include "solidnoise/volume/topology/volume_part.h"
@@ -33,10 +35,12 @@ struct VolumePlan {
 
   std::optional<Boundary> boundary;  // the recipe's, with the digest of its file
   std::shared_ptr<const DistanceSpline> boundary_distance;
+
+  std::shared_ptr<const ParameterFields> parameters;  // of a noise that has some, else null
 };
 
-// Validates the recipe and reads the file that its shape names. Throws std::invalid_argument (options) and
-// std::runtime_error (files, also one that is not the file that the recipe's digest is of).
+// Validates the recipe and reads the files that its shape and parameters name. Throws std::invalid_argument
+// (options) and std::runtime_error (files, also one that is not the file that the recipe's digest is of).
 VolumePlan plan_volume(const VolumeRecipe& recipe, const VolumePart& part = {});
 
 // Makes the volume, in parallel, from the plan of the same recipe, and finishes it (finish_volume()); a part
@@ -46,14 +50,19 @@ Volume make_volume(const VolumeRecipe& recipe, const VolumePlan& plan, const std
                    Progress* progress = nullptr);
 
 // The noise of a recipe as it is in the volume: at the recipe's time, and a frame of it where it is of 4
-// dimensions. Of a recipe with band_limit take it at_resolution(); throws std::invalid_argument.
+// dimensions. Parameters are the recipe's own, not those of grids. Of a recipe with band_limit take it
+// at_resolution(); throws std::invalid_argument.
 std::shared_ptr<const Noise<3>> make_volume_noise(const VolumeRecipe& recipe);
+
+// The same of a recipe whose kernels vary, with the fields of its plan.
+std::shared_ptr<const VaryingField> make_varying_volume_noise(const VolumeRecipe& recipe,
+                                                              std::shared_ptr<const ParameterFields> fields);
 
 // The same of make_quadrature(): a quarter of a wave behind the recipe's noise.
 std::shared_ptr<const Noise<3>> make_volume_quadrature(const VolumeRecipe& recipe);
 
 // The highest frequency of the recipe's noise, or of those of its layers: the upper end of the band, cycles
-// per world unit. Folds and warps go beyond it.
-double highest_frequency(const VolumeRecipe& recipe);
+// per world unit, where parameters are the greatest of the plan's. Folds and warps go beyond it.
+double highest_frequency(const VolumeRecipe& recipe, const VolumePlan& plan);
 
 }  // namespace solidnoise

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -52,6 +53,25 @@ void validate_output(const VolumeRecipe& recipe) {
   if (recipe.boundary) recipe.boundary->validate();
 }
 
+void validate_parameters(const VolumeRecipe& recipe) {
+  const ParameterGrids& parameters = recipe.parameters;
+  if (!parameters.any()) return;
+  parameters.validate(recipe.noise);
+  const std::string_view field = parameters.first_field();
+  if (!recipe.layers.empty()) {
+    throw std::invalid_argument(
+        fmt::format("{} does not go with layers, each of which may have a noise of its own", field));
+  }
+  if (!is_scalar(recipe)) {
+    throw std::invalid_argument(
+        fmt::format("{} goes with output value only; output is {}", field, format_outputs(recipe.output)));
+  }
+  if (recipe.modification && recipe.modification->rest) {
+    throw std::invalid_argument(
+        fmt::format("{} does not go with rest: its grid lies in the world, and the noise elsewhere", field));
+  }
+}
+
 }  // namespace
 
 void RawShaping::validate() const {}
@@ -87,6 +107,7 @@ void CloudShaping::validate() const {
 
 void VolumeRecipe::validate() const {
   noise.validate();
+  validate_parameters(*this);
   require_in_range("dims", dims, 3, 4);
   require_finite("time", time);
   for (int axis = 0; axis < 3; ++axis) require_finite("offset", offset[axis]);
@@ -103,7 +124,8 @@ void VolumeRecipe::validate() const {
   }
   if (band_limit && !may_band_limit(*this)) {
     throw std::invalid_argument(
-        "band_limit is true; it must be false where dims is 4, for gradient noise (kensler) and with layers");
+        "band_limit is true; it must be false where dims is 4, for gradient noise (kensler), with layers and "
+        "where frequency, bandwidth or direction are from a grid");
   }
   std::visit([](const auto& look) { look.validate(); }, shaping);
   if (modification) modification->validate();
@@ -136,7 +158,8 @@ bool is_scalar(const VolumeRecipe& recipe) {
 }
 
 bool may_band_limit(const VolumeRecipe& recipe) {
-  return recipe.dims == 3 && recipe.layers.empty() && can_filter(recipe.noise);
+  return recipe.dims == 3 && recipe.layers.empty() && can_filter(recipe.noise) &&
+         !recipe.parameters.vary_kernel();
 }
 
 VolumeRecipe at_resolution(const VolumeRecipe& recipe, const Vec<3>& voxel_size) {

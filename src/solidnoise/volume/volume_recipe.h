@@ -11,6 +11,7 @@
 #include "solidnoise/volume/field/shaping.h"
 #include "solidnoise/volume/modify/modification.h"
 #include "solidnoise/volume/output.h"
+#include "solidnoise/volume/parameters/parameter_grids.h"
 #include "solidnoise/volume/preview/preview.h"
 #include "solidnoise/volume/vdb/grid_file.h"
 #include "solidnoise/volume/vdb/vdb_write.h"
@@ -55,6 +56,7 @@ struct VolumeRecipe {
   std::vector<Layer> layers;  // their sum takes the noise's place; see Layer. Not of a cloud
   int dims = 3;               // 3, or 4: a frame of a noise that changes in time
   double time = 0.0;          // of the frame: in the noise's fourth axis, or of its Evolution; else 0
+  ParameterGrids parameters;  // of the noise, where they vary in space; of Output::value, without layers
   Vec<3> offset{0.0};         // moves the noise, world units
   bool band_limit = false;    // filter the noise at the size of the voxels: at_resolution()
 
@@ -89,8 +91,8 @@ std::vector<std::string> grid_names(const VolumeRecipe& recipe);
 // Whether the recipe makes one grid of values, and no other.
 bool is_scalar(const VolumeRecipe& recipe);
 
-// Whether a recipe's noise can be filtered: Gabor noises of 3 dimensions. (In 4 the filter would blur time;
-// folds and warps of layers make frequencies of their own.)
+// Whether a recipe's noise can be filtered: Gabor noises of 3 dimensions whose kernels are the same
+// everywhere. (In 4 the filter would blur time; folds and warps of layers make frequencies of their own.)
 bool may_band_limit(const VolumeRecipe& recipe);
 
 // The recipe as it is on voxels of a size: where band_limit says so, its noise is convolved with a Gaussian

@@ -14,6 +14,7 @@
 #include "solidnoise/recipe/recipe_header.h"
 #include "solidnoise/volume/field/layer_json.h"
 #include "solidnoise/volume/modify/modification_json.h"
+#include "solidnoise/volume/parameters/parameter_grids_json.h"
 #include "solidnoise/volume/vdb/grid_file_json.h"
 
 namespace solidnoise {
@@ -167,6 +168,7 @@ Json to_json(const VolumeRecipe& recipe) {
   json["time"] = recipe.time;
   json["offset"] = {recipe.offset.x, recipe.offset.y, recipe.offset.z};
   json["band_limit"] = recipe.band_limit;
+  add_parameter_grids(json, recipe.parameters);
   json["shaping"] = shaping_to_json(recipe.shaping);
   if (!is_scalar(recipe)) json["output"] = format_outputs(recipe.output);
   if (recipe.speed != 1.0) json["speed"] = recipe.speed;
@@ -202,6 +204,7 @@ VolumeRecipe volume_recipe_from_json(const Json& json) {
   reader.read("time", recipe.time);
   reader.read("offset", recipe.offset);
   reader.read("band_limit", recipe.band_limit);
+  read_parameter_grids(reader, recipe.parameters);
   if (auto shaping = reader.object("shaping")) recipe.shaping = shaping_from_json(*shaping);
   std::string output = format_outputs(recipe.output);
   reader.read("output", output);

@@ -149,7 +149,7 @@ class CloudBlock final : public FieldBlock {
   void displace(const Lattice<3>& lattice, std::size_t k, const std::vector<float>& height,
                 Surface& s) const {
     std::vector<float> n(s.distance.size());
-    noises_[k]->evaluate(lattice, {n});
+    noises_[k]->evaluate(lattice, n);
     const float base = static_cast<float>(model_.shaping.base);
     for (std::size_t i = 0; i < n.size(); ++i) {
       const float l = lobe(n[i]);
@@ -174,7 +174,7 @@ class CloudBlock final : public FieldBlock {
 
   const CloudModel& model_;  // the field's, which outlives its blocks
   PuffUnion pile_;
-  std::vector<std::unique_ptr<NoiseBlock<3>>> noises_;
+  std::vector<std::unique_ptr<FieldBlock>> noises_;
 };
 
 class CloudField final : public Field {

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "solidnoise/core/box.h"
-#include "solidnoise/noise/noise.h"
 #include "solidnoise/volume/field/cloud_shaping.h"
 #include "solidnoise/volume/field/cloud_union.h"
 #include "solidnoise/volume/field/field.h"
@@ -15,7 +14,7 @@ namespace solidnoise {
 // One octave of a noise that is not summed: of unit variance, with the amplitude that it would be summed with
 // relative to the first one.
 struct Octave {
-  std::shared_ptr<const Noise<3>> noise;
+  std::shared_ptr<const Field> noise;
   double amplitude = 1.0;
 };
 

@@ -24,6 +24,13 @@ class NoiseFieldBlock final : public FieldBlock {
 
 }  // namespace
 
+void FieldBlock::evaluate_all(std::span<const Lattice<3>> lattices, std::span<float> values) const {
+  for (std::size_t i = 0; i < lattices.size(); ++i) {
+    const std::size_t size = values.size() / lattices.size();
+    evaluate(lattices[i], values.subspan(i * size, size));
+  }
+}
+
 int Field::channels() const {
   return 1;
 }

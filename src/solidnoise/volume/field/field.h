@@ -17,6 +17,10 @@ class FieldBlock {
   // Overwrites `values`: for each of the field's channels one value per sample, in the lattice's order, one
   // channel after the other. Precondition: the lattice lies in the block's box.
   virtual void evaluate(const Lattice<3>& lattice, std::span<float> values) const = 0;
+
+  // The same for several lattices of one frame, one after the other: for fields that gain by doing many at
+  // once. Values are the same to the last bit. Precondition: the lattices are of one size.
+  virtual void evaluate_all(std::span<const Lattice<3>> lattices, std::span<float> values) const;
 };
 
 // Whatever grids can be filled with: a noise, a density shaped from several noises and distances, a velocity.

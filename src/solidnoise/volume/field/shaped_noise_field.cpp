@@ -25,6 +25,14 @@ class MappedBlock final : public FieldBlock {
     map_(lattice, values);
   }
 
+  void evaluate_all(std::span<const Lattice<3>> lattices, std::span<float> values) const override {
+    source_->evaluate_all(lattices, values);
+    for (const Lattice<3>& lattice : lattices) {
+      map_(lattice, values.first(lattice.size()));
+      values = values.subspan(lattice.size());
+    }
+  }
+
  private:
   std::unique_ptr<FieldBlock> source_;
   const Map& map_;  // the field's own, which outlives its blocks

@@ -14,6 +14,7 @@
 #include "solidnoise/volume/modify/grid_mask.h"
 #include "solidnoise/volume/modify/rest_positions.h"
 #include "solidnoise/volume/topology/topology.h"
+#include "solidnoise/volume/topology/world_bounds.h"
 #include "solidnoise/volume/vdb/require_finite_grid.h"
 
 namespace solidnoise {
@@ -59,25 +60,6 @@ void require_suitable(const Modification& modification, const FloatGrid& grid) {
                     grid.background(), 2.0 * grid.voxelSize().x()));
   }
   as_file_error([&] { require_finite_values(grid, name); });
-}
-
-// The box in the world that holds a grid's active voxels.
-Box<3> world_bounds(const GridBase& grid) {
-  const openvdb::CoordBBox voxels = grid.evalActiveVoxelBoundingBox();
-  Box<3> box{Vec<3>(std::numeric_limits<double>::infinity()),
-             Vec<3>(-std::numeric_limits<double>::infinity())};
-  for (int corner = 0; corner < 8; ++corner) {
-    openvdb::Vec3d index;
-    for (int axis = 0; axis < 3; ++axis) {
-      index[axis] = (corner >> axis & 1) != 0 ? voxels.max()[axis] + 1.0 : voxels.min()[axis] - 1.0;
-    }
-    const openvdb::Vec3d world = grid.indexToWorld(index);
-    for (int axis = 0; axis < 3; ++axis) {
-      box.lower[axis] = std::min(box.lower[axis], world[axis]);
-      box.upper[axis] = std::max(box.upper[axis], world[axis]);
-    }
-  }
-  return box;
 }
 
 void require_overlap(const GridFile& source, const GridBase& grid, const GridBase& target) {

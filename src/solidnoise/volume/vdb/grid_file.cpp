@@ -42,4 +42,10 @@ openvdb::FloatGrid::Ptr read_float_grid(GridFile& source, const std::string& fla
   return grid;
 }
 
+openvdb::GridBase::Ptr read_vector_grid(GridFile& source, const std::string& flag) {
+  const openvdb::GridBase::Ptr grid = read_vector_grid(source.file, source.grid);
+  note_digest(source.file, flag, source.digest);
+  return grid;
+}
+
 }  // namespace solidnoise

@@ -30,5 +30,6 @@ void note_digest(const std::string& file, const std::string& flag, std::string& 
 // is no such grid, listing those that exist.
 openvdb::GridBase::Ptr read_grid(GridFile& source, const std::string& flag);
 openvdb::FloatGrid::Ptr read_float_grid(GridFile& source, const std::string& flag);
+openvdb::GridBase::Ptr read_vector_grid(GridFile& source, const std::string& flag);  // vec3s or vec3d
 
 }  // namespace solidnoise

@@ -156,6 +156,12 @@ openvdb::FloatGrid::Ptr read_float_grid(const std::filesystem::path& path, const
   return openvdb::gridPtrCast<openvdb::FloatGrid>(read_matching(path, name, kGridOfFloats, is_float));
 }
 
+openvdb::GridBase::Ptr read_vector_grid(const std::filesystem::path& path, const std::string& name) {
+  return read_matching(path, name, "grid of vectors", [](const openvdb::GridBase& grid) {
+    return grid.isType<openvdb::Vec3SGrid>() || grid.isType<openvdb::Vec3DGrid>();
+  });
+}
+
 VdbFile read_grids(const std::filesystem::path& path) {
   const std::unique_ptr<VdbReader> reader = open_vdb(path);
   VdbFile file = guarded(path, [&] { return VdbFile{reader->metadata(), reader->read_grids()}; });

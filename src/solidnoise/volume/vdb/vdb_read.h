@@ -44,6 +44,9 @@ openvdb::GridBase::Ptr read_grid(const std::filesystem::path& path, const std::s
 // std::runtime_error also if the named grid is of another type.
 openvdb::FloatGrid::Ptr read_float_grid(const std::filesystem::path& path, const std::string& name = {});
 
+// The same for a grid of vectors, vec3s or vec3d.
+openvdb::GridBase::Ptr read_vector_grid(const std::filesystem::path& path, const std::string& name = {});
+
 // All grids of a file, in its order, and the file's own metadata. Grids that share a tree in the file share
 // it here. What the file says of a grid's place in it (bounds, sizes, compression) is left out: the next file
 // has its own.

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "solidnoise/core/vec.h"
+#include "solidnoise/volume/parameters/parameter_grids.h"
+#include "solidnoise/volume/parameters/parameter_range.h"
+#include "solidnoise/volume/topology/topology.h"
+#include "solidnoise/volume/vdb/openvdb.h"
+
+namespace solidnoise {
+
+// A grid of floats as a parameter, anywhere in the world: interpolated trilinearly, whatever the grid's
+// transform, and where there is a map mapped then.
+class ScalarField {
+ public:
+  // Reads the grid and notes its digest in `source`; `flag` is what messages advise to give. Throws
+  // std::runtime_error naming the file: it cannot be read, has no such grid, no active voxels, or active
+  // values that are not in the range (how many and where the first is).
+  ScalarField(ParameterGrid& source, const std::string& flag, const ParameterRange& range);
+
+  // Overwrites `values`, one per position (world units). Throws std::runtime_error naming the file and the
+  // first position whose value is not allowed.
+  void sample(std::span<const Vec<3>> positions, std::span<float> values) const;
+
+  // Throws std::runtime_error if the value is not allowed at some of the voxels, as where the grid has none
+  // and its background is 0: naming the file, how many voxels, and where the first is.
+  void require_allowed_at(const Topology& topology) const;
+
+  // Least and greatest parameter of the active voxels.
+  float least() const { return least_; }
+  float greatest() const { return greatest_; }
+
+  const std::string& name() const { return name_; }  // "f.vdb: grid 'paint'"
+  const openvdb::FloatGrid& grid() const { return *grid_; }
+
+ private:
+  float mapped(float value) const;
+  bool allows(float value) const;
+  float raw_at(const openvdb::FloatGrid::ConstUnsafeAccessor& accessor, const Vec<3>& position) const;
+  std::string allowed() const;
+  void require_allowed_values();
+
+  openvdb::FloatGrid::ConstPtr grid_;
+  std::optional<ValueMap> map_;
+  bool by_ratio_ = false;
+  ParameterRange range_;
+  std::string name_;
+  float least_ = 0.0f;
+  float greatest_ = 0.0f;
+};
+
+}  // namespace solidnoise
