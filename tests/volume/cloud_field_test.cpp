@@ -48,7 +48,8 @@ std::unique_ptr<Field> field_of(const VolumeRecipe& recipe) {
   parts.wavelength = 1.0 / 2.8;
   parts.box = recipe.box;
   for (int k = 0; k < recipe.noise.fractal.octaves; ++k) {
-    parts.octaves.push_back({make_noise<3>(octave_of(recipe.noise, k)), std::pow(0.48, k)});
+    parts.octaves.push_back(
+        {std::make_shared<NoiseField>(make_noise<3>(octave_of(recipe.noise, k))), std::pow(0.48, k)});
   }
   return make_cloud_field(parts);
 }

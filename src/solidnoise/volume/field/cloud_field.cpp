@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include <glm/common.hpp>
@@ -83,34 +84,68 @@ class CloudBlock final : public FieldBlock {
   }
 
   void evaluate(const Lattice<3>& lattice, std::span<float> values) const override {
-    const std::size_t count = values.size();
-    std::array<std::vector<float>, 3> p;
-    locate(lattice, p);
-    std::vector<float> distance(count);
-    pile_.within(model_.to_cloud(lattice.bounds())).evaluate({p[0], p[1], p[2]}, distance);
-    cut_base(p[1], distance);
+    evaluate_all({&lattice, 1}, values);
+  }
 
-    std::copy(distance.begin(), distance.end(), values.begin());
-    Surface surface{distance, std::vector<float>(count, 1.0f), std::vector<float>(count, 0.0f),
-                    std::vector<float>(count, 0.0f)};
-    for (std::size_t k = 0; k < noises_.size(); ++k) {
-      const auto [lowest, highest] = std::minmax_element(surface.distance.begin(), surface.distance.end());
-      if (*lowest > model_.outward[k]) break;
-      if (*highest < -model_.inward[k] - model_.widest_edge) break;
-      displace(lattice, k, p[1], surface);
+  void evaluate_all(std::span<const Lattice<3>> lattices, std::span<float> values) const override {
+    std::vector<Surface> surfaces;
+    for (const Lattice<3>& lattice : lattices) surfaces.push_back(begin(lattice));
+    for (std::size_t k = 0; k < noises_.size(); ++k) displace(lattices, k, surfaces);
+    for (Surface& s : surfaces) {
+      keep_inside(s.p, s.distance);
+      for (std::size_t i = 0; i < s.distance.size(); ++i) values[i] = density(s, i);
+      values = values.subspan(s.distance.size());
     }
-    keep_inside(p, surface.distance);
-    for (std::size_t i = 0; i < count; ++i) values[i] = density(surface, i, p[1][i], values[i]);
   }
 
  private:
-  // The state of the samples while octaves are applied.
+  // The state of a lattice's samples while octaves are applied.
   struct Surface {
+    std::array<std::vector<float>, 3> p;  // in the cloud's frame
+    std::vector<float> depth;             // distance before all octaves
     std::vector<float> distance;
     std::vector<float> weight;    // of the next octave; small in the creases of the last ones
     std::vector<float> softness;  // 0 to 1
     std::vector<float> fine;      // the last octave's noise
+    bool decided = false;         // further octaves change nothing
   };
+
+  Surface begin(const Lattice<3>& lattice) const {
+    const std::size_t count = lattice.size();
+    Surface s;
+    locate(lattice, s.p);
+    s.distance.resize(count);
+    pile_.within(model_.to_cloud(lattice.bounds())).evaluate({s.p[0], s.p[1], s.p[2]}, s.distance);
+    cut_base(s.p[1], s.distance);
+    s.depth = s.distance;
+    s.weight.assign(count, 1.0f);
+    s.softness.assign(count, 0.0f);
+    s.fine.assign(count, 0.0f);
+    return s;
+  }
+
+  // Applies octave k where it can decide something.
+  void displace(std::span<const Lattice<3>> lattices, std::size_t k, std::vector<Surface>& surfaces) const {
+    std::vector<Lattice<3>> wanted;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < lattices.size(); ++i) {
+      Surface& s = surfaces[i];
+      const auto [lowest, highest] = std::minmax_element(s.distance.begin(), s.distance.end());
+      s.decided |= *lowest > model_.outward[k] || *highest < -model_.inward[k] - model_.widest_edge;
+      if (s.decided) continue;
+      wanted.push_back(lattices[i]);
+      count += lattices[i].size();
+    }
+    if (wanted.empty()) return;
+    std::vector<float> noise(count);
+    noises_[k]->evaluate_all(wanted, noise);
+    std::span<const float> n(noise);
+    for (Surface& s : surfaces) {
+      if (s.decided) continue;
+      displace(k, n.first(s.distance.size()), s);
+      n = n.subspan(s.distance.size());
+    }
+  }
 
   void locate(const Lattice<3>& lattice, std::array<std::vector<float>, 3>& p) const {
     for (auto& axis : p) axis.reserve(lattice.size());
@@ -146,10 +181,8 @@ class CloudBlock final : public FieldBlock {
     }
   }
 
-  void displace(const Lattice<3>& lattice, std::size_t k, const std::vector<float>& height,
-                Surface& s) const {
-    std::vector<float> n(s.distance.size());
-    noises_[k]->evaluate(lattice, n);
+  void displace(std::size_t k, std::span<const float> n, Surface& s) const {
+    const std::vector<float>& height = s.p[1];
     const float base = static_cast<float>(model_.shaping.base);
     for (std::size_t i = 0; i < n.size(); ++i) {
       const float l = lobe(n[i]);
@@ -161,7 +194,9 @@ class CloudBlock final : public FieldBlock {
     }
   }
 
-  float density(const Surface& s, std::size_t i, float height, float depth) const {
+  float density(const Surface& s, std::size_t i) const {
+    const float height = s.p[1][i];
+    const float depth = s.depth[i];
     const float at_base = 1.0f - smoothstep(height / model_.foot);
     const float soft = std::max(s.softness[i], at_base);
     const float width = model_.edge * (1.0f + (kSoftest - 1.0f) * soft);

@@ -38,17 +38,23 @@ class ScalarField {
   const openvdb::FloatGrid& grid() const { return *grid_; }
 
  private:
+  class Sampler;
+
   float mapped(float value) const;
   bool allows(float value) const;
-  float raw_at(const openvdb::FloatGrid::ConstUnsafeAccessor& accessor, const Vec<3>& position) const;
-  std::string allowed() const;
   void require_allowed_values();
+  // Of messages: what a value must be, and why it may be another one.
+  std::string refusal(const std::string& why) const;
+  std::string outside() const;
 
   openvdb::FloatGrid::ConstPtr grid_;
   std::optional<ValueMap> map_;
   bool by_ratio_ = false;
+  double octaves_ = 0.0;  // from at_low to at_high
   ParameterRange range_;
   std::string name_;
+  std::string map_flag_;
+  bool all_allowed_ = false;  // of all values that there are, active or not
   float least_ = 0.0f;
   float greatest_ = 0.0f;
 };
