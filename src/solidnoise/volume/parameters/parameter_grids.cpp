@@ -39,8 +39,11 @@ double filter_of(const NoiseRecipe& recipe) {
 
 // What noise there is, if it is none that can vary.
 std::string unfit(const NoiseRecipe& recipe) {
-  if (std::holds_alternative<GradientNoiseOptions>(recipe.noise)) {
-    return "kensler noise; it must be gabor or gabor-oriented";
+  constexpr char kWhat[] = "; it must be gabor or gabor-oriented";
+  if (std::holds_alternative<GradientNoiseOptions>(recipe.noise))
+    return fmt::format("kensler noise{}", kWhat);
+  if (std::holds_alternative<SpectrumNoiseOptions>(recipe.noise)) {
+    return fmt::format("a noise by example{}", kWhat);
   }
   if (evolves(recipe)) return "noise that evolves; dims 4 changes with time too";
   if (std::visit([](const auto& options) { return options.period != Vec<4>(0.0); }, recipe.noise)) {
