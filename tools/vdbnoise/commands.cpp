@@ -9,6 +9,7 @@ int run_vdbnoise(const std::vector<std::string>& arguments) {
   const std::vector<std::string> rest(arguments.begin() + 1, arguments.end());
   if (arguments[0] == "make") return run_make(rest);
   if (arguments[0] == "merge") return run_command("vdbnoise merge", [&] { return run_merge(rest); });
+  if (arguments[0] == "surface") return run_command("vdbnoise surface", [&] { return run_surface(rest); });
   if (arguments[0] == "info") return run_command("vdbnoise info", [&] { return run_info(rest); });
   if (arguments[0] == "analyze") return run_command("vdbnoise analyze", [&] { return run_analyze(rest); });
   return run_make(arguments);

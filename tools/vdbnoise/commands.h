@@ -11,6 +11,7 @@ inline constexpr char kVdbnoise[] = "vdbnoise " SOLIDNOISE_VERSION;  // name and
 // what run_tool() expects.
 int run_make(const std::vector<std::string>& arguments);
 int run_merge(const std::vector<std::string>& arguments);
+int run_surface(const std::vector<std::string>& arguments);
 int run_info(const std::vector<std::string>& arguments);
 int run_analyze(const std::vector<std::string>& arguments);
 

@@ -1,11 +1,10 @@
-#include <cmath>
 #include <memory>
 #include <stdexcept>
-#include <vector>
 
 #include <openvdb/tools/LevelSetUtil.h>
 #include <openvdb/tools/MeshToVolume.h>
 
+#include "solidnoise/volume/topology/index_mesh.h"
 #include "solidnoise/volume/topology/interrupter.h"
 #include "solidnoise/volume/topology/topology.h"
 
@@ -13,36 +12,6 @@ namespace solidnoise {
 namespace {
 
 using MaskLeaf = openvdb::MaskTree::LeafNodeType;
-
-// The mesh in index space, moved by whole leaves close to the origin, because meshToVolume computes in single
-// precision.
-struct IndexMesh {
-  openvdb::Coord shift;  // what was taken off
-  std::vector<openvdb::Vec3s> points;
-  std::vector<openvdb::Vec3I> triangles;
-};
-
-IndexMesh to_index_space(const GridFrame& frame, const TriangleMesh& mesh) {
-  const Box<3> bounds = mesh.bounds();
-  frame.voxels_in(bounds);  // refuses what has no 32-bit index
-  IndexMesh result;
-  Vec<3> zero;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double lower = (bounds.lower[axis] - frame.origin()[axis]) / frame.voxel_size()[axis];
-    result.shift[axis] =
-        static_cast<std::int32_t>(std::floor(lower / MaskLeaf::DIM)) * static_cast<int>(MaskLeaf::DIM);
-    zero[axis] = result.shift[axis];
-  }
-  result.points.reserve(mesh.positions.size());
-  for (const Vec<3>& position : mesh.positions) {
-    const Vec<3> index = (position - frame.origin()) / frame.voxel_size() - zero;
-    result.points.emplace_back(static_cast<float>(index.x), static_cast<float>(index.y),
-                               static_cast<float>(index.z));
-  }
-  result.triangles.reserve(mesh.triangles.size());
-  for (const auto& t : mesh.triangles) result.triangles.emplace_back(t[0], t[1], t[2]);
-  return result;
-}
 
 // The voxels where the mesh's distance is negative, as leaves only.
 openvdb::MaskTree::Ptr inside(const IndexMesh& mesh, Progress* progress) {

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "solidnoise/core/progress.h"
+#include "solidnoise/volume/topology/triangle_mesh.h"
+#include "solidnoise/volume/vdb/openvdb.h"
+
+namespace solidnoise {
+
+// The level set of a closed mesh (OpenVDB's meshToVolume): distances to its surface in world units, negative
+// inside, exact up to `band` on both sides; beyond, the grid's background is band or -band. Voxel centres are
+// at multiples of the voxel size, in world units. Throws std::invalid_argument: as require_closed does, a
+// voxel size that is not positive, a band of less than 3 voxels or more than 1000; Cancelled.
+openvdb::FloatGrid::Ptr mesh_level_set(const TriangleMesh& mesh, double voxel, double band,
+                                       Progress* progress = nullptr);
+
+}  // namespace solidnoise
