@@ -89,9 +89,10 @@ TEST(LayerJson, RefusesWhatHasNoEffect) {
             "layers[0].noise.filter is 0.1; it must be 0 in a layer");
   EXPECT_EQ(refusal_of(R"([{}], "shaping": {"type": "cloud"})"),
             "layers have no effect on a cloud, whose shaping takes the noise's octaves");
-  EXPECT_EQ(refusal_of(R"([{}], "band_limit": true)"),
-            "band_limit is true; it must be false where dims is 4, for gradient noise (kensler) and with "
-            "layers");
+  EXPECT_EQ(
+      refusal_of(R"([{}], "band_limit": true)"),
+      "band_limit is true; it must be false where dims is 4, for gradient noise (kensler), with layers and "
+      "where frequency, bandwidth or direction are from a grid");
 }
 
 TEST(LayerJson, LimitsDepthAndNumber) {

@@ -6,30 +6,17 @@
 #include <fmt/format.h>
 
 #include "solidnoise/volume/vdb/require_finite_grid.h"
+#include "solidnoise/volume/vdb/single_precision.h"
 
 namespace solidnoise {
 namespace {
 
 using openvdb::Vec3SGrid;
 
-// Doubles are copied to floats, the precision in which noise takes positions within a leaf.
-Vec3SGrid::ConstPtr in_single_precision(const openvdb::GridBase& grid, const std::string& name) {
+// The precision in which noise takes positions within a leaf.
+Vec3SGrid::ConstPtr read_vectors(const openvdb::GridBase& grid, const std::string& name) {
   require_finite_values(grid, name);
-  if (grid.isType<Vec3SGrid>()) {
-    return Vec3SGrid::ConstPtr(static_cast<const Vec3SGrid&>(grid).copy());
-  }
-  if (grid.isType<openvdb::Vec3DGrid>()) {
-    const auto& doubles = static_cast<const openvdb::Vec3DGrid&>(grid);
-    const auto floats = Vec3SGrid::create();
-    floats->setTransform(doubles.transform().copy());
-    floats->setTree(
-        std::make_shared<openvdb::Vec3STree>(doubles.tree(), openvdb::Vec3s(0), openvdb::TopologyCopy()));
-    const auto values = doubles.getConstAccessor();
-    for (auto value = floats->beginValueOn(); value; ++value) {
-      value.setValue(openvdb::Vec3s(values.getValue(value.getCoord())));
-    }
-    return floats;
-  }
+  if (Vec3SGrid::ConstPtr vectors = in_single_precision(grid)) return vectors;
   throw std::invalid_argument(
       fmt::format("{} is of type {}; rest positions must be of vec3s or vec3d", name, grid.valueType()));
 }
@@ -37,7 +24,7 @@ Vec3SGrid::ConstPtr in_single_precision(const openvdb::GridBase& grid, const std
 }  // namespace
 
 RestPositions::RestPositions(const openvdb::GridBase& grid, const std::string& name)
-    : name_(name), values_(in_single_precision(grid, name)), accessor_(values_->getConstAccessor()) {}
+    : name_(name), values_(read_vectors(grid, name)), accessor_(values_->getConstAccessor()) {}
 
 Vec<3> RestPositions::at(const Vec<3>& world) const {
   constexpr double kLeastWeight = 1e-6;  // what rounding may leave of a voxel next to the one that is meant

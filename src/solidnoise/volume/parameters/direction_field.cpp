@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "solidnoise/volume/vdb/require_finite_grid.h"
+#include "solidnoise/volume/vdb/single_precision.h"
 
 namespace solidnoise {
 namespace {
@@ -23,8 +24,7 @@ Vec3SGrid::ConstPtr read_directions(GridFile& source, const std::string& flag) {
   } catch (const std::invalid_argument& error) {
     throw std::runtime_error(error.what());
   }
-  if (const auto single = openvdb::gridConstPtrCast<Vec3SGrid>(grid)) return single;
-  return std::make_shared<Vec3SGrid>(static_cast<const openvdb::Vec3DGrid&>(*grid));
+  return in_single_precision(*grid);
 }
 
 }  // namespace
