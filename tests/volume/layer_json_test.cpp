@@ -60,7 +60,7 @@ TEST(LayerJson, MessagesGiveThePathInTheTree) {
   EXPECT_EQ(refusal_of(R"([{"combine": "xor"}])"),
             "layers[0].combine is \"xor\"; it must be one of sum, product, max, min, mix");
   EXPECT_EQ(refusal_of(R"([{"ramp": [[0, 1], 2]}])"),
-            "layers[0].ramp is [[0,1],2]; it must be an array of pairs of numbers");
+            "layers[0].ramp is [[0,1],2]; it must be an array of pairs of numbers, which number 1 is not");
   EXPECT_EQ(refusal_of(R"([{"ramp": [[0, 1]]}])"), "layers[0].ramp has 1 stop; it must have at least 2");
   EXPECT_EQ(refusal_of(R"([{"ramp": [[0, 1], [0, 2]]}])"),
             "layers[0].ramp[1] is at 0; it must be beyond the stop before it, 0");
