@@ -48,13 +48,14 @@ TEST(Surface, HoldsTheDistanceToTheMesh) {
   const auto grid = read_float_grid(folder.file("torus.vdb"), "ring");
   EXPECT_EQ(grid->getGridClass(), openvdb::GRID_LEVEL_SET);
   EXPECT_FLOAT_EQ(grid->background(), 0.3f);
-  // Faces lie inside of the torus by a chord's height, r (1 - cos(pi / 64)), and fold by as much.
+  // Faces lie inside of the torus by a chord's height, r (1 - cos(pi / 64)), and fold by as much. Six voxels
+  // from the surface OpenVDB takes a face for the closest one that is a few thousandths farther.
   const double chord = (kRing + kTube) * (1.0 - std::cos(std::numbers::pi / kSides));
   std::size_t inside = 0;
   for (auto value = grid->cbeginValueOn(); value; ++value) {
     const openvdb::Vec3d p = grid->indexToWorld(value.getCoord());
     const double distance = std::hypot(std::hypot(p.x(), p.z()) - kRing, p.y()) - kTube;
-    ASSERT_NEAR(*value, distance, 2.0 * chord) << value.getCoord();
+    ASSERT_NEAR(*value, distance, 2.0 * chord + 0.2 * 0.05) << value.getCoord();
     ASSERT_LT(std::abs(*value), 0.3 + 1e-6);
     inside += *value < 0.0f;
   }

@@ -257,6 +257,19 @@ TEST_F(Painted, ValuesDependOnThePlaceOnly) {
   }
 }
 
+TEST_F(Painted, FrequenciesAreMappedByRatiosAndStayBeyond) {
+  ParameterGrid paint = grid_in(file_, "paint");  // 1/2 + x / 3
+  paint.map = ValueMap{0.25, 0.75, 1.0, 16.0};
+  const ScalarField field(paint, "--frequency-grid", kFrequencyRange);
+  const std::vector<Vec<3>> positions{{-1.2, 0.0, 0.0}, {0.0, 0.1, 0.2}, {0.375, 0.0, 0.0}, {1.2, 0.3, 0.0}};
+  std::vector<float> values(positions.size());
+  field.sample(positions, values);
+  const std::vector<float> expected{1.0f, 4.0f, 8.0f, 16.0f};
+  for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(values[i], expected[i], 1e-5 * expected[i]);
+  EXPECT_EQ(field.least(), 1.0f);
+  EXPECT_EQ(field.greatest(), 16.0f);
+}
+
 TEST_F(Painted, MagnitudeMultipliesWhateverNoiseItIs) {
   ParameterGrids grids;
   grids.magnitude = grid_in(file_, "paint");

@@ -7,7 +7,8 @@
 namespace solidnoise {
 
 // The level set of a closed mesh (OpenVDB's meshToVolume): distances to its surface in world units, negative
-// inside, exact up to `band` on both sides; beyond, the grid's background is band or -band. Voxel centres are
+// inside, up to `band` on both sides; beyond, the grid's background is band or -band. Far from the surface
+// distances may be of a face next to the closest one, too large by a fraction of a voxel. Voxel centres are
 // at multiples of the voxel size, in world units. Throws std::invalid_argument: as require_closed does, a
 // voxel size that is not positive, a band of less than 3 voxels or more than 1000; Cancelled.
 openvdb::FloatGrid::Ptr mesh_level_set(const TriangleMesh& mesh, double voxel, double band,
