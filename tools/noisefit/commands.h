@@ -10,10 +10,11 @@ inline constexpr char kNoisefit[] = "noisefit " SOLIDNOISE_VERSION;  // name and
 // The commands of noisefit. `arguments` follow the command's name, if it has one. Each returns an exit
 // status, and throws what run_tool() expects.
 int run_fit(const std::vector<std::string>& arguments);
+int run_volume(const std::vector<std::string>& arguments);
 int run_info(const std::vector<std::string>& arguments);
 int run_edit(const std::vector<std::string>& arguments);
 
-// Picks the command by the first argument: info, edit, or what is not a command, a fit.
+// Picks the command by the first argument: info, edit, volume, or a fit to pictures.
 int run_noisefit(const std::vector<std::string>& arguments);
 
 }  // namespace solidnoise

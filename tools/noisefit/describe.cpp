@@ -43,6 +43,22 @@ std::string describe(const ColorDependence& dependence) {
                      dependence.rgb, dependence.pca, dependence.independent);
 }
 
+template <int Dim>
+std::string describe_channels(const ExemplarFit<Dim>& fit, const std::string& size, double seconds) {
+  std::string text =
+      fmt::format("{}, {} patch{}, {:.2f} s\n", size, fit.patches, fit.patches == 1 ? "" : "es", seconds);
+  if (fit.dependence) text += describe(*fit.dependence);
+  for (std::size_t k = 0; k < fit.channels.size(); ++k) {
+    const SpectrumFit& channel = fit.channels[k];
+    text += fmt::format(
+        "  channel {}: deviation {:.4g}, {} components ({:.2f} %), residual {:.3g}, kept {:.3g} of the "
+        "variance, {} iterations, gap {:.2g}, kappa {:.3g}\n",
+        k, std::sqrt(channel.spectrum.variance()), channel.components, 100.0 * channel.sparseness,
+        channel.residual, channel.kept_variance, channel.iterations, channel.gap, channel.kappa);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string describe(const ExemplarModel& model) {
@@ -73,19 +89,12 @@ std::string describe(const ExemplarModel& model) {
 }
 
 std::string describe(const ExemplarFit<2>& fit, double seconds) {
-  std::string text = fmt::format("{} x {} pixels, {} patch{}, {:.2f} s\n", fit.count.x, fit.count.y,
-                                 fit.patches, fit.patches == 1 ? "" : "es", seconds);
-  if (fit.dependence) text += describe(*fit.dependence);
-  for (std::size_t k = 0; k < fit.channels.size(); ++k) {
-    const SpectrumFit& channel = fit.channels[k];
-    text += fmt::format(
-        "  channel {}: deviation {:.4g}, {} components ({:.2f} %), residual {:.3g}, kept {:.3g} of the "
-        "variance, "
-        "{} iterations, gap {:.2g}, kappa {:.3g}\n",
-        k, std::sqrt(channel.spectrum.variance()), channel.components, 100.0 * channel.sparseness,
-        channel.residual, channel.kept_variance, channel.iterations, channel.gap, channel.kappa);
-  }
-  return text;
+  return describe_channels(fit, fmt::format("{} x {} pixels", fit.count.x, fit.count.y), seconds);
+}
+
+std::string describe(const ExemplarFit<3>& fit, double seconds) {
+  return describe_channels(fit, fmt::format("{} x {} x {} voxels", fit.count.x, fit.count.y, fit.count.z),
+                           seconds);
 }
 
 std::string describe_shortly(const ExemplarFit<2>& fit, double seconds) {

@@ -9,6 +9,7 @@ namespace solidnoise {
 
 // What a fit found, for people: several lines, and one line for a sheet.
 std::string describe(const ExemplarFit<2>& fit, double seconds);
+std::string describe(const ExemplarFit<3>& fit, double seconds);
 std::string describe_shortly(const ExemplarFit<2>& fit, double seconds);
 
 std::string describe(const SolidExemplarFit& fit);

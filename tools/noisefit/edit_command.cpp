@@ -43,6 +43,14 @@ struct EditCommand {
   }
 };
 
+// A group may be missing in some channels, but not in all.
+bool has_group(const GaborSpectrum& spectrum, const std::string& name) {
+  for (const std::string& group : spectrum.groups) {
+    if (group == name) return true;
+  }
+  return false;
+}
+
 // The component that "A VARIANCE X Y [Z]" describes.
 void add_one(GaborSpectrum& spectrum, const std::vector<double>& v, const std::string& group) {
   SpectrumComponent component;
@@ -107,17 +115,12 @@ void declare_flags(FlagSet& flags, EditCommand& command) {
              [&](const std::string& file) {
                const ExemplarModel from = read_model(file);
                command.operations.push_back([&command, from](GaborSpectrum& s, std::size_t channel) {
-                 if (channel < from.channels.size()) copy_group(s, from.channels[channel], command.group);
+                 if (channel >= from.channels.size()) return;
+                 const GaborSpectrum& source = from.channels[channel];
+                 if (command.group && !has_group(source, *command.group)) return;
+                 copy_group(s, source, command.group);
                });
              });
-}
-
-// A group may be missing in some channels, but not in all.
-bool has_group(const GaborSpectrum& spectrum, const std::string& name) {
-  for (const std::string& group : spectrum.groups) {
-    if (group == name) return true;
-  }
-  return false;
 }
 
 }  // namespace

@@ -33,6 +33,7 @@ constexpr char kDescription[] =
     "noisefit turns pictures of a texture into a procedural noise that looks like it: its power spectrum as\n"
     "a few hundred numbers, in a file that vdbnoise and meshnoise take as --noise.\n"
     "  noisefit IN.png ... --out OUT.json    learns from one or several exemplars\n"
+    "  noisefit volume IN.vdb --out OUT.json learns from a box of a volume\n"
     "  noisefit info FILE.json               prints what is in such a file\n"
     "  noisefit edit FILE.json --out ...     changes groups of its components";
 

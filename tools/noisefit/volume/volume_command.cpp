@@ -1,0 +1,150 @@
+#include <algorithm>
+#include <chrono>
+#include <iostream>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "common/exit_status.h"
+#include "common/flag_set.h"
+#include "common/flag_targets.h"
+#include "common/interrupt.h"
+#include "common/outputs.h"
+#include "common/task_progress.h"
+#include "common/usage_error.h"
+#include "noisefit/commands.h"
+#include "noisefit/describe.h"
+#include "noisefit/model_file.h"
+#include "solidnoise/analysis/exemplar/fit_exemplar.h"
+#include "solidnoise/volume/topology/grid_frame.h"
+#include "solidnoise/volume/vdb/vdb_read.h"
+
+namespace solidnoise {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr char kDescription[] =
+    "noisefit volume turns a box of a grid of floats into a noise in 3D that looks like it, waves of all "
+    "directions\n"
+    "in their own strength.";
+
+constexpr int kLongestSide = 64;  // voxels, without --box
+constexpr int kLargestSide = 256;
+
+struct VolumeCommand {
+  std::string in;
+  std::string out;
+  std::string grid;
+  std::optional<Box<3>> box;
+  ExemplarFitOptions fit;
+  Existing existing = Existing::refuse;
+  bool quiet = false;
+
+  VolumeCommand() {
+    fit.spectrum.kappa = 1.0 / 32.0;
+    fit.raw_values = true;
+  }
+};
+
+void declare_flags(FlagSet& flags, VolumeCommand& command) {
+  flags.argument("IN.vdb", "The volume", command.in);
+  flags.group("Flags");
+  keep(flags, "--out", "FILE.json", "Where the noise goes; - for the standard output", command.out);
+  keep(flags, "--grid", "NAME", "The grid (default: the first of floats)", command.grid);
+  flags.numbers("--box", "X0 Y0 Z0 X1 Y1 Z1", 6,
+                "The part to learn from, world units (default: the middle, 64 voxels at most)",
+                [&](const std::vector<double>& v) {
+                  command.box = Box<3>{Vec<3>(v[0], v[1], v[2]), Vec<3>(v[3], v[4], v[5])};
+                });
+  flags.integer("--patch", "VOXELS", "Average over patches of this size (default: the whole box)",
+                [&](int value) { command.fit.patch = value; });
+  flags.number("--kappa", "RATIO", "Fewer components against accuracy, up to 1 (default 1/32 = 0.031)",
+               [&](double value) { command.fit.spectrum.kappa = value; });
+  flags.toggle("--narrowest-band", "Components as narrow as one frequency, for periodic textures",
+               [&] { command.fit.spectrum.narrowest_band = true; });
+  flags.toggle("--force", "Replace a file that exists", [&] { command.existing = Existing::replace; });
+  flags.toggle("--quiet", "Print errors only", [&] { command.quiet = true; });
+  flags.footer("A Ctrl-C ends the fit early and keeps the last solution.");
+}
+
+// The middle of a box, its sides cut to a length.
+openvdb::CoordBBox middle_of(const openvdb::CoordBBox& box) {
+  openvdb::CoordBBox middle = box;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int side = std::min(box.dim()[axis], kLongestSide);
+    middle.min()[axis] = box.min()[axis] + (box.dim()[axis] - side) / 2;
+    middle.max()[axis] = middle.min()[axis] + side - 1;
+  }
+  return middle;
+}
+
+// Inactive voxels have their values too: in a fog volume, 0.
+Exemplar<3> read_box(const VolumeCommand& command) {
+  const openvdb::FloatGrid::Ptr grid = read_float_grid(command.in, command.grid);
+  const GridFrame frame(grid->transform());
+  const openvdb::CoordBBox active = grid->evalActiveVoxelBoundingBox();
+  if (!command.box && active.empty()) {
+    throw std::runtime_error(fmt::format("{}: the grid has no active voxels", command.in));
+  }
+  const openvdb::CoordBBox box = command.box ? frame.voxels_in(*command.box) : middle_of(active);
+  const openvdb::Coord sides = box.empty() ? openvdb::Coord(0) : box.dim();
+  const int longest = std::max({sides.x(), sides.y(), sides.z()});
+  if (longest > kLargestSide) {
+    throw UsageError(fmt::format("--box is {} x {} x {} voxels; it must be {} at most along an axis",
+                                 sides.x(), sides.y(), sides.z(), kLargestSide));
+  }
+  Exemplar<3> exemplar;
+  DenseField<3>& field =
+      exemplar.channels.emplace_back(glm::ivec3(sides.x(), sides.y(), sides.z()), frame.voxel_size());
+  const auto accessor = grid->getConstAccessor();
+  float* value = field.values.data();
+  if (!box.empty()) {
+    for (auto voxel = box.begin(); voxel; ++voxel) *value++ = accessor.getValue(*voxel);
+  }
+  try {
+    exemplar.validate(command.in);
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(error.what());
+  }
+  return exemplar;
+}
+
+}  // namespace
+
+int run_volume(const std::vector<std::string>& arguments) {
+  VolumeCommand command;
+  FlagSet flags("noisefit volume", kDescription);
+  declare_flags(flags, command);
+  flags.parse(arguments);
+  try {
+    flags.apply();
+    command.fit.validate();
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(flags.name_flag(error.what()));
+  }
+  if (command.out.empty()) throw UsageError("--out is missing; say where the noise goes: --out smoke.json");
+  if (command.fit.patch != 0 && command.fit.patch < 16) {
+    throw UsageError(fmt::format("--patch is {}; it must be at least 16", command.fit.patch));
+  }
+  require_outputs({command.out}, command.existing);
+
+  const std::vector<Exemplar<3>> exemplars{read_box(command)};
+  catch_interrupts();
+  const Clock::time_point start = Clock::now();
+  TaskProgress progress(command.quiet ? ProgressBar::Visibility::hidden
+                                      : ProgressBar::Visibility::if_terminal);
+  progress.begin("fitting");
+  const ExemplarFit<3> fit = fit_exemplar<3>(exemplars, command.fit, &progress);
+  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  write_model(command.out, fit.model, command.existing);
+  if (!command.quiet) std::cerr << describe(fit, seconds);
+  if (!fit.interrupted) return kDone;
+  std::cerr << fmt::format("noisefit: interrupted; {} has the last solution\n", command.out);
+  return kInterrupted + interrupt_signal();
+}
+
+}  // namespace solidnoise
