@@ -62,8 +62,11 @@ TEST(Surface, HoldsTheDistanceToTheMesh) {
   // The volume between the surface and 0.3 below it, 2 pi^2 (0.4^2 - 0.1^2); within a few percent of it.
   const double volume = 2.0 * std::pow(std::numbers::pi, 2) * (0.16 - 0.01);
   EXPECT_NEAR(static_cast<double>(inside) * std::pow(0.05, 3), volume, 0.03 * volume);
-  EXPECT_EQ(grid->tree().getValue(openvdb::Coord(20, 0, 0)), -0.3f);  // (1, 0, 0), inside of the tube
-  EXPECT_EQ(grid->tree().getValue(openvdb::Coord(0, 0, 0)), 0.3f);
+  const auto value_at = [&](double x) {
+    return grid->tree().getValue(openvdb::Coord::round(grid->worldToIndex(openvdb::Vec3d(x, 0.0, 0.0))));
+  };
+  EXPECT_EQ(value_at(kRing), -0.3f);  // in the middle of the tube
+  EXPECT_EQ(value_at(0.0), 0.3f);
 }
 
 TEST(Surface, CanBeDisplaced) {
