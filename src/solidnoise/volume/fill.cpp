@@ -23,9 +23,9 @@ using MaskLeaf = openvdb::MaskTree::LeafNodeType;
 
 constexpr int kGroupLog2 = 5;  // a group is 4 x 4 x 4 leaves, 32^3 voxels
 
-// Leaves that are evaluated together, some ten thousand voxels: most of what fields can share, and values
-// still fit in the processor's cache.
-constexpr std::size_t kLeavesAtOnce = 32;
+// Leaves that are evaluated together, some five thousand voxels: most of what fields can share, while what
+// they keep for each voxel stays so small that the memory for it is not fetched anew each time.
+constexpr std::size_t kLeavesAtOnce = 10;
 
 // Leaves that share a block: a run of indices in the list of grouped leaves.
 struct Group {

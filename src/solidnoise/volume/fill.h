@@ -17,7 +17,7 @@ struct FilledGrid {
 };
 
 // Evaluates a field at every voxel of a topology, in parallel: one block for each group of 4 x 4 x 4 leaves,
-// one evaluation for each half of such a group. Values, active voxels and moments are the same to the last
+// one evaluation for each ten of its leaves. Values, active voxels and moments are the same to the last
 // bit for any number of threads (tbb::global_control sets it) and any topology that holds the voxel. Progress
 // counts leaves. Throws Cancelled, what the field throws, and std::invalid_argument if the field has several
 // channels.
