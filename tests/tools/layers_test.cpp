@@ -89,5 +89,22 @@ TEST(Layers, WhatHasNoEffectIsRefused) {
   EXPECT_EQ(folder.names(), before);
 }
 
+TEST(Layers, AreDescribedAndWarnOfTheirOwnPeriods) {
+  const TemporaryFolder folder;
+  std::string tree = kTree;
+  tree.replace(tree.find("\"frequency\": 2}"), 14, "\"frequency\": 2, \"period\": [0.777, 0, 0, 0]");
+  folder.write("tree.json", tree);
+  const ToolResult described =
+      run_vdbnoise({"--recipe", "tree.json", "--describe"}, {.folder = folder.path()});
+  EXPECT_EQ(described.status, 0) << described.err;
+  const auto at = described.out.find("layer_noises");
+  ASSERT_NE(at, std::string::npos) << described.out;
+  EXPECT_NE(described.out.find("\"variance\"", at), std::string::npos);
+  const ToolResult made =
+      run_vdbnoise({"--recipe", "tree.json", "--out", "tree.vdb"}, {.folder = folder.path()});
+  EXPECT_EQ(made.status, 0) << made.err;
+  EXPECT_NE(made.err.find("the period is 0.777 along x"), std::string::npos) << made.err;
+}
+
 }  // namespace
 }  // namespace solidnoise

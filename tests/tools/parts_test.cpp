@@ -90,7 +90,6 @@ TEST(Parts, WrongUsageIsRefused) {
       {2, {"--shard", "0/3", "--out", "x.vdb"}, "--shard is 0/3"},
       {2, {"--shard", "3", "--out", "x.vdb"}, "--shard is 3; it must be which of how many, such as 3/8"},
       {2, {"--shard", "1/x", "--out", "x.vdb"}, "--shard is x"},
-      {2, {"--shard", "1/3", "--out", "x.vdb", "--preview", "x.png"}, "--preview shows whole volumes"},
       {2,
        {"--region", "0", "0", "0", "1", "0", "1", "--out", "x.vdb"},
        "--region reaches from 0 to 0 on axis y"},

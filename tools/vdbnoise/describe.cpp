@@ -171,6 +171,12 @@ Json describe_volume(const VolumeRecipe& recipe) {
   const Vec<3>& voxel = plan.frame.voxel_size();
   Json json = Json::object();
   json["noise"] = describe_noise(at_resolution(recipe, voxel), plan, std::max({voxel.x, voxel.y, voxel.z}));
+  for (const NoiseRecipe& noise : noises_of(recipe.layers, recipe.noise)) {
+    VolumeRecipe layer = at_resolution(recipe, voxel);
+    layer.noise = noise;
+    layer.layers.clear();
+    json["layer_noises"].push_back(describe_noise(layer, plan, std::max({voxel.x, voxel.y, voxel.z})));
+  }
   json["grid"] = describe_grid(plan);
   json["grids"] = describe_outputs(recipe);
   json["recipe"] = to_json(recipe);

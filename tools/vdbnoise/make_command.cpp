@@ -18,6 +18,7 @@
 #include "common/text_file.h"
 #include "common/usage_error.h"
 #include "solidnoise/image/image_file.h"
+#include "solidnoise/volume/finish_volume.h"
 #include "solidnoise/volume/make_volume.h"
 #include "solidnoise/volume/volume_recipe_json.h"
 #include "vdbnoise/commands.h"
@@ -116,6 +117,17 @@ void write_recipe(const MakeOptions& options, const VolumePlan& plan) {
   write_text_file(options.write_recipe, format_json(to_json(recipe)));
 }
 
+// A part's densities are shown as if they were all of the volume; their own scale they get when merged.
+Image picture(const Volume& volume, const MakeOptions& options) {
+  const bool raw = std::holds_alternative<RawShaping>(options.recipe.shaping);
+  if (options.part.whole() || raw) return picture_of(volume, options.recipe);
+  MeasuredGrid shown = volume.grids.front();
+  const auto density = openvdb::gridPtrCast<openvdb::FloatGrid>(shown.grid)->deepCopy();
+  scale_density(options.recipe, *density, shown.moments.front());
+  shown.grid = density;
+  return picture_of({{shown}}, options.recipe);
+}
+
 // Makes one volume.
 void make_volume_files(const MakeOptions& options) {
   const VolumePlan plan = plan_volume(options.recipe, options.part);
@@ -131,7 +143,7 @@ void make_volume_files(const MakeOptions& options) {
     volume = make_volume(options.recipe, plan, kVdbnoise, &progress);
     progress.begin(options.task_prefix + "writing");
     std::optional<Image> preview;
-    if (!options.preview.empty()) preview = picture_of(volume, options.recipe);
+    if (!options.preview.empty()) preview = picture(volume, options);
     throw_if_cancelled(&progress);
     if (!options.out.empty()) {
       VdbWriteOptions write;

@@ -73,7 +73,6 @@ void check_modify_flags(const FlagSet& flags, const VolumeRecipe& recipe) {
   const Modification& modification = *recipe.modification;
   if (modification.displace)
     refuse(flags, "--amount", "where the recipe displaces; --displace UNITS says how far");
-  if (modification.displace) refuse(flags, "--preview", "on a level set: it shows densities");
   const bool replaces = !modification.displace && modification.combine == Combine::replace;
   if (replaces) refuse(flags, "--amount", "with --combine replace");
   for (const char* flag : {"--optical-depth", "--density"}) {

@@ -140,9 +140,6 @@ void check_sequence(const FlagSet& flags, const MakeOptions& options) {
   if (!options.part.whole() && options.recipe.modification) {
     throw UsageError("--shard and --region cut volumes that are made; leave them out with --on");
   }
-  if (!options.part.whole() && !options.preview.empty()) {
-    throw UsageError("--preview shows whole volumes; leave it out with --shard and --region");
-  }
 }
 
 MakeOptions options_of_frame(const MakeOptions& options, std::size_t index) {

@@ -10,6 +10,7 @@
 #include "common/usage_error.h"
 #include "solidnoise/volume/preview/preview.h"
 #include "solidnoise/volume/preview/slice_preview.h"
+#include "solidnoise/volume/preview/surface_preview.h"
 
 namespace solidnoise {
 namespace {
@@ -64,6 +65,7 @@ void write_volume(const std::string& path, const Volume& volume, const VdbWriteO
 Image picture_of(const Volume& volume, const VolumeRecipe& recipe) {
   if (recipe.output.front() != Output::value) return render_slice(volume, recipe);
   const auto density = openvdb::gridPtrCast<openvdb::FloatGrid>(volume.grids.front().grid);
+  if (density->getGridClass() == openvdb::GRID_LEVEL_SET) return render_surface(*density, {.up = recipe.up});
   return render_preview(*density, {.up = recipe.up});
 }
 

@@ -17,7 +17,8 @@ void check_output_names(const std::string& out, const std::string& preview);
 // does.
 void write_volume(const std::string& path, const Volume& volume, const VdbWriteOptions& options);
 
-// The picture that --preview shows: of a density, or of a slice of what is none.
+// The picture that --preview shows: of a density, of a level set's surface, or of a slice of
+// what is neither.
 Image picture_of(const Volume& volume, const VolumeRecipe& recipe);
 
 // Tells on the standard error what a file holds.

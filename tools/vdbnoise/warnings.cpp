@@ -24,9 +24,9 @@ void warn_of_aliasing(const VolumeRecipe& recipe, const VolumePlan& plan, std::o
       highest, may_band_limit(recipe) ? "give --band-limit, or " : "");
 }
 
-// Tiles meet where the period is a whole number of voxels.
-void warn_of_tiles(const VolumeRecipe& recipe, const Vec<3>& voxel, std::ostream& stream) {
-  const Vec<4> period = std::visit([](const auto& options) { return options.period; }, recipe.noise.noise);
+// Tiles meet where the period is a whole number of voxels. Returns whether there was a warning.
+bool warn_of_tiles(const NoiseRecipe& noise, const Vec<3>& voxel, std::ostream& stream) {
+  const Vec<4> period = std::visit([](const auto& options) { return options.period; }, noise.noise);
   for (int axis = 0; axis < 3; ++axis) {
     const double voxels = period[axis] / voxel[axis];
     if (std::abs(voxels - std::round(voxels)) <= 1e-6 * voxels) continue;
@@ -35,7 +35,19 @@ void warn_of_tiles(const VolumeRecipe& recipe, const Vec<3>& voxel, std::ostream
         "of "
         "them: --voxel {:.6g}\n",
         period[axis], "xyz"[axis], voxels, period[axis] / std::max(1.0, std::round(voxels)));
+    return true;
+  }
+  return false;
+}
+
+// Of the noise, or of the first of the layers' that does not fit.
+void warn_of_tiles(const VolumeRecipe& recipe, const Vec<3>& voxel, std::ostream& stream) {
+  if (recipe.layers.empty()) {
+    warn_of_tiles(recipe.noise, voxel, stream);
     return;
+  }
+  for (const NoiseRecipe& noise : noises_of(recipe.layers, recipe.noise)) {
+    if (warn_of_tiles(noise, voxel, stream)) return;
   }
 }
 

@@ -105,10 +105,10 @@ FloatGrid::Ptr displace_level_set(const FloatGrid& level_set, const PointField& 
 }
 
 std::uint64_t estimate_displacement_memory(const FloatGrid& level_set, double farthest) {
-  // Measured on spheres of 128 and 256 voxels, moved by noise of 0.3 to 40 voxels a sigma and 0.02 to 0.13
-  // cycles per voxel: 110 bytes for a voxel of the band that hardly moves, and 2.5 for each voxel of the
-  // longest way, rounded up.
-  constexpr double kStanding = 120.0;
+  // Leaves of the moved surface's values, of distances on the way and of the result, with another buffer of
+  // each while that is normalized. Measured on spheres of 256, 512 and 2048 voxels, moved by noise of 2.6 to 3
+  // voxels a sigma: 50, 49 and 40 bytes for a voxel of the band.
+  constexpr double kStanding = 60.0;
   constexpr double kMoving = 4.0;
   const double way = farthest / level_set.voxelSize().x();
   const double bytes = static_cast<double>(level_set.activeVoxelCount()) * (kStanding + kMoving * way);

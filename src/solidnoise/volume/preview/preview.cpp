@@ -11,7 +11,7 @@
 #include <tbb/parallel_for.h>
 
 #include "solidnoise/core/check.h"
-#include "solidnoise/volume/statistics.h"
+#include "solidnoise/volume/preview/preview_view.h"
 
 namespace solidnoise {
 namespace {
@@ -20,69 +20,6 @@ using openvdb::Vec3d;
 using openvdb::tools::Film;
 using Intersector = openvdb::tools::VolumeRayIntersector<openvdb::FloatGrid>;
 using Renderer = openvdb::tools::VolumeRender<Intersector, openvdb::tools::BoxSampler>;
-
-constexpr double kHalfFieldOfView = 0.27;  // tangent, of the picture's shorter side
-constexpr double kMargin = 1.12;           // of the picture over what must be in it
-
-// A frame of reference for looking: x to the right, y up, z towards the camera.
-struct View {
-  Vec3d right;
-  Vec3d up;
-  Vec3d back;
-};
-
-View three_quarter_view(UpAxis axis) {
-  const Vec3d vertical = axis == UpAxis::y ? Vec3d(0, 1, 0) : Vec3d(0, 0, 1);
-  const Vec3d front = axis == UpAxis::y ? Vec3d(0, 0, 1) : Vec3d(0, -1, 0);
-  const Vec3d side = vertical.cross(front);
-  View view;
-  view.back = (0.55 * side + 0.32 * vertical + front).unit();
-  view.right = vertical.cross(view.back).unit();
-  view.up = view.back.cross(view.right);
-  return view;
-}
-
-// A corner of each leaf and tile that holds something, in the view's coordinates.
-std::vector<Vec3d> outline(const openvdb::FloatGrid& grid, const View& view) {
-  std::vector<Vec3d> points;
-  const auto add = [&](const openvdb::CoordBBox& box) {
-    for (int corner = 0; corner < 8; ++corner) {
-      const Vec3d index((corner & 1) ? box.max().x() : box.min().x(),
-                        (corner & 2) ? box.max().y() : box.min().y(),
-                        (corner & 4) ? box.max().z() : box.min().z());
-      const Vec3d world = grid.indexToWorld(index);
-      points.emplace_back(world.dot(view.right), world.dot(view.up), world.dot(view.back));
-    }
-  };
-  for (auto leaf = grid.tree().cbeginLeaf(); leaf; ++leaf) {
-    if (!leaf->isEmpty()) add(leaf->getNodeBoundingBox());
-  }
-  auto tile = grid.tree().cbeginValueOn();
-  tile.setMaxDepth(openvdb::FloatTree::ValueOnCIter::LEAF_DEPTH - 1);
-  for (; tile; ++tile) {
-    openvdb::CoordBBox box;
-    tile.getBoundingBox(box);
-    add(box);
-  }
-  return points;
-}
-
-// The place from which all points are in the picture, in the middle of it.
-Vec3d camera_position(const std::vector<Vec3d>& points, const View& view, double tan_x, double tan_y) {
-  Vec3d low = points.front();
-  Vec3d high = points.front();
-  for (const Vec3d& point : points) {
-    low = openvdb::math::minComponent(low, point);
-    high = openvdb::math::maxComponent(high, point);
-  }
-  const Vec3d middle = 0.5 * (low + high);
-  double distance = high.z();
-  for (const Vec3d& point : points) {
-    distance = std::max({distance, point.z() + std::abs(point.x() - middle.x()) * kMargin / tan_x,
-                         point.z() + std::abs(point.y() - middle.y()) * kMargin / tan_y});
-  }
-  return middle.x() * view.right + middle.y() * view.up + distance * view.back;
-}
 
 // One directional light, as VolumeRender takes it.
 struct Light {
@@ -142,22 +79,6 @@ class LightPass {
   double cut_off_ = 1e-3;
 };
 
-// A clear sky, paler towards the horizon; `height` is 0 at the bottom of the picture and 1 at the top.
-Vec3d sky(double height) {
-  const Vec3d low(0.36, 0.54, 0.78);
-  const Vec3d high(0.07, 0.19, 0.47);
-  return low + (high - low) * std::pow(height, 0.8);
-}
-
-// Linear light to display: highlights are rolled off above 0.6, then the sRGB curve (IEC 61966-2-1).
-float encode(double linear) {
-  constexpr double kShoulder = 0.6;
-  if (linear > kShoulder)
-    linear = 1.0 - (1.0 - kShoulder) * std::exp(-(linear - kShoulder) / (1.0 - kShoulder));
-  const double encoded = linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
-  return static_cast<float>(std::clamp(encoded, 0.0, 1.0));
-}
-
 void develop(const Film& light, Image& image) {
   for (int y = 0; y < image.height; ++y) {
     const Vec3d background = sky(1.0 - (y + 0.5) / image.height);
@@ -166,7 +87,7 @@ void develop(const Film& light, Image& image) {
       const Vec3d lit(pixel.r, pixel.g, pixel.b);
       for (int channel = 0; channel < 3; ++channel) {
         image.at(x, y, channel) =
-            encode(lit[channel] + kAmbient[channel] * pixel.a + background[channel] * (1.0 - pixel.a));
+            encode_light(lit[channel] + kAmbient[channel] * pixel.a + background[channel] * (1.0 - pixel.a));
       }
     }
   }
@@ -197,21 +118,19 @@ Film render_lights(const openvdb::FloatGrid& grid, const PreviewOptions& options
   const auto height = static_cast<std::size_t>(options.height);
   Film sum(width, height, Film::RGBA(0.0f, 0.0f, 0.0f, 0.0f));
   const View view = three_quarter_view(options.up);
-  const std::vector<Vec3d> points = outline(grid, view);
-  if (points.empty()) return sum;
+  if (grid.activeVoxelCount() == 0) return sum;
 
-  const double shorter = std::min(options.width, options.height);
-  const double tan_x = kHalfFieldOfView * options.width / shorter;
-  const double tan_y = kHalfFieldOfView * options.height / shorter;
-  const Vec3d eye = camera_position(points, view, tan_x, tan_y);
+  const Camera place = frame_grid(grid, view, options.width, options.height);
   Film film(width, height);
-  openvdb::tools::PerspectiveCamera camera(film, Vec3d(0.0), eye, 0.5, tan_x, 1e-6 * eye.length() + 1e-9);
-  camera.lookAt(eye - view.back, view.up);
+  openvdb::tools::PerspectiveCamera camera(film, Vec3d(0.0), place.eye, 0.5, place.tan_x,
+                                           1e-6 * place.eye.length() + 1e-9);
+  camera.lookAt(place.eye - view.back, view.up);
 
   // Steps of a voxel, or of about a pixel where voxels are smaller. Where a voxel takes little light away,
   // longer ones: rays go all the way through then, and light changes slowly along them.
   const openvdb::Coord extent = grid.evalActiveVoxelBoundingBox().dim();
-  const double voxels_per_pixel = std::max({extent.x(), extent.y(), extent.z()}) / shorter;
+  const double voxels_per_pixel =
+      std::max({extent.x(), extent.y(), extent.z()}) / static_cast<double>(std::min(width, height));
   const double clarity = clarity_of(grid);
   const double step = std::max({1.0, voxels_per_pixel, std::min(clarity, kLongestStep)});
 
