@@ -39,13 +39,13 @@ std::unique_ptr<Field> make_velocity(const VolumeRecipe& recipe, const VolumePla
   return make_curl_field(options);
 }
 
-// Null where the noise is not by an example in colour, or its values are to be of another range than its own.
-std::unique_ptr<Field> make_colors_by_example(const VolumeRecipe& recipe) {
-  const auto* const spectrum = std::get_if<SpectrumNoiseOptions>(&recipe.noise.noise);
-  const bool own_range = std::get<RawShaping>(recipe.shaping).range == RawShaping::Range::raw;
-  if (!spectrum || spectrum->model.channels.size() < 3 || !own_range) return nullptr;
-  return make_exemplar_colors({channel_noise(recipe, 0), channel_noise(recipe, 1), channel_noise(recipe, 2)},
-                              spectrum->model);
+std::unique_ptr<Field> make_colors(const VolumeRecipe& recipe) {
+  const std::vector<SharedNoise> channels{channel_noise(recipe, 0), channel_noise(recipe, 1),
+                                          channel_noise(recipe, 2)};
+  if (const ExemplarModel* const exemplar = exemplar_of_colors(recipe)) {
+    return make_exemplar_colors(channels, *exemplar);
+  }
+  return make_channels_field(channels, std::get<RawShaping>(recipe.shaping));
 }
 
 }  // namespace
@@ -55,10 +55,7 @@ std::unique_ptr<Field> make_derived_field(const VolumeRecipe& recipe, const Volu
     case Output::curl:
       return make_velocity(recipe, plan);
     case Output::color:
-      if (auto colors = make_colors_by_example(recipe)) return colors;
-      return make_channels_field(
-          {channel_noise(recipe, 0), channel_noise(recipe, 1), channel_noise(recipe, 2)},
-          std::get<RawShaping>(recipe.shaping));
+      return make_colors(recipe);
     case Output::phase:
     case Output::intensity:
       return make_phasor_field(make_volume_noise(recipe), make_volume_quadrature(recipe), recipe.output);

@@ -177,4 +177,11 @@ bool evolves(const VolumeRecipe& recipe) {
   return std::any_of(noises.begin(), noises.end(), [](const NoiseRecipe& noise) { return evolves(noise); });
 }
 
+const ExemplarModel* exemplar_of_colors(const VolumeRecipe& recipe) {
+  const auto* const spectrum = std::get_if<SpectrumNoiseOptions>(&recipe.noise.noise);
+  const auto* const raw = std::get_if<RawShaping>(&recipe.shaping);
+  const bool own_range = raw && raw->range == RawShaping::Range::raw;
+  return spectrum && own_range && spectrum->model.channels.size() == 3 ? &spectrum->model : nullptr;
+}
+
 }  // namespace solidnoise

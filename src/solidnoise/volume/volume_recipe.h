@@ -107,4 +107,8 @@ VolumeRecipe at_resolution(const VolumeRecipe& recipe, const Vec<3>& voxel_size)
 // Whether a noise of the recipe evolves, its own or one of a layer.
 bool evolves(const VolumeRecipe& recipe);
 
+// The exemplar whose own colours Output::color has; null where the noise is not by an example in colour, or
+// its values are to be of another range than their own.
+const ExemplarModel* exemplar_of_colors(const VolumeRecipe& recipe);
+
 }  // namespace solidnoise

@@ -16,11 +16,16 @@ ImpulseBudget share_impulses(std::span<const BandShare> bands, double impulses) 
     count += band.variance / band.moments.second * band.support;
     kurtosis += band.variance * band.moments.fourth / band.moments.second;
   }
+  const double wanted = impulses > 0.0 ? impulses : std::ceil(count * kurtosis / kDefaultKurtosis);
   ImpulseBudget budget;
-  budget.impulses = impulses > 0.0 ? impulses : std::ceil(count * kurtosis / kDefaultKurtosis);
-  const double power = count / budget.impulses;
-  budget.amplitude = std::sqrt(power);
-  budget.excess_kurtosis = kurtosis * power;
+  for (const BandShare& band : bands) {
+    const double shared = wanted / count * band.variance / band.moments.second;
+    const double density = std::max(shared, kLeastImpulses / band.support);
+    const double power = band.variance / (density * band.moments.second);
+    budget.bands.push_back({density, std::sqrt(power)});
+    budget.impulses += density * band.support;
+    budget.excess_kurtosis += density * power * power * band.moments.fourth;
+  }
   return budget;
 }
 

@@ -26,19 +26,24 @@ struct BandShare {
 };
 
 // With kernels of one amplitude A in all bands the density of a band is variance / (A^2 M), M the kernel's
-// second moment: the number of impulses goes with 1 / A^2, the excess kurtosis with A^2.
+// second moment: the number of impulses goes with 1 / A^2, the excess kurtosis with A^2. Weak bands would
+// then have less than one impulse within reach, whose kernels, as strong as all others, are seen one by one:
+// they get kLeastImpulses, of a smaller amplitude. (The paper has one amplitude for all bands.)
 struct ImpulseBudget {
-  double impulses = 0.0;  // in the supports of all bands together, N
-  double amplitude = 0.0;
-  double excess_kurtosis = 0.0;
+  struct Band {
+    double density = 0.0;  // impulses per world unit^Dim
+    double amplitude = 0.0;
+  };
 
-  double density(const BandShare& band) const {
-    return band.variance / (amplitude * amplitude * band.moments.second);
-  }
+  std::vector<Band> bands;
+  double impulses = 0.0;  // in the supports of all bands together, N
+  double excess_kurtosis = 0.0;
 };
 
-// For N impulses, or for N = 0 the fewest with an excess kurtosis below kDefaultKurtosis. The bands'
-// variances add up to 1.
+inline constexpr double kLeastImpulses = 4.0;  // in a band's support
+
+// For N impulses, or for N = 0 the fewest with an excess kurtosis below kDefaultKurtosis; weak bands may make
+// it more. The bands' variances add up to 1.
 ImpulseBudget share_impulses(std::span<const BandShare> bands, double impulses);
 
 double variance_of(const SpectrumBand& band);

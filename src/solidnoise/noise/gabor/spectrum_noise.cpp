@@ -148,16 +148,14 @@ SpectrumNoise<Dim>::SpectrumNoise(const SpectrumNoiseOptions& options) {
   }
   const ImpulseBudget budget = share_impulses(shares, options.impulses);
   impulses_ = budget.impulses;
-  amplitude_ = budget.amplitude;
   least_density_ = HUGE_VAL;
   std::vector<typename FractalNoise<Dim>::Octave> bands;
   for (std::size_t b = 0; b < shares.size(); ++b) {
-    const double density = budget.density(shares[b]);
+    const auto [density, amplitude] = budget.bands[b];
     least_density_ = std::min(least_density_, density);
-    bands.push_back(
-        {std::make_unique<BandNoise<Dim>>(band_of(spectrum_, b), envelopes[b], amplitude_, density, options,
-                                          derive_seed(options.seed, kBandStream + b)),
-         1.0});
+    bands.push_back({std::make_unique<BandNoise<Dim>>(band_of(spectrum_, b), envelopes[b], amplitude, density,
+                                                      options, derive_seed(options.seed, kBandStream + b)),
+                     1.0});
   }
   bands_ = std::make_unique<FractalNoise<Dim>>(std::move(bands));
 }

@@ -37,8 +37,9 @@ struct SpectrumNoiseOptions {
 // with frequencies drawn from the band's components in proportion to their variances (section 4.2).
 //
 // Impulses are shared out between the bands by variance, N_b = (variance_b / variance) N, so that every
-// kernel has the same amplitude. Unlike the paper, the Gaussians are compact (as in OrientedGaborNoise),
-// counts are exactly Poisson distributed and cells are hashed without a period.
+// kernel has the same amplitude, but for weak bands, see ImpulseBudget. Unlike the paper, the Gaussians are
+// compact (as in OrientedGaborNoise), counts are exactly Poisson distributed and cells are hashed without a
+// period.
 template <int Dim>
 class SpectrumNoise final : public Noise<Dim> {
  public:
@@ -48,7 +49,6 @@ class SpectrumNoise final : public Noise<Dim> {
 
   const GaborSpectrum& spectrum() const { return spectrum_; }  // of unit variance, cycles per world unit
   double impulses_per_kernel() const { return impulses_; }     // N, mean
-  double amplitude() const { return amplitude_; }              // of a kernel's envelope
   // Of the band that has the fewest, per world unit^Dim.
   double least_impulse_density() const { return least_density_; }
 
@@ -67,7 +67,6 @@ class SpectrumNoise final : public Noise<Dim> {
  private:
   GaborSpectrum spectrum_;
   double impulses_ = 0.0;
-  double amplitude_ = 0.0;
   double least_density_ = 0.0;
   std::unique_ptr<const FractalNoise<Dim>> bands_;
 };

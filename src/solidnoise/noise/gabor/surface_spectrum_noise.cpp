@@ -197,8 +197,9 @@ SurfaceSpectrumNoise::SurfaceSpectrumNoise(const SpectrumNoiseOptions& options, 
   impulses_ = budget.impulses;
   excess_kurtosis_ = budget.excess_kurtosis;
   for (std::size_t b = 0; b < shares.size(); ++b) {
-    bands_.emplace_back(spectrum_.bands[b], spectrum_.isotropic, envelopes[b], layer, budget.amplitude,
-                        budget.density(shares[b]), derive_seed(options.seed, kBandStream + b));
+    const auto [density, amplitude] = budget.bands[b];
+    bands_.emplace_back(spectrum_.bands[b], spectrum_.isotropic, envelopes[b], layer, amplitude, density,
+                        derive_seed(options.seed, kBandStream + b));
   }
 }
 

@@ -11,6 +11,7 @@
 #include <tbb/parallel_for.h>
 
 #include "solidnoise/core/random.h"
+#include "solidnoise/volume/preview/preview_view.h"
 
 namespace solidnoise {
 namespace {
@@ -159,6 +160,20 @@ Image draw_colors(const MeasuredGrid& measured, const RawShaping& range, UpAxis 
   });
 }
 
+// In the colours of the exemplar.
+Image draw_exemplar(const MeasuredGrid& measured, const ExemplarModel& exemplar, UpAxis up) {
+  const Slice slice(*measured.grid, up);
+  return draw(slice, [&](double x, double y, double) -> Color {
+    Color color;
+    for (int i = 0; i < 3; ++i) {
+      const auto channel = static_cast<std::size_t>(i);
+      const float value = std::clamp(slice.at(x, y)[i], 0.0f, 1.0f);
+      color[channel] = exemplar.raw_values ? value : encode_light(value);
+    }
+    return color;
+  });
+}
+
 Image draw_phasor(const Volume& volume, const std::vector<Output>& outputs, UpAxis up) {
   const Slice first(*volume.grids.front().grid, up);
   const Slice second(*volume.grids.back().grid, up);
@@ -189,6 +204,9 @@ Image render_slice(const Volume& volume, const VolumeRecipe& recipe) {
     case Output::curl:
       return draw_vectors(volume.grids.front(), recipe.up);
     case Output::color:
+      if (const ExemplarModel* const exemplar = exemplar_of_colors(recipe)) {
+        return draw_exemplar(volume.grids.front(), *exemplar, recipe.up);
+      }
       return draw_colors(volume.grids.front(), std::get<RawShaping>(recipe.shaping), recipe.up);
     case Output::phase:
     case Output::intensity:
