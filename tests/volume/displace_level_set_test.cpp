@@ -306,5 +306,17 @@ TEST(DisplaceLevelSet, RefusesWhatIsNoLevelSet) {
   EXPECT_NE(refusal(*sphere(), std::numeric_limits<double>::quiet_NaN()).find("displace"), std::string::npos);
 }
 
+// Noise of steep octaves, up to fourteen voxels high: seen from the centre the surface is a function of the
+// direction, so that it is of one piece.
+TEST(DisplaceLevelSet, SteepSpikesDoNotTear) {
+  const auto ball = openvdb::tools::createLevelSetSphere<FloatGrid>(0.8f, openvdb::Vec3f(0.0f), 0.0125f);
+  NoiseRecipe recipe;
+  recipe.noise = GaborNoiseOptions{.frequency = 1.5, .bandwidth = 1.5, .seed = 2};
+  recipe.fractal = {.octaves = 4, .gain = 0.45};
+  const auto noise = make_point_field(make_noise<3>(recipe), {});
+  const auto moved = displace_level_set(*ball, *noise, 0.06);
+  EXPECT_EQ(parts_of(*moved), 1u);
+}
+
 }  // namespace
 }  // namespace solidnoise

@@ -12,7 +12,7 @@
 #include <openvdb/tree/LeafManager.h>
 #include <tbb/parallel_for.h>
 
-#include "solidnoise/volume/modify/distance_front.h"
+#include "solidnoise/volume/modify/closest_point.h"
 #include "solidnoise/volume/modify/select_voxels.h"
 
 namespace solidnoise {
@@ -44,6 +44,7 @@ class SurfaceMover {
         progress_(progress),
         voxel_(static_cast<float>(band.voxelSize().x())),
         beyond_(FloatGrid::create(band.background())),
+        feet_(openvdb::Vec3SGrid::create()),
         result_{band.deepCopy(), std::make_shared<MaskTree>()} {
     beyond_->setTransform(band.transform().copy());
     FloatLeaves leaves(result_.values->tree());
@@ -96,6 +97,7 @@ class SurfaceMover {
     MaskTree outside(layer);
     outside.topologyDifference(band_.tree());
     beyond_->tree().topologyUnion(outside);
+    feet_->tree().topologyUnion(outside);
     result_.values->tree().topologyUnion(layer);
     MaskTree moved(layer);
     std::vector<MaskLeaf*> leaves;
@@ -113,19 +115,23 @@ class SurfaceMover {
   // One leaf of it; leaves those voxels on whose closest point moved. Returns the longest way of them.
   float add(const MaskTree& layer, MaskLeaf& leaf) {
     const ClosestPointFinder finder(band_);
-    const DistanceFront front({band_, band_, *beyond_, layer});
     const auto band = band_.getConstAccessor();
     FloatLeaf* const beyond = beyond_->tree().probeLeaf(leaf.origin());
+    openvdb::Vec3STree::LeafNodeType* const feet = feet_->tree().probeLeaf(leaf.origin());
     std::vector<Vec<3>> points;
     std::vector<float> distances;
     for (auto voxel = leaf.cbeginValueOn(); voxel; ++voxel) {
       const Coord x = voxel.getCoord();
       const bool in_band = band.isValueOn(x);
-      const auto foot = in_band ? finder.find(x, finder.guess(x)) : front.find(x);
+      const auto foot =
+          in_band ? finder.find(x, finder.guess(x)) : finder.find(x, guess_beyond(finder, layer, x));
       const Vec3d world = band_.indexToWorld(foot.point);
       points.emplace_back(world.x(), world.y(), world.z());
       distances.push_back(static_cast<float>(foot.distance) * voxel_);
-      if (!in_band) beyond->setValueOnly(voxel.pos(), distances.back());
+      if (!in_band) {
+        beyond->setValueOnly(voxel.pos(), distances.back());
+        feet->setValueOnly(voxel.pos(), openvdb::Vec3s(foot.point));
+      }
     }
     std::vector<float> values(points.size());
     noise_.evaluate(points, values);
@@ -140,6 +146,28 @@ class SurfaceMover {
       longest = std::max(longest, std::abs(way));
     }
     return longest;
+  }
+
+  // The closest point of that neighbour of earlier layers whose closest point is nearest. It lies on the
+  // surface, which the way back along the distances' slope may miss where few neighbours are known, as on a
+  // thin spike.
+  ClosestPointFinder::Guess guess_beyond(const ClosestPointFinder& finder, const MaskTree& layer,
+                                         const Coord& voxel) const {
+    ClosestPointFinder::Guess nearest{voxel.asVec3d(), HUGE_VAL};
+    for (const Coord& next : face_neighbours(voxel)) {
+      Vec3d point;
+      if (band_.tree().isValueOn(next)) {
+        point = finder.guess(next).point;
+      } else if (feet_->tree().isValueOn(next) && !layer.isValueOn(next)) {
+        point = Vec3d(feet_->tree().getValue(next));
+      } else {
+        continue;
+      }
+      const double distance = (voxel.asVec3d() - point).length();
+      if (distance < nearest.distance) nearest = {point, distance};
+    }
+    if (band_.tree().getValue(voxel) < 0.0f) nearest.distance = -nearest.distance;
+    return nearest;
   }
 
   // The layers that are to come are those of the longest way so far, and fewer and fewer voxels go so far.
@@ -198,7 +226,8 @@ class SurfaceMover {
   const float amount_;
   Progress* const progress_;
   const float voxel_;
-  FloatGrid::Ptr beyond_;  // distances where the band is not
+  FloatGrid::Ptr beyond_;         // distances where the band is not
+  openvdb::Vec3SGrid::Ptr feet_;  // and the closest points, in index space
   MovedSurface result_;
   float longest_way_ = 0.0f;
   int layers_ = 0;
