@@ -106,8 +106,8 @@ FloatGrid::Ptr displace_level_set(const FloatGrid& level_set, const PointField& 
 
 std::uint64_t estimate_displacement_memory(const FloatGrid& level_set, double farthest) {
   // Leaves of the moved surface's values, of distances on the way and of the result, with another buffer of
-  // each while that is normalized. Measured on spheres of 256, 512 and 2048 voxels, moved by noise of 2.6 to 3
-  // voxels a sigma: 63, 45 and 41 bytes for a voxel of the band, the way included.
+  // each while that is normalized. Measured on spheres of 256, 512 and 2048 voxels, moved by noise of 2.6 to
+  // 3 voxels a sigma: 63, 45 and 41 bytes for a voxel of the band, the way included.
   constexpr double kStanding = 70.0;
   constexpr double kMoving = 4.0;
   const double way = farthest / level_set.voxelSize().x();

@@ -10,8 +10,8 @@
 namespace solidnoise {
 
 // Lets OpenVDB's tools be cancelled: they ask this now and then, and then return early, with a grid that
-// means nothing. Ask the Progress again afterwards. Where it is known how often they begin something, progress
-// counts that.
+// means nothing. Ask the Progress again afterwards. Where it is known how often they begin something,
+// progress counts that.
 class Interrupter final : public openvdb::util::NullInterrupter {
  public:
   explicit Interrupter(Progress* progress, std::uint64_t steps = 0) : progress_(progress), steps_(steps) {}
