@@ -23,7 +23,6 @@ struct Axis {
 DistanceFront::DistanceFront(const Grids& grids)
     : finder_(grids.surface),
       surface_(grids.surface.getConstAccessor()),
-      band_(grids.band.getConstAccessor()),
       known_(grids.known.getConstAccessor()),
       layer_(grids.layer),
       per_voxel_(1.0 / grids.surface.voxelSize().x()) {}
@@ -40,9 +39,7 @@ ClosestPointFinder::Guess DistanceFront::guess(const Coord& voxel) const {
       Coord next = voxel;
       next[axis] += side;
       float value = 0.0f;
-      if (!band_.probeValue(next, value) && (layer_.isValueOn(next) || !known_.probeValue(next, value))) {
-        continue;
-      }
+      if (layer_.isValueOn(next) || !known_.probeValue(next, value)) continue;
       const double distance = per_voxel_ * std::abs(static_cast<double>(value));
       if (!nearest || distance < nearest->distance) nearest = {distance, (voxel - next).asVec3d()};
     }

@@ -10,11 +10,10 @@ namespace solidnoise {
 class DistanceFront {
  public:
   // The surface are the zeros of `surface`, which has cubic voxels and the right sign everywhere. Distances
-  // (world units) are known where `band` is active, and where `known` is but for the voxels of `layer`, those
-  // that are looked at now.
+  // (world units) are known where `known` is active but for the voxels of `layer`, those that are looked at
+  // now.
   struct Grids {
     const openvdb::FloatGrid& surface;
-    const openvdb::FloatGrid& band;
     const openvdb::FloatGrid& known;
     const openvdb::MaskTree& layer;
   };
@@ -30,7 +29,6 @@ class DistanceFront {
 
   ClosestPointFinder finder_;
   openvdb::FloatGrid::ConstAccessor surface_;
-  openvdb::FloatGrid::ConstAccessor band_;
   openvdb::FloatGrid::ConstAccessor known_;
   openvdb::tree::ValueAccessor<const openvdb::MaskTree> layer_;
   double per_voxel_;

@@ -44,7 +44,6 @@ class DistanceMeasurer {
   }
 
   FloatGrid::Ptr run() {
-    const FloatGrid nothing(background_);
     MaskTree::Ptr layer = voxels_beside_zeros(values_, progress_);
     set(*layer, [&] {
       return [this, finder = ClosestPointFinder(values_), values = values_.getConstAccessor()](
@@ -56,7 +55,7 @@ class DistanceMeasurer {
       if (progress_ != nullptr) progress_->advance(std::min(done, layers), layers);
       layer = next_to(*layer);
       set(*layer, [&] {
-        return [front = DistanceFront({values_, nothing, *result_, *layer})](const Coord& voxel) {
+        return [front = DistanceFront({values_, *result_, *layer})](const Coord& voxel) {
           return front.find(voxel);
         };
       });
