@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include "solidnoise/core/random.h"
+#include "support/temporary_folder.h"
 
 namespace solidnoise {
 namespace {
@@ -35,18 +36,7 @@ const bool kLoadedAtStart = openimageio_is_loaded();
 
 class ImageFile : public testing::Test {
  protected:
-  ImageFile() {
-    std::string pattern = (fs::temp_directory_path() / "solidnoise_image_XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("cannot make " + pattern);
-    folder_ = pattern;
-  }
-  ~ImageFile() override { fs::remove_all(folder_); }
-
-  std::ptrdiff_t file_count() const {
-    return std::distance(fs::directory_iterator(folder_), fs::directory_iterator());
-  }
-
-  fs::path folder_;
+  TemporaryFolder folder_;
 };
 
 Image random_image(int width, int height, int channels) {
@@ -137,7 +127,7 @@ TEST_F(ImageFile, WritingLeavesNothingButTheFile) {
   write_image(folder_ / "a.png", random_image(4, 4, 1));
   write_image(folder_ / "a.png", random_image(5, 5, 1));
   EXPECT_EQ(read_image(folder_ / "a.png").width, 5);
-  EXPECT_EQ(file_count(), 1);
+  EXPECT_EQ(folder_.count(), 1u);
 }
 
 TEST_F(ImageFile, AWriteThatIsCutShortIsReportedAndLeavesTheOldFile) {
@@ -162,7 +152,7 @@ TEST_F(ImageFile, AWriteThatIsCutShortIsReportedAndLeavesTheOldFile) {
   EXPECT_EQ(png.rfind("cannot write " + (folder_ / "a.png").string(), 0), 0u) << png;
   EXPECT_EQ(exr.rfind("cannot write " + (folder_ / "b.exr").string(), 0), 0u) << exr;
   EXPECT_EQ(read_image(folder_ / "a.png").width, 4);
-  EXPECT_EQ(file_count(), 1);
+  EXPECT_EQ(folder_.count(), 1u);
 }
 
 TEST_F(ImageFile, AMissingFolderIsNamed) {
@@ -179,7 +169,7 @@ TEST_F(ImageFile, UnknownExtensionsAndUnfitTypesAreRefused) {
   EXPECT_THROW(write_image(folder_ / "a.png", image, {SampleType::float32}), std::invalid_argument);
   EXPECT_THROW(write_image(folder_ / "a.jpg", image, {SampleType::uint16}), std::invalid_argument);
   EXPECT_THROW(write_image(folder_ / "a.png", Image()), std::invalid_argument);
-  EXPECT_EQ(file_count(), 0);
+  EXPECT_EQ(folder_.count(), 0u);
 }
 
 TEST_F(ImageFile, FilesThatAreNoPicturesAreRefused) {

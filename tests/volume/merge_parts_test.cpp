@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <stdexcept>
@@ -15,6 +16,7 @@
 #include "solidnoise/volume/vdb/vdb_read.h"
 #include "solidnoise/volume/vdb/vdb_write.h"
 #include "solidnoise/volume/volume_recipe_json.h"
+#include "support/temporary_folder.h"
 
 namespace solidnoise {
 namespace {
@@ -23,9 +25,6 @@ constexpr char kCreator[] = "merge test";
 
 class MergeParts : public testing::Test {
  protected:
-  void SetUp() override { std::filesystem::create_directories(folder_); }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   std::filesystem::path write_part(const VolumeRecipe& recipe, const VolumePart& part) {
     const Volume volume = make_volume(recipe, plan_volume(recipe, part), kCreator);
     const std::filesystem::path path = folder_ / (std::to_string(written_++) + ".vdb");
@@ -44,7 +43,7 @@ class MergeParts : public testing::Test {
   }
 
  private:
-  std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) / "merge_parts_test";
+  TemporaryFolder folder_;
   int written_ = 0;
 };
 
