@@ -1,13 +1,11 @@
 #include "solidnoise/noise/gabor/surface_spectrum_noise.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
 #include <stdexcept>
-#include <utility>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -19,13 +17,10 @@
 #include "solidnoise/noise/gabor/spectrum_bands.h"
 #include "solidnoise/noise/kernel/compact_kernel.h"
 #include "solidnoise/noise/point/point_convolution.h"
-#include "solidnoise/noise/point/point_order.h"
-#include "solidnoise/noise/point/point_tile.h"
+#include "solidnoise/noise/point/surface_sum.h"
 
 namespace solidnoise {
 namespace {
-
-constexpr std::size_t kBatch = 4096;  // points that are located together
 
 // Moments of a kernel in the layer, of a wave of random sign whose cosine squared is 1/2 on average.
 KernelMoments layer_moments(const CompactKernel& envelope, double half_thickness) {
@@ -55,7 +50,6 @@ class SurfaceSpectrumNoise::Band {
   const CellAxis& axis() const { return axis_; }
   float radius() const { return radius_; }  // in cells
   double layer() const { return layer_; }
-  const LayerWaveKernel& kernel() const { return kernel_; }
 
   // Appends the impulses of a cell relative to the anchor.
   void append(const Index<3>& anchor, const Index<3>& cell, PointImpulses& impulses) const {
@@ -81,6 +75,10 @@ class SurfaceSpectrumNoise::Band {
     });
   }
 
+  void sum(const PointCluster& cluster, const PointImpulses& impulses, float* sums) const {
+    sum_layer_waves(kernel_, cluster, impulses, sums);
+  }
+
  private:
   ComponentDraw<2> frequencies_;
   double sharpness_;
@@ -91,89 +89,6 @@ class SurfaceSpectrumNoise::Band {
   ImpulseProcess<3> process_;
   LayerWaveKernel kernel_;
 };
-
-namespace {
-
-// One call of evaluate(), for one band.
-template <typename Band>
-class Evaluation {
- public:
-  explicit Evaluation(const Band& band) : band_(band), extent_(band.layer()) {
-    const float height = band.radius() * extent_.layer;
-    for (std::size_t lane = 0; lane < PointCluster::kSamples; ++lane) {
-      cluster_.inverse_square_radius[lane] = 1.0f / (band.radius() * band.radius());
-      cluster_.inverse_square_height[lane] = 1.0f / (height * height);
-    }
-  }
-
-  // Adds to the values of a batch.
-  void add(const SurfacePoints& points, std::span<const std::size_t> batch, std::span<const Vec<3>> normals,
-           std::span<const Vec<3>> tangents, std::span<float> values) {
-    locate(points, batch, normals);
-    std::span<LocatedPoint<3>> rest = located_;
-    while (!rest.empty()) add_tile(PointTile<3>(rest), batch, tangents, values);
-  }
-
- private:
-  void locate(const SurfacePoints& points, std::span<const std::size_t> batch,
-              std::span<const Vec<3>> normals) {
-    located_.resize(batch.size());
-    for (std::size_t i = 0; i < batch.size(); ++i) {
-      LocatedPoint<3>& point = located_[i];
-      for (int axis = 0; axis < 3; ++axis) {
-        const auto a = static_cast<std::size_t>(axis);
-        const CellPosition position =
-            locate_point(band_.axis(), points.positions.coordinate(batch[i], axis), batch[i]);
-        point.cell[axis] = position.cell;
-        point.fraction[a] = position.fraction;
-        point.normal[a] = static_cast<float>(normals[i][axis]);
-      }
-      point.radius = band_.radius();
-      point.density = 1.0f;
-      point.point = static_cast<std::uint32_t>(i);
-    }
-  }
-
-  void add_tile(const PointTile<3>& tile, std::span<const std::size_t> batch,
-                std::span<const Vec<3>> tangents, std::span<float> values) {
-    gathered_.clear();
-    for_each_reaching_cell<3>(bounds<3>(tile.points, extent_),
-                              [&](const Index<3>& cell) { band_.append(tile.anchor, cell, gathered_); });
-    for (std::size_t first = 0; first < tile.points.size(); first += PointCluster::kSamples) {
-      const auto points = tile.points.subspan(
-          first, std::min<std::size_t>(PointCluster::kSamples, tile.points.size() - first));
-      alignas(64) float sums[PointCluster::kSamples];
-      sum(points, tangents, sums);
-      for (std::size_t i = 0; i < points.size(); ++i) values[batch[points[i].point]] += sums[i];
-    }
-  }
-
-  void sum(std::span<const LocatedPoint<3>> points, std::span<const Vec<3>> tangents, float* sums) {
-    PointCull cull = bounds<3>(points, extent_);
-    cull.attributes = 3;
-    kept_.clear();
-    cull_impulses(gathered_, cull, kept_);
-    cluster_.count = static_cast<int>(points.size());
-    for (std::size_t lane = 0; lane < PointCluster::kSamples; ++lane) {
-      const LocatedPoint<3>& point = points[std::min(lane, points.size() - 1)];
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        cluster_.coordinate[axis][lane] = point.at[axis];
-        cluster_.normal[axis][lane] = point.normal[axis];
-        cluster_.tangent[axis][lane] = static_cast<float>(tangents[point.point][static_cast<int>(axis)]);
-      }
-    }
-    sum_layer_waves(band_.kernel(), cluster_, kept_, sums);
-  }
-
-  const Band& band_;
-  KernelExtent extent_;
-  std::vector<LocatedPoint<3>> located_;
-  PointImpulses gathered_;
-  PointImpulses kept_;
-  PointCluster cluster_;
-};
-
-}  // namespace
 
 SurfaceSpectrumNoise::SurfaceSpectrumNoise(const SpectrumNoiseOptions& options, double layer) {
   options.validate();
@@ -215,22 +130,7 @@ void SurfaceSpectrumNoise::evaluate(const SurfacePoints& points,
     throw std::invalid_argument(fmt::format("tangent is given for {} points; there are {}", component.size(),
                                             points.positions.count));
   }
-  std::fill(values.begin(), values.end(), 0.0f);
-  std::vector<Evaluation<Band>> evaluations(bands_.begin(), bands_.end());
-  const std::vector<std::size_t> order = spatial_order(points.positions);
-  std::vector<Vec<3>> normals;
-  std::vector<Vec<3>> tangents;
-  for (std::size_t first = 0; first < order.size(); first += kBatch) {
-    const auto batch = std::span(order).subspan(first, std::min(kBatch, order.size() - first));
-    normals.clear();
-    tangents.clear();
-    for (const std::size_t i : batch) {
-      normals.push_back(
-          glm::normalize(Vec<3>(points.normal[0][i], points.normal[1][i], points.normal[2][i])));
-      tangents.push_back(unit_tangent({tangent[0][i], tangent[1][i], tangent[2][i]}, normals.back()));
-    }
-    for (auto& evaluation : evaluations) evaluation.add(points, batch, normals, tangents, values);
-  }
+  sum_on_surface<Band>(bands_, points, tangent, values);
 }
 
 Noise<2>::Band SurfaceSpectrumNoise::band() const {

@@ -1,0 +1,138 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+#include "solidnoise/core/cell_grid.h"
+#include "solidnoise/core/vec.h"
+#include "solidnoise/noise/point/point_cluster.h"
+#include "solidnoise/noise/point/point_order.h"
+#include "solidnoise/noise/point/point_tile.h"
+#include "solidnoise/noise/point/surface_points.h"
+
+namespace solidnoise {
+
+// Points of a surface that are near each other, and their unit frames; tangents only where they are wanted.
+struct SurfaceBatch {
+  const Points<3>* positions = nullptr;
+  std::span<const std::size_t> order;  // indices of the batch's points
+  std::vector<Vec<3>> normals;         // one per point of the batch
+  std::vector<Vec<3>> tangents;        // one per point of the batch, or none
+};
+
+// One call of sum_on_surface(), for one source.
+template <typename Source>
+class SurfaceSum {
+ public:
+  explicit SurfaceSum(const Source& source) : source_(source), extent_(source.layer()) {
+    const float height = source.radius() * extent_.layer;
+    for (std::size_t lane = 0; lane < PointCluster::kSamples; ++lane) {
+      cluster_.inverse_square_radius[lane] = 1.0f / (source.radius() * source.radius());
+      cluster_.inverse_square_height[lane] = 1.0f / (height * height);
+    }
+  }
+
+  // Adds to the values of a batch.
+  void add(const SurfaceBatch& batch, std::span<float> values) {
+    locate(batch);
+    std::span<LocatedPoint<3>> rest = located_;
+    while (!rest.empty()) add_tile(PointTile<3>(rest), batch, values);
+  }
+
+ private:
+  void locate(const SurfaceBatch& batch) {
+    located_.resize(batch.order.size());
+    for (std::size_t i = 0; i < located_.size(); ++i) {
+      LocatedPoint<3>& point = located_[i];
+      for (int axis = 0; axis < 3; ++axis) {
+        const auto a = static_cast<std::size_t>(axis);
+        const CellPosition position =
+            locate_point(source_.axis(), batch.positions->coordinate(batch.order[i], axis), batch.order[i]);
+        point.cell[axis] = position.cell;
+        point.fraction[a] = position.fraction;
+        point.normal[a] = static_cast<float>(batch.normals[i][axis]);
+      }
+      point.radius = source_.radius();
+      point.density = 1.0f;
+      point.point = static_cast<std::uint32_t>(i);
+    }
+  }
+
+  void add_tile(const PointTile<3>& tile, const SurfaceBatch& batch, std::span<float> values) {
+    gathered_.clear();
+    for_each_reaching_cell<3>(bounds<3>(tile.points, extent_),
+                              [&](const Index<3>& cell) { source_.append(tile.anchor, cell, gathered_); });
+    for (std::size_t first = 0; first < tile.points.size(); first += PointCluster::kSamples) {
+      const auto points = tile.points.subspan(
+          first, std::min<std::size_t>(PointCluster::kSamples, tile.points.size() - first));
+      alignas(64) float sums[PointCluster::kSamples];
+      sum(points, batch.tangents, sums);
+      for (std::size_t i = 0; i < points.size(); ++i) values[batch.order[points[i].point]] += sums[i];
+    }
+  }
+
+  void sum(std::span<const LocatedPoint<3>> points, std::span<const Vec<3>> tangents, float* sums) {
+    PointCull cull = bounds<3>(points, extent_);
+    cull.attributes = 3;
+    kept_.clear();
+    cull_impulses(gathered_, cull, kept_);
+    cluster_.count = static_cast<int>(points.size());
+    for (std::size_t lane = 0; lane < PointCluster::kSamples; ++lane) {
+      const LocatedPoint<3>& point = points[std::min(lane, points.size() - 1)];
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        cluster_.coordinate[axis][lane] = point.at[axis];
+        cluster_.normal[axis][lane] = point.normal[axis];
+        if (tangents.empty()) continue;
+        cluster_.tangent[axis][lane] = static_cast<float>(tangents[point.point][static_cast<int>(axis)]);
+      }
+    }
+    source_.sum(cluster_, kept_, sums);
+  }
+
+  const Source& source_;
+  KernelExtent extent_;
+  std::vector<LocatedPoint<3>> located_;
+  PointImpulses gathered_;
+  PointImpulses kept_;
+  PointCluster cluster_;
+};
+
+// The sum over several sources at points of a surface. A source has impulses of three attributes in a grid of
+// cubic cells, and a kernel in a layer around the tangent plane, the same for all points:
+//   const CellAxis& axis() const;  the cells, along each axis
+//   float radius() const;          of the kernel along the surface, in cells
+//   double layer() const;          half the layer's thickness, in radii
+//   void append(anchor, cell, PointImpulses&) const;  the impulses of a cell relative to the anchor
+//   void sum(const PointCluster&, const PointImpulses&, float* sums) const;
+// `tangent` is all empty for kernels that need none. A value depends on its point only.
+template <typename Source>
+void sum_on_surface(std::span<const Source> sources, const SurfacePoints& points,
+                    const std::array<std::span<const float>, 3>& tangent, std::span<float> values) {
+  constexpr std::size_t kBatch = 4096;  // points that are located together
+  std::fill(values.begin(), values.end(), 0.0f);
+  std::vector<SurfaceSum<Source>> sums(sources.begin(), sources.end());
+  const std::vector<std::size_t> order = spatial_order(points.positions);
+  SurfaceBatch batch;
+  batch.positions = &points.positions;
+  for (std::size_t first = 0; first < order.size(); first += kBatch) {
+    batch.order = std::span(order).subspan(first, std::min(kBatch, order.size() - first));
+    batch.normals.clear();
+    batch.tangents.clear();
+    for (const std::size_t i : batch.order) {
+      batch.normals.push_back(
+          glm::normalize(Vec<3>(points.normal[0][i], points.normal[1][i], points.normal[2][i])));
+      if (tangent[0].empty()) continue;
+      batch.tangents.push_back(
+          unit_tangent({tangent[0][i], tangent[1][i], tangent[2][i]}, batch.normals.back()));
+    }
+    for (SurfaceSum<Source>& sum : sums) sum.add(batch, values);
+  }
+}
+
+}  // namespace solidnoise
