@@ -79,8 +79,8 @@ TEST(SpectrumNoise, ByDefaultHasTheKurtosisThatTheEyeTakesForGaussian) {
   for_two_and_three_dimensions([]<int Dim>(SpectrumNoiseOptions options) {
     options.impulses = 0.0;
     const SpectrumNoise<Dim> noise(options);
-    EXPECT_LE(noise.excess_kurtosis(), 0.5);
-    EXPECT_GT(noise.excess_kurtosis(), 0.4);
+    EXPECT_LE(noise.excess_kurtosis(), 1.0 / 64.0);
+    EXPECT_GT(noise.excess_kurtosis(), 0.9 / 64.0);
   });
 }
 

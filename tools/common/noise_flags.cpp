@@ -150,8 +150,7 @@ void declare_band(FlagSet& flags, NoiseRecipe& recipe) {
   declare_number(flags, recipe, "--bandwidth", "OCTAVES",
                  "Width of the band at half amplitude, octaves, 0.05 to 4 (default 1)", kBandwidth);
   declare_number(flags, recipe, "--impulses", "N",
-                 "Mean impulses under one kernel (default 0: the fewest with excess kurtosis under 0.5)",
-                 kImpulses);
+                 "Mean impulses under one kernel (default 0: as few as look Gaussian)", kImpulses);
   declare_number(flags, recipe, "--error", "FRACTION",
                  "Relative RMS error of the kernel, 0.0001 to 0.5 (default 0.02)", kError);
 }

@@ -170,8 +170,7 @@ void declare_noise(FlagSet& flags, BakeRecipe& recipe) {
                 [&](const ParameterRange& range) { recipe.magnitude = range; });
   declare_range(flags, "--bias", "A[..B]", "Added to the noise, in standard deviations (default 0)",
                 [&](const ParameterRange& range) { recipe.bias = range; });
-  flags.number("--impulses", "N",
-               "Mean impulses under one kernel (default 0: the fewest with excess kurtosis under 0.5)",
+  flags.number("--impulses", "N", "Mean impulses under one kernel (default 0: as few as look Gaussian)",
                [&](double value) { recipe.noise.impulses = value; });
   flags.number("--error", "FRACTION", "Relative RMS error of the kernel, 0.0001 to 0.5 (default 0.02)",
                [&](double value) { recipe.noise.error = value; });

@@ -14,8 +14,7 @@
 namespace solidnoise {
 namespace {
 
-constexpr int kStrip = 32;            // columns that are evaluated together
-constexpr double kImpulses = 1024.0;  // as in the paper; of fewer, those of narrow bands show
+constexpr int kStrip = 32;  // columns that are evaluated together
 
 template <int Dim>
 DenseField<2> evaluate(const SpectrumNoise<Dim>& noise, const glm::ivec2& count, const Vec<2>& step,
@@ -49,7 +48,6 @@ Exemplar<2> procedural_texture(const ExemplarModel& model, const glm::ivec2& cou
     options.model = model;
     options.channel = static_cast<int>(k);
     options.frequency = model.principal_frequency();  // as in the exemplar
-    options.impulses = kImpulses;
     options.seed = derive_seed(seed, k);
     channels.push_back(model.channels[k].dimensions == 2
                            ? evaluate(SpectrumNoise<2>(options), count, step, origin)

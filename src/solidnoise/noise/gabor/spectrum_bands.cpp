@@ -16,7 +16,7 @@ ImpulseBudget share_impulses(std::span<const BandShare> bands, double impulses) 
     count += band.variance / band.moments.second * band.support;
     kurtosis += band.variance * band.moments.fourth / band.moments.second;
   }
-  const double wanted = impulses > 0.0 ? impulses : std::ceil(count * kurtosis / kDefaultKurtosis);
+  const double wanted = impulses > 0.0 ? impulses : std::ceil(count * kurtosis / kExampleKurtosis);
   ImpulseBudget budget;
   for (const BandShare& band : bands) {
     const double shared = wanted / count * band.variance / band.moments.second;

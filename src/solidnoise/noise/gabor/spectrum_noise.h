@@ -17,7 +17,7 @@ struct SpectrumNoiseOptions {
   double frequency = 8.0;  // where the model's principal_frequency() comes to lie, cycles per world unit; > 0
   double error = 0.02;     // relative RMS error against kernels of infinite support; 1e-4 to 0.5
   double impulses = 0.0;   // mean impulses under the kernels of all bands, N; 0: the fewest with excess
-                           // kurtosis below 0.5
+                           // kurtosis below 1/64
   std::uint64_t seed = 0;
   Vec<4> period{0.0};     // world units per axis; 0: none; else at least 2 radii of the largest kernel
   Evolution evolution{};  // how it changes with time; by default it does not
