@@ -12,6 +12,7 @@ int run_vdbnoise(const std::vector<std::string>& arguments) {
   if (arguments[0] == "surface") return run_command("vdbnoise surface", [&] { return run_surface(rest); });
   if (arguments[0] == "info") return run_command("vdbnoise info", [&] { return run_info(rest); });
   if (arguments[0] == "analyze") return run_command("vdbnoise analyze", [&] { return run_analyze(rest); });
+  if (arguments[0] == "slice") return run_command("vdbnoise slice", [&] { return run_slice(rest); });
   return run_make(arguments);
 }
 

@@ -42,6 +42,7 @@ constexpr char kDescription[] =
     "  vdbnoise --out cloud.vdb     makes a cloud\n"
     "  vdbnoise merge FILE... --out whole.vdb   joins parts made by --shard or --region\n"
     "  vdbnoise surface MESH --out surface.vdb  makes the level set of a mesh\n"
+    "  vdbnoise slice --out noise.png           makes a picture of a plane, or a line of samples\n"
     "  vdbnoise info FILE           prints a file's grids and recipe\n"
     "  vdbnoise analyze FILE        measures a grid and compares it with the theory";
 

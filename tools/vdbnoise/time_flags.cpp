@@ -40,14 +40,14 @@ void set_loop(const FlagSet& flags, VolumeRecipe& recipe, double loop) {
 
 }  // namespace
 
-void declare_time_flags(FlagSet& flags, VolumeRecipe& recipe) {
+void declare_time_flags(FlagSet& flags, VolumeRecipe& recipe, const std::string& dims) {
   flags.group("Time");
   flags.number(
       "--evolve", "RATE",
       "Gabor noises: impulses turn at rates of this standard deviation, turns per unit of time; each "
       "frame has the noise's spectrum",
       [&](double value) { set_rate(recipe.noise, value); });
-  flags.integer("--dims", "3|4", "Dimensions of the noise; 4: a frame is a slice of a noise of 4 (default 3)",
+  flags.integer("--dims", dims, "Dimensions of the noise; 4: a frame is a slice of a noise of 4 (default 3)",
                 [&](int value) { recipe.dims = value; });
   flags.number("--time", "TIME", "With --evolve or --dims 4: the moment to make (default 0)",
                [&](double value) { recipe.time = value; });

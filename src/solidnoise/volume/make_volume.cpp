@@ -111,10 +111,14 @@ std::shared_ptr<const Field> make_source(const VolumeRecipe& recipe, const Param
   return recipe.parameters.magnitude ? with_magnitude(field, parameters) : field;
 }
 
-std::unique_ptr<PointField> make_volume_points(const VolumeRecipe& recipe, const Parameters& parameters) {
-  const auto& raw = std::get<RawShaping>(recipe.shaping);
+std::unique_ptr<PointField> make_raw_points(const VolumeRecipe& recipe, const RawShaping& raw) {
   if (!recipe.layers.empty()) return make_point_field(make_layers(recipe), raw);
-  if (!recipe.parameters.any()) return make_point_field(make_volume_noise(recipe), raw);
+  return make_point_field(make_volume_noise(recipe), raw);
+}
+
+std::unique_ptr<PointField> make_parameter_points(const VolumeRecipe& recipe, const Parameters& parameters) {
+  const auto& raw = std::get<RawShaping>(recipe.shaping);
+  if (!recipe.parameters.any()) return make_raw_points(recipe, raw);
   std::shared_ptr<const PointField> points;
   if (recipe.parameters.vary_kernel()) {
     points = make_varying_volume_noise(recipe, parameters);
@@ -236,6 +240,12 @@ std::shared_ptr<const Noise<3>> make_volume_noise(const VolumeRecipe& recipe) {
       recipe, [](auto dim, const NoiseRecipe& noise) { return make_noise<decltype(dim)::value>(noise); });
 }
 
+std::unique_ptr<PointField> make_volume_points(const VolumeRecipe& recipe) {
+  const auto* const raw = std::get_if<RawShaping>(&recipe.shaping);
+  if (!raw) throw std::invalid_argument("a field at points is of raw noise; shaped noise is on voxels only");
+  return make_raw_points(recipe, *raw);
+}
+
 std::shared_ptr<const VaryingField> make_varying_volume_noise(const VolumeRecipe& recipe,
                                                               std::shared_ptr<const ParameterFields> fields) {
   return make_varying_field(recipe.noise, view_of(recipe), std::move(fields));
@@ -269,7 +279,7 @@ Volume make_volume(const VolumeRecipe& recipe, const VolumePlan& plan, const std
   if (plan.modification) {
     const auto field = [&](const VolumeRecipe& of) { return make_volume_field(at_voxels(of), plan); };
     const auto points = [&](const VolumeRecipe& of) {
-      return make_volume_points(at_voxels(of), plan.parameters);
+      return make_parameter_points(at_voxels(of), plan.parameters);
     };
     if (plan.parameters && plan.modification->on_lattice()) {
       plan.parameters->require_allowed_at(grid_topology(plan.modification->grid()));

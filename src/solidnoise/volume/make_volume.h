@@ -9,6 +9,7 @@
 #include "solidnoise/core/box.h"
 #include "solidnoise/core/progress.h"
 #include "solidnoise/volume/field/distance_spline.h"
+#include "solidnoise/volume/field/point_field.h"
 #include "solidnoise/volume/modify/modify_volume.h"
 #include "solidnoise/volume/parameters/parameter_fields.h"
 #include "solidnoise/volume/parameters/varying_field.h"
@@ -57,6 +58,10 @@ std::shared_ptr<const Noise<3>> make_volume_noise(const VolumeRecipe& recipe);
 // The same of a recipe whose kernels vary, with the fields of its plan.
 std::shared_ptr<const VaryingField> make_varying_volume_noise(const VolumeRecipe& recipe,
                                                               std::shared_ptr<const ParameterFields> fields);
+
+// The field of a recipe whose shaping is RawShaping, at scattered points: its noise or its layers, in their
+// range. Parameters, band limit and exceptions as above.
+std::unique_ptr<PointField> make_volume_points(const VolumeRecipe& recipe);
 
 // The same of make_quadrature(): a quarter of a wave behind the recipe's noise.
 std::shared_ptr<const Noise<3>> make_volume_quadrature(const VolumeRecipe& recipe);

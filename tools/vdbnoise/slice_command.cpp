@@ -1,0 +1,120 @@
+#include <iostream>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include "common/exit_status.h"
+#include "common/interrupt.h"
+#include "common/outputs.h"
+#include "common/task_progress.h"
+#include "common/text_file.h"
+#include "common/usage_error.h"
+#include "solidnoise/core/moments.h"
+#include "solidnoise/image/image_file.h"
+#include "vdbnoise/commands.h"
+#include "vdbnoise/layer_flags.h"
+#include "vdbnoise/recipe_source.h"
+#include "vdbnoise/slice_field.h"
+#include "vdbnoise/slice_image.h"
+#include "vdbnoise/slice_options.h"
+#include "vdbnoise/time_flags.h"
+
+namespace solidnoise {
+namespace {
+
+constexpr char kDescription[] =
+    "Makes a picture of a plane through a noise, or through a grid of an OpenVDB file; or a line of "
+    "samples.\n"
+    "  vdbnoise slice --out noise.png\n"
+    "  vdbnoise slice --dims 2 --period 2 2 0 --frequency 8 --out tile.png --spectrum spectrum.png\n"
+    "  vdbnoise slice smoke.vdb --normal 1 0 0 --ramp viridis --out smoke.png\n"
+    "  vdbnoise slice --dims 1 --out line.csv";
+
+VolumeRecipe choose_recipe(const FlagSet& flags) {
+  const auto file = flags.value_of("--recipe");
+  if (!file) return load_preset(flags.value_of("--preset").value_or("raw"));
+  const LoadedRecipe loaded = load_recipe(*file);
+  if (!loaded.warning.empty() && !flags.given("--quiet")) {
+    std::cerr << "vdbnoise: warning: " << loaded.warning << '\n';
+  }
+  return loaded.recipe;
+}
+
+// Frequencies that the pixels cannot hold come back as others.
+void warn_of_aliasing(const SliceOptions& options, const SliceField& field) {
+  const double highest = field.highest_frequency * options.plane.pixel;
+  if (options.quiet || options.recipe.band_limit || highest <= 0.5) return;
+  std::cerr << fmt::format(
+      "vdbnoise: warning: the noise reaches {:.2f} cycles per pixel, above 0.5, and will alias; make --width "
+      "smaller, --frequency lower or --resolution larger\n",
+      highest);
+}
+
+void write_slice(const SliceOptions& options, const SliceField& field, const DenseField<2>& slice) {
+  if (options.is_line()) return write_text_file(options.out, line_table(options.plane, slice));
+  ImageFileOptions file;
+  if (!options.spectrum.empty()) {
+    file.color_space = options.spectrum.ends_with(".exr") ? ColorSpace::linear : ColorSpace::srgb;
+    write_image(options.spectrum, spectrum_image(options, slice), file);
+  }
+  if (options.out.empty()) return;
+  const auto [low, high] = shown_values(options, field, slice);
+  file.sample_type = options.sample_type;
+  file.color_space = options.out.ends_with(".exr") ? ColorSpace::linear : ColorSpace::srgb;
+  write_image(options.out, slice_image(options, slice, low, high), file);
+}
+
+void make_slice(SliceOptions options) {
+  require_outputs({options.out, options.spectrum}, options.existing);
+  catch_interrupts();
+  std::unique_ptr<tbb::global_control> threads;
+  if (options.threads > 0) {
+    threads = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
+                                                    static_cast<std::size_t>(options.threads));
+  }
+  const SliceField field = make_slice_field(options);
+  if (field.bounds) fit_plane(options, *field.bounds);
+  warn_of_aliasing(options, field);
+  DenseField<2> slice;
+  {
+    TaskProgress progress(options.quiet ? ProgressBar::Visibility::hidden
+                                        : ProgressBar::Visibility::if_terminal);
+    progress.begin("slice");
+    slice = sample_slice(*field.field, options.plane, &progress);
+    throw_if_cancelled(&progress);
+    write_slice(options, field, slice);
+  }
+  if (options.quiet) return;
+  const Moments moments = Moments::of(slice.values);
+  std::cerr << fmt::format("{}: {} x {} samples, {:.6g} world units apart\n",
+                           options.out.empty() ? options.spectrum : options.out, slice.count.x, slice.count.y,
+                           options.plane.pixel)
+            << fmt::format("min {:.6g}  max {:.6g}  mean {:.6g}  sigma {:.6g}\n", moments.min(),
+                           moments.max(), moments.mean(), moments.sigma());
+}
+
+}  // namespace
+
+int run_slice(const std::vector<std::string>& arguments) {
+  SliceOptions options;
+  FlagSet flags("vdbnoise slice", kDescription);
+  declare_slice_flags(flags, options);
+  flags.parse(arguments);
+  options.recipe = choose_recipe(flags);
+  try {
+    flags.apply();
+    check_layer_flags(flags, options.recipe);
+    check_slice_options(flags, options);
+    make_slice(options);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(name_loop(flags, flags.name_flag(error.what())));
+  }
+  return kDone;
+}
+
+}  // namespace solidnoise

@@ -1,0 +1,109 @@
+#include "vdbnoise/slice_field.h"
+
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <openvdb/tools/Interpolation.h>
+
+#include "solidnoise/core/points.h"
+#include "solidnoise/noise/moved_noise.h"
+#include "solidnoise/volume/field/shaped_noise_field.h"
+#include "solidnoise/volume/make_volume.h"
+#include "solidnoise/volume/topology/world_bounds.h"
+#include "solidnoise/volume/vdb/openvdb.h"
+#include "solidnoise/volume/vdb/require_finite_grid.h"
+#include "solidnoise/volume/vdb/vdb_read.h"
+
+namespace solidnoise {
+namespace {
+
+class GridField final : public PointField {
+ public:
+  explicit GridField(openvdb::FloatGrid::ConstPtr grid) : grid_(std::move(grid)) {}
+
+  void evaluate(std::span<const Vec<3>> positions, std::span<float> values) const override {
+    const auto accessor = grid_->getConstAccessor();
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+      const openvdb::Vec3d world(positions[i].x, positions[i].y, positions[i].z);
+      values[i] = openvdb::tools::BoxSampler::sample(accessor, grid_->worldToIndex(world));
+    }
+  }
+
+ private:
+  openvdb::FloatGrid::ConstPtr grid_;
+};
+
+// A noise of fewer dimensions than space.
+template <int Dim>
+class FlatNoiseField final : public PointField {
+ public:
+  FlatNoiseField(std::unique_ptr<const Noise<Dim>> noise, RawShaping::Range range)
+      : noise_(std::move(noise)), range_(range) {}
+
+  void evaluate(std::span<const Vec<3>> positions, std::span<float> values) const override {
+    if (positions.empty()) return;
+    std::array<std::vector<float>, Dim> offset;
+    Points<Dim> points;
+    points.count = positions.size();
+    for (int axis = 0; axis < Dim; ++axis) {
+      points.origin[axis] = positions.front()[axis];
+      std::vector<float>& of_axis = offset[static_cast<std::size_t>(axis)];
+      of_axis.reserve(positions.size());
+      for (const Vec<3>& position : positions) {
+        of_axis.push_back(static_cast<float>(position[axis] - points.origin[axis]));
+      }
+      points.offset[static_cast<std::size_t>(axis)] = of_axis.data();
+    }
+    noise_->evaluate(points, Samples<Dim>{.values = values});
+    to_range(range_, values);
+  }
+
+ private:
+  std::unique_ptr<const Noise<Dim>> noise_;
+  RawShaping::Range range_;
+};
+
+RawShaping::Range range_of(const VolumeRecipe& recipe) {
+  return std::get<RawShaping>(recipe.shaping).range;
+}
+
+template <int Dim>
+SliceField make_flat_field(const VolumeRecipe& recipe) {
+  Vec<Dim> offset;
+  for (int axis = 0; axis < Dim; ++axis) offset[axis] = recipe.offset[axis];
+  auto noise = move_noise<Dim>(make_noise<Dim>(at_time(recipe.noise, recipe.time)), offset);
+  SliceField result;
+  result.sigma = std::sqrt(noise->variance());
+  result.highest_frequency = noise->band().upper;
+  result.field = std::make_shared<FlatNoiseField<Dim>>(std::move(noise), range_of(recipe));
+  return result;
+}
+
+SliceField make_grid_field(const SliceOptions& options) {
+  const openvdb::FloatGrid::Ptr grid = read_float_grid(options.file, options.grid);
+  try {
+    require_finite_values(*grid, options.file);
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(error.what());
+  }
+  if (grid->activeVoxelCount() == 0) throw std::runtime_error(options.file + ": no voxel of it is active");
+  return {std::make_shared<GridField>(grid), 0.0, 0.0, world_bounds(*grid)};
+}
+
+}  // namespace
+
+SliceField make_slice_field(const SliceOptions& options) {
+  if (!options.file.empty()) return make_grid_field(options);
+  const VolumeRecipe recipe = at_resolution(options.recipe, Vec<3>(options.plane.pixel));
+  if (recipe.dims == 1) return make_flat_field<1>(recipe);
+  if (recipe.dims == 2) return make_flat_field<2>(recipe);
+  SliceField result{make_volume_points(recipe), 0.0, highest_frequency(recipe, {}), std::nullopt};
+  if (recipe.layers.empty()) result.sigma = std::sqrt(make_volume_noise(recipe)->variance());
+  return result;
+}
+
+}  // namespace solidnoise

@@ -1,0 +1,136 @@
+#include "vdbnoise/slice_image.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <vector>
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include "solidnoise/analysis/periodogram.h"
+#include "solidnoise/image/color_ramp.h"
+
+namespace solidnoise {
+namespace {
+
+constexpr int kTileSide = 32;  // pixels; a value's last bits depend on where its tile begins
+
+// One tile, gathered, evaluated and scattered.
+void sample_tile(const PointField& field, const SlicePlane& plane, const glm::ivec2& first,
+                 DenseField<2>& slice) {
+  const glm::ivec2 last(std::min(first.x + kTileSide, plane.columns),
+                        std::min(first.y + kTileSide, plane.rows));
+  std::vector<Vec<3>> positions;
+  for (int column = first.x; column < last.x; ++column) {
+    for (int row = first.y; row < last.y; ++row) positions.push_back(plane.position(column, row));
+  }
+  std::vector<float> values(positions.size());
+  field.evaluate(positions, values);
+  const ArrayShape<2> shape{slice.count};
+  const auto rows = static_cast<std::size_t>(last.y - first.y);
+  for (int column = first.x; column < last.x; ++column) {
+    const auto from =
+        values.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(column - first.x) * rows);
+    std::copy_n(from, rows,
+                slice.values.begin() + static_cast<std::ptrdiff_t>(shape.index({column, first.y})));
+  }
+}
+
+// A picture with the value of `at(column, row from the bottom)` in one channel.
+template <typename Value>
+Image gray_image(int columns, int rows, const Value& at) {
+  Image image(columns, rows, 1);
+  for (int y = 0; y < rows; ++y) {
+    for (int x = 0; x < columns; ++x) image.at(x, y) = static_cast<float>(at(x, rows - 1 - y));
+  }
+  return image;
+}
+
+float value_at(const DenseField<2>& slice, int column, int row) {
+  return slice.values[ArrayShape<2>{slice.count}.index({column, row})];
+}
+
+}  // namespace
+
+DenseField<2> sample_slice(const PointField& field, const SlicePlane& plane, Progress* progress) {
+  DenseField<2> slice({plane.columns, plane.rows}, Vec<2>(plane.pixel));
+  const glm::ivec2 tiles = (slice.count + (kTileSide - 1)) / kTileSide;
+  const int total = tiles.x * tiles.y;
+  std::atomic<int> done = 0;
+  tbb::parallel_for(0, total, [&](int tile) {
+    throw_if_cancelled(progress);
+    sample_tile(field, plane, kTileSide * glm::ivec2(tile / tiles.y, tile % tiles.y), slice);
+    const int finished = ++done;
+    if (progress) progress->advance(static_cast<std::uint64_t>(finished), static_cast<std::uint64_t>(total));
+  });
+  return slice;
+}
+
+std::pair<double, double> shown_values(const SliceOptions& options, const SliceField& field,
+                                       const DenseField<2>& slice) {
+  if (options.values) return *options.values;
+  if (field.sigma > 0.0) {
+    switch (std::get<RawShaping>(options.recipe.shaping).range) {
+      case RawShaping::Range::raw:
+        return {-3.0 * field.sigma, 3.0 * field.sigma};
+      case RawShaping::Range::signed_values:
+        return {-1.0, 1.0};
+      case RawShaping::Range::unit:
+        return {0.0, 1.0};
+    }
+  }
+  const auto [low, high] = std::minmax_element(slice.values.begin(), slice.values.end());
+  return *low < *high ? std::pair<double, double>(*low, *high) : std::pair(*low - 1.0, *low + 1.0);
+}
+
+Image slice_image(const SliceOptions& options, const DenseField<2>& slice, double low, double high) {
+  const bool floats = options.out.ends_with(".exr");
+  const auto position = [&](int column, int row) {
+    return (value_at(slice, column, row) - low) / (high - low);
+  };
+  if (options.ramp.empty()) {
+    if (!floats) return gray_image(slice.count.x, slice.count.y, position);
+    return gray_image(slice.count.x, slice.count.y,
+                      [&](int column, int row) { return value_at(slice, column, row); });
+  }
+  const ColorRamp ramp = parse_color_ramp(options.ramp);
+  Image image(slice.count.x, slice.count.y, 3);
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      const auto t = static_cast<float>(position(x, image.height - 1 - y));
+      const Color color = floats ? ramp.linear(t) : ramp.srgb(t);
+      for (int channel = 0; channel < 3; ++channel) image.at(x, y, channel) = color[channel];
+    }
+  }
+  return image;
+}
+
+Image spectrum_image(const SliceOptions& options, const DenseField<2>& slice) {
+  PeriodogramOptions periodogram_options;
+  periodogram_options.window = options.wraps ? Window::none : Window::hann;
+  const PowerSpectrum<2> spectrum = periodogram(slice, periodogram_options);
+  const double highest = *std::max_element(spectrum.density.begin(), spectrum.density.end());
+  const double scale = highest > 0.0 ? 1.0 / highest : 0.0;
+  const glm::ivec2 count = spectrum.count;
+  const bool floats = options.spectrum.ends_with(".exr");
+  return gray_image(count.x, count.y, [&](int column, int row) {
+    const glm::ivec2 stored((column + count.x - count.x / 2) % count.x,
+                            (row + count.y - count.y / 2) % count.y);
+    const double density = spectrum.density[ArrayShape<2>{count}.index(stored)];
+    if (floats) return density;
+    if (options.spectrum_scale == SliceOptions::SpectrumScale::linear) return scale * density;
+    constexpr double kDecades = 6.0;  // 60 dB
+    return 1.0 + std::log10(std::max(scale * density, 1e-30)) / kDecades;
+  });
+}
+
+std::string line_table(const SlicePlane& plane, const DenseField<2>& slice) {
+  std::string text = "position,value\n";
+  for (int column = 0; column < slice.count.x; ++column) {
+    text += fmt::format("{:.9g},{:.9g}\n", plane.coordinate(column), value_at(slice, column, 0));
+  }
+  return text;
+}
+
+}  // namespace solidnoise
