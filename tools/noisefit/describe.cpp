@@ -104,6 +104,12 @@ std::string describe_shortly(const ExemplarFit<2>& fit, double seconds) {
       fit.count.x, fit.count.y, first.components, 100.0 * first.sparseness, 1.0 / first.kappa, seconds);
 }
 
+std::string describe_shortly(const ExemplarFit<3>& fit, double seconds) {
+  const SpectrumFit& spectrum = fit.channels.front();
+  return fmt::format("{} x {} x {} voxels; {} components; kappa 1/{:.4g}; {:.1f} s", fit.count.x, fit.count.y,
+                     fit.count.z, spectrum.components, 1.0 / spectrum.kappa, seconds);
+}
+
 std::string describe(const SolidExemplarFit& fit) {
   std::string text = fmt::format("{} x {} pixels, {} patch{}, solid noise\n", fit.count.x, fit.count.y,
                                  fit.patches, fit.patches == 1 ? "" : "es");

@@ -11,6 +11,7 @@ namespace solidnoise {
 std::string describe(const ExemplarFit<2>& fit, double seconds);
 std::string describe(const ExemplarFit<3>& fit, double seconds);
 std::string describe_shortly(const ExemplarFit<2>& fit, double seconds);
+std::string describe_shortly(const ExemplarFit<3>& fit, double seconds);
 
 std::string describe(const SolidExemplarFit& fit);
 std::string describe_shortly(const SolidExemplarFit& fit);

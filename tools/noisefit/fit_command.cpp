@@ -183,14 +183,7 @@ int fit_planar(const FitCommand& command, const std::vector<Exemplar<2>>& exempl
     fit = fit_exemplar<2>(exemplars, command.fit, &progress);
   }
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  if (fit.interrupted) {
-    // What takes long is left out.
-    if (!command.out.empty()) write_model(command.out, fit.model, command.existing);
-    std::cerr << fmt::format("noisefit: interrupted; {}\n", command.out.empty()
-                                                                ? "nothing is written"
-                                                                : command.out + " has the last solution");
-    return kInterrupted + interrupt_signal();
-  }
+  if (fit.interrupted) return keep_last_solution(command.out, fit.model, command.existing);
   write_outputs(command, exemplars.front(), fit.model, describe_shortly(fit, seconds));
   if (!command.quiet) std::cerr << describe(fit, seconds);
   return kDone;

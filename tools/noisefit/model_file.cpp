@@ -1,7 +1,11 @@
 #include "noisefit/model_file.h"
 
-#include <ostream>
+#include <iostream>
 
+#include <fmt/format.h>
+
+#include "common/exit_status.h"
+#include "common/interrupt.h"
 #include "common/recipe_file.h"
 #include "common/text_file.h"
 #include "solidnoise/recipe/exemplar_model_json.h"
@@ -18,6 +22,13 @@ ExemplarModel read_model(const std::filesystem::path& path) {
 void write_model(const std::filesystem::path& path, const ExemplarModel& model, Existing existing) {
   const std::string text = format_json(exemplar_file_to_json(model));
   write_output(path, {.existing = existing}, [&](std::ostream& stream) { stream << text; });
+}
+
+int keep_last_solution(const std::string& path, const ExemplarModel& model, Existing existing) {
+  if (!path.empty()) write_model(path, model, existing);
+  std::cerr << fmt::format("noisefit: interrupted; {}\n",
+                           path.empty() ? "nothing is written" : path + " has the last solution");
+  return kInterrupted + interrupt_signal();
 }
 
 }  // namespace solidnoise

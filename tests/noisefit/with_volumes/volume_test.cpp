@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "noisefit/run_noisefit.h"
+#include "solidnoise/image/image_file.h"
 #include "solidnoise/recipe/exemplar_model_json.h"
 #include "support/temporary_folder.h"
 #include "tools/refusal.h"
@@ -49,6 +50,24 @@ TEST_F(NoisefitVolume, FindsTheFrequencyOfItsNoise) {
   EXPECT_NEAR(mean, 6.0, 1.2);
   // The variance is 1, of which a block of 6 waves along each axis shows a tenth more or less.
   EXPECT_NEAR(spectrum.variance(), 1.0, 0.3);
+}
+
+TEST_F(NoisefitVolume, DrawsSlicesOfBoth) {
+  const ToolResult result =
+      run_noisefit({"volume", "in.vdb", "--out", "x.json", "--preview", "sheet.exr", "--quiet"}, there_);
+  ASSERT_EQ(result.status, 0) << result.err;
+  const Image sheet = read_image(folder_.path() / "sheet.exr");
+  // Four panels of 32 pixels, each enlarged 7 times, and margins of 12. Volume and noise have values of both
+  // signs, which are dark and bright about a middle gray: the mean over a panel, inset apart, is neither.
+  ASSERT_EQ(sheet.width, 12 + 4 * (32 * 7 + 12));
+  for (int panel = 0; panel < 4; ++panel) {
+    double mean = 0.0;
+    for (int x = 0; x < 100; ++x) {
+      for (int y = 0; y < 100; ++y) mean += sheet.at(12 + panel * (32 * 7 + 12) + x, 38 + y, 0) / 1e4;
+    }
+    EXPECT_GT(mean, 0.2) << panel;
+    EXPECT_LT(mean, 0.8) << panel;
+  }
 }
 
 // 16 voxels to a unit.

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <iostream>
 #include <optional>
 #include <stdexcept>
@@ -18,7 +19,9 @@
 #include "noisefit/commands.h"
 #include "noisefit/describe.h"
 #include "noisefit/model_file.h"
+#include "solidnoise/analysis/exemplar/exemplar_sheet.h"
 #include "solidnoise/analysis/exemplar/fit_exemplar.h"
+#include "solidnoise/image/image_file.h"
 #include "solidnoise/volume/topology/grid_frame.h"
 #include "solidnoise/volume/vdb/vdb_read.h"
 
@@ -38,14 +41,15 @@ constexpr int kLargestSide = 256;
 struct VolumeCommand {
   std::string in;
   std::string out;
+  std::string preview;
   std::string grid;
   std::optional<Box<3>> box;
   ExemplarFitOptions fit;
+  int seed = 1;
   Existing existing = Existing::refuse;
   bool quiet = false;
 
   VolumeCommand() {
-    fit.spectrum.kappa = 1.0 / 32.0;
     fit.raw_values = true;
   }
 };
@@ -54,6 +58,10 @@ void declare_flags(FlagSet& flags, VolumeCommand& command) {
   flags.argument("IN.vdb", "The volume", command.in);
   flags.group("Flags");
   keep(flags, "--out", "FILE.json", "Where the noise goes; - for the standard output", command.out);
+  keep(flags, "--preview", "FILE.png", "A sheet: slices of the volume, its Gaussian version and the noise",
+       command.preview);
+  flags.integer("--seed", "NUMBER", "Of the textures in the sheet (default 1)",
+                [&](int value) { command.seed = value; });
   keep(flags, "--grid", "NAME", "The grid (default: the first of floats)", command.grid);
   flags.numbers("--box", "X0 Y0 Z0 X1 Y1 Z1", 6,
                 "The part to learn from, world units (default: the middle, 64 voxels at most)",
@@ -62,7 +70,7 @@ void declare_flags(FlagSet& flags, VolumeCommand& command) {
                 });
   flags.integer("--patch", "VOXELS", "Average over patches of this size (default: the whole box)",
                 [&](int value) { command.fit.patch = value; });
-  flags.number("--kappa", "RATIO", "Fewer components against accuracy, up to 1 (default 1/32 = 0.031)",
+  flags.number("--kappa", "RATIO", "Fewer components against accuracy, up to 1 (default 1/256 = 0.0039)",
                [&](double value) { command.fit.spectrum.kappa = value; });
   flags.toggle("--narrowest-band", "Components as narrow as one frequency, for periodic textures",
                [&] { command.fit.spectrum.narrowest_band = true; });
@@ -113,6 +121,20 @@ Exemplar<3> read_box(const VolumeCommand& command) {
   return exemplar;
 }
 
+// Slices, from the least to the largest value of the volume's.
+Image draw_sheet(const VolumeCommand& command, const Exemplar<3>& volume, const ExemplarFit<3>& fit,
+                 double seconds) {
+  const Exemplar<2> slice = middle_slice(volume);
+  const auto [least, largest] = std::minmax_element(slice.channels[0].values.begin(),  //
+                                                    slice.channels[0].values.end());
+  return draw_exemplar_sheet(slice, fit.model,
+                             {.title = std::filesystem::path(command.in).stem().string(),
+                              .caption = describe_shortly(fit, seconds),
+                              .seed = static_cast<std::uint64_t>(command.seed),
+                              .black = *least,
+                              .white = *largest});
+}
+
 }  // namespace
 
 int run_volume(const std::vector<std::string>& arguments) {
@@ -126,11 +148,13 @@ int run_volume(const std::vector<std::string>& arguments) {
   } catch (const std::invalid_argument& error) {
     throw UsageError(flags.name_flag(error.what()));
   }
-  if (command.out.empty()) throw UsageError("--out is missing; say where the noise goes: --out smoke.json");
+  if (command.out.empty() && command.preview.empty()) {
+    throw UsageError("--out is missing; say where the noise goes: --out smoke.json");
+  }
   if (command.fit.patch != 0 && command.fit.patch < 16) {
     throw UsageError(fmt::format("--patch is {}; it must be at least 16", command.fit.patch));
   }
-  require_outputs({command.out}, command.existing);
+  require_outputs({command.out, command.preview}, command.existing);
 
   const std::vector<Exemplar<3>> exemplars{read_box(command)};
   catch_interrupts();
@@ -140,11 +164,13 @@ int run_volume(const std::vector<std::string>& arguments) {
   progress.begin("fitting");
   const ExemplarFit<3> fit = fit_exemplar<3>(exemplars, command.fit, &progress);
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  write_model(command.out, fit.model, command.existing);
+  if (fit.interrupted) return keep_last_solution(command.out, fit.model, command.existing);
+  if (!command.out.empty()) write_model(command.out, fit.model, command.existing);
+  if (!command.preview.empty()) {
+    write_image(command.preview, draw_sheet(command, exemplars.front(), fit, seconds));
+  }
   if (!command.quiet) std::cerr << describe(fit, seconds);
-  if (!fit.interrupted) return kDone;
-  std::cerr << fmt::format("noisefit: interrupted; {} has the last solution\n", command.out);
-  return kInterrupted + interrupt_signal();
+  return kDone;
 }
 
 }  // namespace solidnoise

@@ -115,6 +115,19 @@ Exemplar<2> read_exemplar(const std::filesystem::path& path, const ExemplarReadi
   }
 }
 
+Exemplar<2> middle_slice(const Exemplar<3>& volume) {
+  Exemplar<2> slice;
+  for (const DenseField<3>& channel : volume.channels) {
+    DenseField<2>& field = slice.channels.emplace_back(glm::ivec2(channel.count), Vec<2>(channel.step));
+    const ArrayShape<3> from{channel.count};
+    const ArrayShape<2> to{field.count};
+    for (std::size_t i = 0; i < field.size(); ++i) {
+      field.values[i] = channel.values[from.index({to.position(i), channel.count.z / 2})];
+    }
+  }
+  return slice;
+}
+
 Image image_of_exemplar(const Exemplar<2>& exemplar) {
   const glm::ivec2 count = exemplar.shape().count;
   Image image(count.x, count.y, 3);

@@ -37,6 +37,9 @@ Exemplar<2> exemplar_of_image(const Image& image, const ExemplarReading& reading
 // files are linear light already. Throws std::runtime_error naming the path.
 Exemplar<2> read_exemplar(const std::filesystem::path& path, const ExemplarReading& reading = {});
 
+// The samples in the middle of a volume's third axis, looked at along it.
+Exemplar<2> middle_slice(const Exemplar<3>& volume);
+
 // A picture of an exemplar's kind back as pixels, not encoded; 3 channels, gray ones equal.
 Image image_of_exemplar(const Exemplar<2>& exemplar);
 

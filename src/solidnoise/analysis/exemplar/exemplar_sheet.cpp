@@ -86,13 +86,16 @@ Image draw_spectrum(const PowerSpectrum<2>& spectrum, double white, int size) {
 }
 
 // The texture as it is seen, each pixel as `zoom` x `zoom`.
-Image draw_texture(const Exemplar<2>& texture, bool raw_values, int zoom) {
+Image draw_texture(const Exemplar<2>& texture, bool raw_values, const ExemplarSheetOptions& options,
+                   int zoom) {
   const Image pixels = image_of_exemplar(texture);
   Image image(pixels.width * zoom, pixels.height * zoom, 3);
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
       for (int c = 0; c < 3; ++c) {
-        const float value = std::clamp(pixels.at(x / zoom, y / zoom, c), 0.0f, 1.0f);
+        const double level =
+            (pixels.at(x / zoom, y / zoom, c) - options.black) / (options.white - options.black);
+        const auto value = static_cast<float>(std::clamp(level, 0.0, 1.0));
         image.at(x, y, c) = raw_values ? value : srgb_from_linear(value);
       }
     }
@@ -144,7 +147,7 @@ Image draw_exemplar_sheet(const Exemplar<2>& whole, const ExemplarModel& model,
   const int inset = std::max(48, std::min(width, height) / 3);
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const int left = kMargin + static_cast<int>(i) * (width + kMargin);
-    paste(sheet, draw_texture(panels[i].texture, model.raw_values, zoom), left, top);
+    paste(sheet, draw_texture(panels[i].texture, model.raw_values, options, zoom), left, top);
     const int x = left + width - inset;
     const int y = top + height - inset;
     paste(sheet, draw_spectrum(panels[i].spectrum, white, inset), x, y);

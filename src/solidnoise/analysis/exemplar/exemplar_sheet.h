@@ -13,6 +13,8 @@ struct ExemplarSheetOptions {
   std::string title = {};    // above the panels
   std::string caption = {};  // below them
   std::uint64_t seed = 1;    // of the textures; they are others than the exemplar
+  double black = 0.0;        // the values shown as black and as white
+  double white = 1.0;
 };
 
 // The picture by which a noise by example is judged (Galerne et al. 2012, figure 4), side by side at the
