@@ -1,0 +1,117 @@
+#include "papers/transition.h"
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "papers/paper_kernel.h"
+#include "solidnoise/noise/gabor/varying_gabor_noise.h"
+
+namespace solidnoise::papers {
+namespace {
+
+constexpr double kOctave = 1.0;  // bandwidth
+
+template <int Dim>
+VaryingGaborNoise<Dim> make_noise(ScaleTransition transition, std::uint64_t seed) {
+  VaryingGaborOptions options;
+  options.frequency = kFrequency;
+  options.bandwidth = kOctave;
+  options.transition = transition;
+  options.seed = seed;
+  return VaryingGaborNoise<Dim>(options);
+}
+
+// Points of a batch and a parameter at each.
+template <int Dim>
+struct Batch {
+  std::array<std::vector<float>, Dim> offset;
+  std::vector<float> frequency;
+
+  std::vector<float> evaluate(const VaryingGaborNoise<Dim>& noise) const {
+    Points<Dim> points;
+    points.count = frequency.size();
+    for (std::size_t axis = 0; axis < Dim; ++axis) points.offset[axis] = offset[axis].data();
+    VaryingParameters<Dim> parameters;
+    parameters.frequency = frequency;
+    std::vector<float> values(frequency.size());
+    noise.evaluate(points, parameters, values);
+    return values;
+  }
+};
+
+}  // namespace
+
+template <int Dim>
+TransitionVariance transition_variance(ScaleTransition transition, double alpha, int points,
+                                       std::uint64_t seed) {
+  constexpr int kParts = 16;
+  // The radius is inversely proportional to the frequency, and (1 + alpha) 2^4 here.
+  const VaryingGaborNoise<Dim> probe = make_noise<Dim>(transition, seed);
+  const double radius = 16.0 * (1.0 + alpha);
+  const double frequency = kFrequency * probe.radius(kFrequency, kOctave) / radius;
+  const int side = static_cast<int>(std::ceil(std::pow(static_cast<double>(points) / kParts, 1.0 / Dim)));
+
+  double sum = 0.0;
+  double sum_of_squares = 0.0;
+  for (int part = 0; part < kParts; ++part) {
+    const VaryingGaborNoise<Dim> noise = make_noise<Dim>(transition, seed + static_cast<std::uint64_t>(part));
+    Batch<Dim> batch;
+    std::size_t count = 1;
+    for (int axis = 0; axis < Dim; ++axis) count *= static_cast<std::size_t>(side);
+    for (std::size_t i = 0; i < count; ++i) {
+      std::size_t rest = i;
+      for (std::size_t axis = 0; axis < Dim; ++axis) {
+        batch.offset[axis].push_back(static_cast<float>(0.5 * radius * static_cast<double>(rest % side)));
+        rest /= static_cast<std::size_t>(side);
+      }
+    }
+    batch.frequency.assign(count, static_cast<float>(frequency));
+    double power = 0.0;
+    for (const float value : batch.evaluate(noise)) power += static_cast<double>(value) * value;
+    power /= static_cast<double>(count);
+    sum += power;
+    sum_of_squares += power * power;
+  }
+  TransitionVariance result;
+  result.measured = sum / kParts;
+  result.standard_error =
+      std::sqrt((sum_of_squares / kParts - result.measured * result.measured) / (kParts - 1));
+  result.expected = transition == ScaleTransition::fade
+                        ? 1.0
+                        : scale_variance(scale_weights(transition, Dim, alpha), Dim, alpha);
+  return result;
+}
+
+VaryingStrip varying_strip(ScaleTransition transition, int columns, int rows, std::uint64_t seed) {
+  const VaryingGaborNoise<2> noise = make_noise<2>(transition, seed);
+  VaryingStrip strip;
+  strip.noise = DenseField<2>({columns, rows}, Vec<2>(1.0));
+  Batch<2> batch;
+  for (int column = 0; column < columns; ++column) {
+    const double frequency = 0.5 * kFrequency * std::exp2(3.0 * column / (columns - 1.0));
+    const double level = std::log2(noise.radius(frequency, kOctave));
+    strip.level.push_back(std::floor(level));
+    strip.alpha.push_back(std::exp2(level - std::floor(level)) - 1.0);
+    for (int row = 0; row < rows; ++row) {
+      batch.offset[0].push_back(static_cast<float>(column));
+      batch.offset[1].push_back(static_cast<float>(row));
+      batch.frequency.push_back(static_cast<float>(frequency));
+    }
+  }
+  strip.noise.values = batch.evaluate(noise);
+  for (int column = 0; column < columns; ++column) {
+    double power = 0.0;
+    for (int row = 0; row < rows; ++row) {
+      const double value = strip.noise.values[ArrayShape<2>{strip.noise.count}.index({column, row})];
+      power += value * value;
+    }
+    strip.column_rms.push_back(std::sqrt(power / rows));
+  }
+  return strip;
+}
+
+template TransitionVariance transition_variance<2>(ScaleTransition, double, int, std::uint64_t);
+template TransitionVariance transition_variance<3>(ScaleTransition, double, int, std::uint64_t);
+
+}  // namespace solidnoise::papers
