@@ -97,6 +97,73 @@ TEST(Sequence, WritesTheRecipeOfAllFramesOnce) {
   expect_same_grid(folder.file("s.6.vdb"), folder.file("again.6.vdb"));
 }
 
+const std::vector<std::string> kBoiling{"--preset", "smoke", "--dim", "40", "--evolve", "1", "--quiet"};
+
+std::string density_factor(const std::string& file) {
+  return read_vdb_summary(file).grids[0].metadata.at("solidnoise:density_factor");
+}
+
+// All frames have the scale of frame 0, whether it is made or not.
+TEST(Sequence, HasOneDensityScale) {
+  const TemporaryFolder folder;
+  const RunOptions in_folder{.folder = folder.path()};
+  const auto run = [&](const std::vector<std::string>& more) {
+    const ToolResult result = run_vdbnoise(with(kBoiling, more), in_folder);
+    EXPECT_EQ(result.status, 0) << result.err;
+  };
+  run({"--frames", "11-13", "--out", "s.#.vdb"});
+  run({"--frames", "12", "--out", "one.#.vdb"});
+  run({"--out", "zero.vdb"});
+  run({"--time", "0.5", "--out", "own.vdb"});
+  expect_same_grid(folder.file("s.12.vdb"), folder.file("one.12.vdb"));
+  const std::string factor = density_factor(folder.file("zero.vdb"));
+  for (const char* frame : {"s.11.vdb", "s.12.vdb", "s.13.vdb"}) {
+    EXPECT_EQ(density_factor(folder.file(frame)), factor);
+  }
+  // Frame 12 is at time 0.5, where its own scale would be another.
+  EXPECT_NE(density_factor(folder.file("own.vdb")), factor);
+  EXPECT_FALSE(same_values(folder.file("s.12.vdb"), folder.file("own.vdb")));
+  // It is made again from its own recipe.
+  EXPECT_EQ(run_vdbnoise({"--recipe", "s.12.vdb", "--out", "again.vdb", "--quiet"}, in_folder).status, 0);
+  EXPECT_TRUE(same_values(folder.file("s.12.vdb"), folder.file("again.vdb")));
+}
+
+// Machines that share a recipe measure nothing, and the shards of a frame are scaled as the frame is.
+TEST(Sequence, SharesItsDensityScaleByTheRecipeAndBetweenShards) {
+  const TemporaryFolder folder;
+  const RunOptions in_folder{.folder = folder.path()};
+  const auto run = [&](const std::vector<std::string>& arguments) {
+    const ToolResult result = run_vdbnoise(arguments, in_folder);
+    EXPECT_EQ(result.status, 0) << result.err;
+  };
+  run(with(kBoiling, {"--frames", "12", "--out", "s.#.vdb"}));
+  run(with(kBoiling, {"--frames", "1-48", "--write-recipe", "s.json"}));
+  EXPECT_NE(folder.read("s.json").find("density_factor"), std::string::npos);
+  run({"--recipe", "s.json", "--frames", "12", "--out", "again.#.vdb", "--quiet"});
+  expect_same_grid(folder.file("s.12.vdb"), folder.file("again.12.vdb"));
+  for (const std::string shard : {"1", "2", "3"}) {
+    run(with(kBoiling, {"--frames", "12", "--shard", shard + "/3", "--out", "part" + shard + ".#.vdb"}));
+  }
+  run({"merge", "part1.12.vdb", "part2.12.vdb", "part3.12.vdb", "--out", "merged.vdb", "--quiet"});
+  expect_same_grid(folder.file("s.12.vdb"), folder.file("merged.vdb"));
+}
+
+TEST(Sequence, ThatBeginsEmptyNeedsADensityFactor) {
+  const TemporaryFolder folder;
+  folder.write(
+      "empty.json",
+      R"({"solidnoise": 1, "noise": {"type": "gabor", "evolve": 1}, "shaping": {"type": "remap", "threshold": 50}})");
+  const std::vector<std::string> arguments{"--recipe", "empty.json", "--dim", "12",
+                                           "--frames", "1",          "--out", "x.#.vdb"};
+  const ToolResult refused = run_vdbnoise(arguments, {.folder = folder.path()});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_NE(refused.err.find("empty at time 0"), std::string::npos) << refused.err;
+  EXPECT_EQ(folder.names(), std::set<std::string>{"empty.json"});
+  const ToolResult given =
+      run_vdbnoise(with(arguments, {"--density-factor", "2"}), {.folder = folder.path()});
+  EXPECT_EQ(given.status, 0) << given.err;
+}
+
 // A simulation's frames, each with its own noise; one of them is missing.
 TEST(Sequence, ModifiesAFileOfEachFrame) {
   const TemporaryFolder folder;

@@ -57,6 +57,7 @@ TEST(VolumeRecipeJson, RoundTripsWhatIsNotTheDefault) {
   recipe.dims = 4;
   recipe.time = -1.25;
   recipe.density.optical_depth = 1.0 / 7.0;
+  recipe.density.factor = 1.0 / 3.0;
   recipe.dim = 99;
   recipe.up = UpAxis::z;
   recipe.grid = "smoke";

@@ -81,7 +81,7 @@ void check_consistency(const FlagSet& flags, const MakeOptions& options) {
   check_layer_flags(flags, options.recipe);
   check_parameter_flags(flags, options.recipe);
   const bool raw = std::holds_alternative<RawShaping>(options.recipe.shaping);
-  for (const char* flag : {"--optical-depth", "--density"}) {
+  for (const char* flag : {"--optical-depth", "--density", "--density-factor"}) {
     if (raw && flags.given(flag)) throw UsageError(fmt::format("{} has no effect on raw noise", flag));
   }
   if (options.out == "-" && options.write_recipe == "-") {
@@ -129,6 +129,10 @@ Image picture(const Volume& volume, const MakeOptions& options) {
   return picture_of({{shown}}, options.recipe);
 }
 
+ProgressBar::Visibility visibility(const MakeOptions& options) {
+  return options.quiet ? ProgressBar::Visibility::hidden : ProgressBar::Visibility::if_terminal;
+}
+
 // Makes one volume.
 void make_volume_files(const MakeOptions& options) {
   const VolumePlan plan = plan_volume(options.recipe, options.part);
@@ -138,8 +142,7 @@ void make_volume_files(const MakeOptions& options) {
 
   Volume volume;
   {
-    TaskProgress progress(options.quiet ? ProgressBar::Visibility::hidden
-                                        : ProgressBar::Visibility::if_terminal);
+    TaskProgress progress(visibility(options));
     progress.begin(options.task_prefix + "noise");
     volume = make_volume(options.recipe, plan, kVdbnoise, &progress);
     progress.begin(options.task_prefix + "writing");
@@ -162,17 +165,46 @@ void make_volume_files(const MakeOptions& options) {
   if (!options.quiet) print_statistics(volume, options.out.empty() ? options.preview : options.out);
 }
 
+// The one factor by which all frames of a sequence are scaled.
+double measure_sequence(const MakeOptions& options) {
+  const VolumePlan plan = plan_volume(options.recipe, options.part);
+  check_memory(options, plan);
+  std::optional<double> factor;
+  {
+    TaskProgress progress(visibility(options));
+    progress.begin("density scale");
+    factor = measure_density_factor(options.recipe, plan, &progress);
+  }
+  if (!factor) {
+    throw std::runtime_error(
+        fmt::format("the volume is empty at time {}, at which the densities of a sequence are measured; give "
+                    "--density-factor",
+                    options.recipe.time));
+  }
+  if (!options.quiet) {
+    std::cerr << fmt::format("density factor {:.6g}, of time {:.6g} and all frames\n", *factor,
+                             options.recipe.time);
+  }
+  return *factor;
+}
+
 // Makes the frames one after the other. One that fails leaves the others; an interruption ends all.
-int make_sequence(const MakeOptions& options) {
+int make_sequence(MakeOptions options) {
   const bool makes_volumes = !options.out.empty() || !options.preview.empty();
   for (std::size_t i = 0; makes_volumes && i < options.frames.size(); ++i) {
     check_outputs(options_of_frame(options, i));
   }
+  MakeOptions recipe_only = options;
+  recipe_only.out.clear();
+  recipe_only.preview.clear();
+  if (!options.write_recipe.empty()) check_outputs(recipe_only);
+  if (scales_each_frame(options) && !options.quiet) {
+    std::cerr << "vdbnoise: warning: each frame has a grid of its own and is scaled by itself, which may "
+                 "flicker; --density-factor gives all one scale\n";
+  }
+  if (shares_density_factor(options)) options.recipe.density.factor = measure_sequence(options);
   if (!options.write_recipe.empty()) {
-    MakeOptions recipe_only = options;
-    recipe_only.out.clear();
-    recipe_only.preview.clear();
-    check_outputs(recipe_only);
+    recipe_only.recipe = options.recipe;
     make_volume_files(recipe_only);
     if (!makes_volumes) return kDone;
   }

@@ -104,12 +104,20 @@ void declare_shaping(FlagSet& flags, VolumeRecipe& recipe) {
                  raw->range = kRangeChoices[index].value;
                });
   flags.number("--optical-depth", "DEPTH", "Scale: density through the thickest column along the up axis",
-               [&](double value) { recipe.density = {.optical_depth = value, .peak = std::nullopt}; });
+               [&](double value) {
+                 recipe.density = {value, std::nullopt, std::nullopt};
+               });
   flags.number("--density", "PEAK", "Scale: the largest density, extinction per world unit",
-               [&](double value) { recipe.density.peak = value; });
-  flags.exclude({"--optical-depth", "--density"});
-  flags.exclude({"--raw", "--optical-depth"});
-  flags.exclude({"--raw", "--density"});
+               [&](double value) {
+                 recipe.density = {DensityScale().optical_depth, value, std::nullopt};
+               });
+  flags.number("--density-factor", "FACTOR",
+               "Scale: what densities are multiplied by, as the metadata of another volume has it",
+               [&](double value) { recipe.density.factor = value; });
+  flags.exclude({"--optical-depth", "--density", "--density-factor"});
+  for (const char* scale : {"--optical-depth", "--density", "--density-factor"}) {
+    flags.exclude({"--raw", scale});
+  }
 }
 
 void declare_shape(FlagSet& flags, VolumeRecipe& recipe) {

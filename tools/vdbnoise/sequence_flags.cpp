@@ -12,6 +12,7 @@
 #include "common/usage_error.h"
 #include "solidnoise/core/check.h"
 #include "solidnoise/noise/noise_recipe.h"
+#include "solidnoise/volume/modify/modified_volume.h"
 
 namespace solidnoise {
 namespace {
@@ -52,6 +53,13 @@ bool has_input_per_frame(const VolumeRecipe& recipe) {
 
 bool changes_with_time(const VolumeRecipe& recipe) {
   return recipe.dims == 4 || evolves(recipe);
+}
+
+// Whether densities are scaled by something that is to be measured.
+bool is_scaled(const VolumeRecipe& recipe) {
+  if (recipe.density.factor) return false;
+  if (recipe.modification) return scales_density(recipe, *recipe.modification);
+  return !std::holds_alternative<RawShaping>(recipe.shaping);
 }
 
 double loop_of(const NoiseRecipe& noise, int dims) {
@@ -140,6 +148,15 @@ void check_sequence(const FlagSet& flags, const MakeOptions& options) {
   if (!options.part.whole() && options.recipe.modification) {
     throw UsageError("--shard and --region cut volumes that are made; leave them out with --on");
   }
+}
+
+bool shares_density_factor(const MakeOptions& options) {
+  const VolumeRecipe& recipe = options.recipe;
+  return is_scaled(recipe) && !has_input_per_frame(recipe);
+}
+
+bool scales_each_frame(const MakeOptions& options) {
+  return is_scaled(options.recipe) && has_input_per_frame(options.recipe);
 }
 
 MakeOptions options_of_frame(const MakeOptions& options, std::size_t index) {

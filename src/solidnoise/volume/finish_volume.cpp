@@ -36,13 +36,27 @@ Metadata describe(const VolumeRecipe& recipe, const std::vector<Moments>& moment
 
 }  // namespace
 
-void scale_density(const VolumeRecipe& recipe, openvdb::FloatGrid& grid, Moments& moments) {
-  const double largest =
-      recipe.density.peak ? moments.max() : thickest_column(grid, recipe.up == UpAxis::y ? 1 : 2);
-  if (largest <= 0.0) return;  // a grid of zeros stays as it is
-  const double wanted = recipe.density.peak.value_or(recipe.density.optical_depth);
-  scale_values(grid, static_cast<float>(wanted / largest));
+std::optional<double> density_factor(const DensityScale& density, double peak, double thickest) {
+  const double largest = density.peak ? peak : thickest;
+  if (largest <= 0.0) return std::nullopt;
+  return density.peak.value_or(density.optical_depth) / largest;
+}
+
+double scale_density(const VolumeRecipe& recipe, openvdb::FloatGrid& grid, Moments& moments) {
+  const DensityScale& density = recipe.density;
+  std::optional<double> factor = density.factor;
+  if (!factor) {
+    const double thickest = density.peak ? 0.0 : thickest_column(grid, vertical_axis(recipe));
+    factor = density_factor(density, moments.max(), thickest);
+  }
+  if (!factor) return 1.0;  // a grid of zeros stays as it is
+  scale_values(grid, static_cast<float>(*factor));
   moments = measure(grid);
+  return *factor;
+}
+
+void note_density_factor(double factor, openvdb::GridBase& grid) {
+  set_metadata(grid, {{"solidnoise:density_factor", factor}});
 }
 
 void note_recipe(const VolumeRecipe& recipe, const std::vector<Moments>& moments, openvdb::GridBase& grid) {
@@ -57,7 +71,7 @@ void finish_volume(const VolumeRecipe& recipe, const std::string& creator, Volum
     openvdb::GridBase& grid = *measured.grid;
     if (!raw) {
       auto& density = dynamic_cast<openvdb::FloatGrid&>(grid);
-      scale_density(recipe, density, measured.moments.front());
+      note_density_factor(scale_density(recipe, density, measured.moments.front()), grid);
       set_fog_volume(density, names[i], creator);
     } else {
       grid.setName(names[i]);

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "solidnoise/volume/volume.h"
 #include "solidnoise/volume/volume_recipe.h"
@@ -13,9 +15,16 @@ namespace solidnoise {
 // their digests.
 void finish_volume(const VolumeRecipe& recipe, const std::string& creator, Volume& volume);
 
-// What it does to one grid's values, and to one grid's metadata beside name and creator.
-void scale_density(const VolumeRecipe& recipe, openvdb::FloatGrid& grid, Moments& moments);
+// What it does to one grid's values: gives the factor, which is the recipe's own where it has one, or 1 for a
+// grid of zeros.
+double scale_density(const VolumeRecipe& recipe, openvdb::FloatGrid& grid, Moments& moments);
+// The factor of a volume whose largest value is `peak` and whose thickest column along the up axis is
+// `thickest`; nothing where they are 0.
+std::optional<double> density_factor(const DensityScale& density, double peak, double thickest);
+
+// What it does to one grid's metadata beside name and creator.
 void note_recipe(const VolumeRecipe& recipe, const std::vector<Moments>& moments, openvdb::GridBase& grid);
+void note_density_factor(double factor, openvdb::GridBase& grid);
 
 // Name of the metadata of a grid that holds its recipe, as JSON.
 inline constexpr char kRecipeKey[] = "solidnoise:recipe";

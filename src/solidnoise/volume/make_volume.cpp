@@ -221,6 +221,34 @@ VolumePlan plan_voxels(const VolumeRecipe& recipe, const VolumePart& part) {
   return plan;
 }
 
+// The noise for a modification of the plan's grid, for whichever recipe that asks for.
+ModifyingNoise modifying_noise(const VolumePlan& plan) {
+  const Vec<3> voxel = plan.frame.voxel_size();
+  return {
+      [&plan, voxel](const VolumeRecipe& of) { return make_volume_field(at_resolution(of, voxel), plan); },
+      [&plan, voxel](const VolumeRecipe& of) {
+        return make_parameter_points(at_resolution(of, voxel), plan.parameters);
+      }};
+}
+
+// Layers of whole leaves that a topology can be cut into along an axis, from below.
+std::vector<VolumePart> slabs_of(const Topology& topology, int axis) {
+  constexpr int kThickness = 64;  // voxels: two of the blocks that impulses are made for once
+  constexpr int kHalfLeaf = 4;
+  const openvdb::CoordBBox voxels = topology.voxel_bounds();
+  const Box<3> bounds = topology.frame.bounds(voxels.expandBy(kThickness));
+  std::vector<VolumePart> slabs;
+  for (int first = voxels.min()[axis] & ~(kThickness - 1); first <= voxels.max()[axis]; first += kThickness) {
+    // Leaves count by their first voxel: the border lies well between those of two.
+    const double voxel = topology.frame.voxel_size()[axis];
+    Box<3> region = bounds;
+    region.lower[axis] = topology.frame.origin()[axis] + (first - kHalfLeaf) * voxel;
+    region.upper[axis] = region.lower[axis] + kThickness * voxel;
+    slabs.push_back({.region = region});
+  }
+  return slabs;
+}
+
 }  // namespace
 
 VolumePlan plan_volume(const VolumeRecipe& recipe, const VolumePart& part) {
@@ -271,22 +299,18 @@ double highest_frequency(const VolumeRecipe& recipe, const VolumePlan& plan) {
 
 Volume make_volume(const VolumeRecipe& recipe, const VolumePlan& plan, const std::string& creator,
                    Progress* progress) {
-  const auto at_voxels = [&](const VolumeRecipe& of) { return at_resolution(of, plan.frame.voxel_size()); };
   VolumeRecipe noted = recipe;
   noted.shape = plan.shape;
   noted.boundary = plan.boundary;
   if (plan.parameters) noted.parameters = plan.parameters->grids();
   if (plan.modification) {
-    const auto field = [&](const VolumeRecipe& of) { return make_volume_field(at_voxels(of), plan); };
-    const auto points = [&](const VolumeRecipe& of) {
-      return make_parameter_points(at_voxels(of), plan.parameters);
-    };
     if (plan.parameters && plan.modification->on_lattice()) {
       plan.parameters->require_allowed_at(grid_topology(plan.modification->grid()));
     }
-    return make_modified_volume(noted, *plan.modification, {field, points}, progress);
+    return make_modified_volume(noted, *plan.modification, modifying_noise(plan), progress);
   }
-  const std::unique_ptr<Field> field = make_volume_field(at_voxels(recipe), plan);
+  const std::unique_ptr<Field> field =
+      make_volume_field(at_resolution(recipe, plan.frame.voxel_size()), plan);
   const Topology topology = make_topology(recipe, plan, progress);
   const Topology part = take_part(topology, plan.part);
   if (plan.parameters) plan.parameters->require_allowed_at(part);
@@ -298,6 +322,32 @@ Volume make_volume(const VolumeRecipe& recipe, const VolumePlan& plan, const std
     note_part(noted, creator, topology, part, volume);
   }
   return volume;
+}
+
+std::optional<double> measure_density_factor(const VolumeRecipe& recipe, const VolumePlan& plan,
+                                             Progress* progress) {
+  if (plan.modification) {
+    return measure_density_factor(recipe, *plan.modification, modifying_noise(plan), progress);
+  }
+  const std::unique_ptr<Field> field =
+      make_volume_field(at_resolution(recipe, plan.frame.voxel_size()), plan);
+  const Topology topology = make_topology(recipe, plan, progress);
+  if (plan.parameters) plan.parameters->require_allowed_at(topology);
+  const int axis = vertical_axis(recipe);
+  ColumnSums columns(topology.voxel_bounds(), axis);
+  double peak = 0.0;
+  const std::vector<VolumePart> slabs = slabs_of(topology, axis);
+  for (std::size_t i = 0; i < slabs.size(); ++i) {
+    const auto share = [&](std::size_t k) {
+      return static_cast<double>(k) / static_cast<double>(slabs.size());
+    };
+    PartialProgress of_slab(progress, share(i), share(i + 1));
+    const FilledGrid slab = fill_grid(take_part(topology, slabs[i]), *field, Sparsity::drop, &of_slab);
+    if (slab.moments.count() == 0) continue;
+    columns.add(*slab.grid);
+    peak = std::max(peak, slab.moments.max());
+  }
+  return density_factor(recipe.density, peak, columns.largest() * plan.frame.voxel_size()[axis]);
 }
 
 }  // namespace solidnoise

@@ -50,6 +50,14 @@ VolumePlan plan_volume(const VolumeRecipe& recipe, const VolumePart& part = {});
 Volume make_volume(const VolumeRecipe& recipe, const VolumePlan& plan, const std::string& creator,
                    Progress* progress = nullptr);
 
+// What make_volume() multiplies densities by, measured on the whole of the volume, whatever part the plan is
+// of; nothing where all of it is 0. Of a sequence it is measured once, at the recipe's own time, and becomes
+// DensityScale::factor, so that frames and parts of frames have one scale wherever they are made. The volume
+// is made slab by slab, so that it takes no more memory than a part. Not for raw noise. Throws as
+// make_volume().
+std::optional<double> measure_density_factor(const VolumeRecipe& recipe, const VolumePlan& plan,
+                                             Progress* progress = nullptr);
+
 // The noise of a recipe as it is in the volume: at the recipe's time, and a frame of it where it is of 4
 // dimensions. Parameters are the recipe's own, not those of grids. Of a recipe with band_limit take it
 // at_resolution(); throws std::invalid_argument.

@@ -111,30 +111,42 @@ Histogram histogram(const openvdb::FloatGrid& grid, double lower, double upper, 
   return result;
 }
 
-double thickest_column(const openvdb::FloatGrid& grid, int axis) {
+ColumnSums::ColumnSums(const openvdb::CoordBBox& voxels, int axis) : voxels_(voxels), axis_(axis) {
   if (axis < 0 || axis > 2)
     throw std::invalid_argument(fmt::format("axis is {}; it must be 0, 1 or 2", axis));
-  const openvdb::CoordBBox bounds = grid.evalActiveVoxelBoundingBox();
-  if (bounds.empty()) return 0.0;
+  across_ = (axis + 1) % 3;
+  along_ = (axis + 2) % 3;
+  if (voxels.empty()) return;
+  sums_.assign(
+      static_cast<std::size_t>(voxels.dim()[across_]) * static_cast<std::size_t>(voxels.dim()[along_]), 0.0);
+}
 
-  // One sum per column, over the two other axes.
-  const int across = (axis + 1) % 3;
-  const int along = (axis + 2) % 3;
-  const auto width = static_cast<std::size_t>(bounds.dim()[along]);
-  std::vector<double> sums(static_cast<std::size_t>(bounds.dim()[across]) * width, 0.0);
-  const auto column = [&](const openvdb::Coord& voxel) -> double& {
-    return sums[static_cast<std::size_t>(voxel[across] - bounds.min()[across]) * width +
-                static_cast<std::size_t>(voxel[along] - bounds.min()[along])];
-  };
+double& ColumnSums::column(const openvdb::Coord& voxel) {
+  const auto row = static_cast<std::size_t>(voxel[across_] - voxels_.min()[across_]);
+  const auto width = static_cast<std::size_t>(voxels_.dim()[along_]);
+  return sums_[row * width + static_cast<std::size_t>(voxel[along_] - voxels_.min()[along_])];
+}
+
+// A tree's order goes up along each axis while the others stand still.
+void ColumnSums::add(const openvdb::FloatGrid& grid) {
   for (auto leaf = grid.tree().cbeginLeaf(); leaf; ++leaf) {
     for (auto value = leaf->cbeginValueOn(); value; ++value) column(value.getCoord()) += *value;
   }
   visit_active_tiles(grid, [&](float value, openvdb::CoordBBox box) {
-    const double depth = value * static_cast<double>(box.dim()[axis]);
-    box.max()[axis] = box.min()[axis];
+    const double depth = value * static_cast<double>(box.dim()[axis_]);
+    box.max()[axis_] = box.min()[axis_];
     for (auto voxel = box.begin(); voxel; ++voxel) column(*voxel) += depth;
   });
-  return *std::max_element(sums.begin(), sums.end()) * grid.transform().voxelSize()[axis];
+}
+
+double ColumnSums::largest() const {
+  return sums_.empty() ? 0.0 : *std::max_element(sums_.begin(), sums_.end());
+}
+
+double thickest_column(const openvdb::FloatGrid& grid, int axis) {
+  ColumnSums sums(grid.evalActiveVoxelBoundingBox(), axis);
+  sums.add(grid);
+  return sums.largest() * grid.transform().voxelSize()[axis];
 }
 
 }  // namespace solidnoise

@@ -30,6 +30,26 @@ struct Histogram {
 // Histogram of a grid's active voxels. Throws std::invalid_argument unless lower < upper and bins >= 1.
 Histogram histogram(const openvdb::FloatGrid& grid, double lower, double upper, int bins);
 
+// Sums of the active values in each line of voxels along an axis (0, 1 or 2), of grids within a box. Grids
+// that are added in the order in which they lie along the axis give the same sums, to the last bit, as one
+// grid that has all of their voxels. Throws std::invalid_argument for another axis.
+class ColumnSums {
+ public:
+  ColumnSums(const openvdb::CoordBBox& voxels, int axis);
+
+  void add(const openvdb::FloatGrid& grid);
+  double largest() const;  // 0 where the box is empty
+
+ private:
+  double& column(const openvdb::Coord& voxel);
+
+  openvdb::CoordBBox voxels_;
+  int axis_;
+  int across_;  // the two other axes
+  int along_;
+  std::vector<double> sums_;
+};
+
 // The optical depth of the thickest column along an axis (0, 1 or 2): the largest integral of the grid's
 // values, taken as extinction per world unit, over all lines of voxels parallel to the axis.
 double thickest_column(const openvdb::FloatGrid& grid, int axis);

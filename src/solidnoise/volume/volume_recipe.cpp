@@ -131,6 +131,7 @@ void VolumeRecipe::validate() const {
   if (modification) modification->validate();
   require_positive("optical_depth", density.optical_depth);
   if (density.peak) require_positive("density", *density.peak, "extinction per world unit");
+  if (density.factor) require_positive("density_factor", *density.factor);
 
   for (int axis = 0; axis < 3; ++axis) {
     require_finite("box", box.lower[axis]);
@@ -151,6 +152,10 @@ std::vector<std::string> grid_names(const VolumeRecipe& recipe) {
   std::vector<std::string> names;
   for (const Output output : recipe.output) names.emplace_back(default_grid_name(output));
   return names;
+}
+
+int vertical_axis(const VolumeRecipe& recipe) {
+  return recipe.up == UpAxis::y ? 1 : 2;
 }
 
 bool is_scalar(const VolumeRecipe& recipe) {

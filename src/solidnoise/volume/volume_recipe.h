@@ -44,6 +44,9 @@ struct DensityScale {
   double optical_depth = 60.0;
   // The largest density instead, where it is given; > 0
   std::optional<double> peak;
+  // What the densities are multiplied by, where that is known already: one factor for all frames of a
+  // sequence, as measure_density_factor() gives it. The two above then say what it was measured for. > 0
+  std::optional<double> factor;
 
   friend bool operator==(const DensityScale&, const DensityScale&) = default;
 };
@@ -87,6 +90,9 @@ struct VolumeRecipe {
 
 // The name of the grid of each output.
 std::vector<std::string> grid_names(const VolumeRecipe& recipe);
+
+// The up axis: 1 or 2.
+int vertical_axis(const VolumeRecipe& recipe);
 
 // Whether the recipe makes one grid of values, and no other.
 bool is_scalar(const VolumeRecipe& recipe);

@@ -178,6 +178,7 @@ Json to_json(const VolumeRecipe& recipe) {
   } else {
     json["optical_depth"] = recipe.density.optical_depth;
   }
+  if (recipe.density.factor) json["density_factor"] = *recipe.density.factor;
   if (recipe.modification) {
     add_modification(json, *recipe.modification);
   } else {
@@ -213,6 +214,7 @@ VolumeRecipe volume_recipe_from_json(const Json& json) {
   read_boundary(reader, recipe.boundary);
   reader.read("optical_depth", recipe.density.optical_depth);
   reader.read("density", recipe.density.peak);
+  reader.read("density_factor", recipe.density.factor);
   read_modification(reader, recipe.modification);
   for (const char* key : kShapeKeys) {
     if (!recipe.modification || !reader.has(key)) continue;

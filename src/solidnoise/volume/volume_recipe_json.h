@@ -32,12 +32,13 @@ inline constexpr Choices<RemapShaping::Fold, 3> kFoldChoices{{
 //   0],
 //    "shaping": {"type": "remap", ...}, "optical_depth": 60, "shape": {"type": "box"}, "box": [x0, ..., z1],
 //    "dim": 256, "up": "y", "grid": "density", "half": false, "codec": "blosc"}
-// "density" may take the place of "optical_depth", "voxel" that of "dim". "output", as format_outputs writes
-// it, is there where it is not "value", with "speed", "boundary" ({"file": ..., "grid": ...}) and
-// "boundary_width" where they are needed; "grid" only where there is one. "algorithm" is kAlgorithmVersion
-// when the recipe was written. Every key but "solidnoise" may be left out. A recipe that works on a grid that
-// exists has the keys of modification_json.h in place of "shape", "box", "dim" and "grid", which are the
-// grid's. Reading back what was written gives an equal recipe, to the last bit, but for what has no effect.
+// "density" may take the place of "optical_depth", "voxel" that of "dim"; "density_factor" is there where it
+// is known. "output", as format_outputs writes it, is there where it is not "value", with "speed", "boundary"
+// ({"file": ..., "grid": ...}) and "boundary_width" where they are needed; "grid" only where there is one.
+// "algorithm" is kAlgorithmVersion when the recipe was written. Every key but "solidnoise" may be left out. A
+// recipe that works on a grid that exists has the keys of modification_json.h in place of "shape", "box",
+// "dim" and "grid", which are the grid's. Reading back what was written gives an equal recipe, to the last
+// bit, but for what has no effect.
 Json to_json(const VolumeRecipe& recipe);
 
 // Throws std::invalid_argument with the path in the tree: another version, wrong type, unknown key, two keys

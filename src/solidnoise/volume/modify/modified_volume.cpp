@@ -20,15 +20,23 @@ VolumeRecipe in_unit_range(VolumeRecipe recipe) {
   return recipe;
 }
 
+FilledGrid make_noise(const VolumeRecipe& recipe, const ModificationPlan& plan, const ModifyingNoise& noise,
+                      Progress* progress) {
+  return plan.on_lattice() ? make_modifying_noise(plan, *noise.field(recipe), progress)
+                           : make_modifying_noise(plan, *noise.points(recipe), progress);
+}
+
 openvdb::FloatGrid::Ptr make_grid(const VolumeRecipe& recipe, const ModificationPlan& plan,
                                   const ModifyingNoise& noise, Progress* progress) {
   if (plan.modification.displace) return displace(plan, noise.points(recipe), progress);
   const Combine how = plan.modification.combine;
-  const VolumeRecipe fitting = how == Combine::erode ? in_unit_range(recipe) : recipe;
-  FilledGrid filled = plan.on_lattice() ? make_modifying_noise(plan, *noise.field(fitting), progress)
-                                        : make_modifying_noise(plan, *noise.points(fitting), progress);
-  if (how == Combine::replace && !is_raw(recipe)) scale_density(recipe, *filled.grid, filled.moments);
-  return combine(plan, *filled.grid);
+  FilledGrid filled =
+      make_noise(how == Combine::erode ? in_unit_range(recipe) : recipe, plan, noise, progress);
+  if (!scales_density(recipe, plan.modification)) return combine(plan, *filled.grid);
+  const double factor = scale_density(recipe, *filled.grid, filled.moments);
+  const openvdb::FloatGrid::Ptr grid = combine(plan, *filled.grid);
+  note_density_factor(factor, *grid);
+  return grid;
 }
 
 }  // namespace
@@ -53,6 +61,17 @@ std::uint64_t estimate_memory(const VolumeRecipe& recipe, const ModificationPlan
   constexpr double kMostSigmas = 6.0;
   const auto* const raw = std::get_if<RawShaping>(&recipe.shaping);
   return plan.memory(raw && raw->range == RawShaping::Range::raw ? kMostSigmas : 1.0);
+}
+
+bool scales_density(const VolumeRecipe& recipe, const Modification& modification) {
+  return !is_raw(recipe) && !modification.displace && modification.combine == Combine::replace;
+}
+
+std::optional<double> measure_density_factor(const VolumeRecipe& recipe, const ModificationPlan& plan,
+                                             const ModifyingNoise& noise, Progress* progress) {
+  const FilledGrid filled = make_noise(recipe, plan, noise, progress);
+  return density_factor(recipe.density, filled.moments.max(),
+                        thickest_column(*filled.grid, vertical_axis(recipe)));
 }
 
 Volume make_modified_volume(const VolumeRecipe& recipe, const ModificationPlan& plan,

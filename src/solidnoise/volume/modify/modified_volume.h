@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "solidnoise/core/progress.h"
 #include "solidnoise/volume/field/field.h"
@@ -23,6 +24,14 @@ struct ModifyingNoise {
   std::function<std::unique_ptr<Field>(const VolumeRecipe&)> field;
   std::function<std::unique_ptr<PointField>(const VolumeRecipe&)> points;
 };
+
+// The factor of densities that replace the grid's values, as measure_density_factor() of make_volume.h gives
+// it; nothing where they are all 0.
+std::optional<double> measure_density_factor(const VolumeRecipe& recipe, const ModificationPlan& plan,
+                                             const ModifyingNoise& noise, Progress* progress);
+
+// Whether a modification takes densities that are scaled: shaped noise that replaces values.
+bool scales_density(const VolumeRecipe& recipe, const Modification& modification);
 
 // The modified grid, with the recipe in its metadata beside what it had, and the file that it is from.
 Volume make_modified_volume(const VolumeRecipe& recipe, const ModificationPlan& plan,
