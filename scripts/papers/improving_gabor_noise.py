@@ -27,7 +27,7 @@ def draw_kernels(data, page):
 ## Figures 1, 2 and 6: the kernel
 The isotropic kernel in 1 to 4 dimensions with the parameters of the paper's example, F0 = 0.0625 and a = 0.0443528 per pixel; the
 dashed line is F0. The transform's maximum moves towards lower frequencies as dimensions grow, and the kernel becomes more compact.
-In 3 dimensions the transform at frequency 0 is not small any more: an octave is wide.
+At a bandwidth of one octave the transform at frequency 0 grows to a tenth of its maximum in four.
 """)
     page.picture(figure, "kernels", "Isotropic kernels and their transforms")
 
@@ -182,7 +182,7 @@ def draw_truncation(data, page):
         for sign in (1, -1):
             axis.axhline(sign * record["expected_rms"], color="gray", linestyle="--", linewidth=1,
                          label="expected RMS error" if sign == 1 else None)
-        axis.set(title=f"relative error {percent} %", xlabel="position (pixels)")
+        axis.set(title=f"relative error {percent} %", xlabel="position (pixels)", ylim=(-4.5, 3))
     axes[0].legend(fontsize=8, ncol=2)
     page.write("""
 ## Figures 9 and 10: the truncation error, seen and predicted
@@ -243,6 +243,8 @@ def draw_strip(data, page):
     figure, axes = plt.subplots(3, 1, figsize=(11, 6.2), height_ratios=(2, 2, 1.3), constrained_layout=True)
     show(axes[0], data.field("strip_fade"), "ours", -3, 3)
     show(axes[1], data.field("strip_paper"), "with the paper's weights", -3, 3)
+    for axis in axes[:2]:
+        axis.set_aspect("auto")
     ours = data.table("strip_fade")
     paper = data.table("strip_paper")
     axes[2].plot(ours["rms"], label="RMS of a column, ours")

@@ -1,5 +1,3 @@
-#include "papers/improving_gabor_noise.h"
-
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -9,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "papers/data_file.h"
+#include "papers/items.h"
 #include "papers/noise_sample.h"
 #include "papers/paper_kernel.h"
 #include "papers/radii.h"
@@ -224,7 +223,7 @@ void write_plane(const fs::path& folder) {
 
 }  // namespace
 
-std::map<std::string, Item> improving_gabor_noise_items() {
+Items improving_gabor_noise_items() {
   return {{"kernels", write_kernels},
           {"radii", write_radii},
           {"errors", write_errors},

@@ -1,16 +1,16 @@
 #include <exception>
 #include <filesystem>
 #include <iostream>
-#include <map>
 #include <string>
 
-#include "papers/improving_gabor_noise.h"
+#include "papers/items.h"
 
 // papers ITEM FOLDER: computes one item of the pages of docs/papers and writes its data into a folder, for
 // scripts/papers to draw. papers --list: the items, one a line.
 int main(int argc, char** argv) {
-  const std::map<std::string, solidnoise::papers::Item> items =
-      solidnoise::papers::improving_gabor_noise_items();
+  solidnoise::papers::Items items = solidnoise::papers::improving_gabor_noise_items();
+  items.merge(solidnoise::papers::gradient_noise_items());
+  items.merge(solidnoise::papers::implementation_report_items());
   const std::string first = argc > 1 ? argv[1] : "";
   if (argc == 2 && first == "--list") {
     for (const auto& [name, item] : items) std::cout << name << '\n';

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+
+namespace solidnoise::papers {
+
+// Computes something and writes it into a folder.
+using Item = std::function<void(const std::filesystem::path& folder)>;
+using Items = std::map<std::string, Item>;
+
+// The items of docs/papers/improving-gabor-noise.md (Lagae, Lefebvre, Dutre 2011), gradient-noise.md
+// (Kensler, Knoll, Shirley 2008) and implementation-report.md (Ling).
+Items improving_gabor_noise_items();
+Items gradient_noise_items();
+Items implementation_report_items();
+
+}  // namespace solidnoise::papers
