@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <openvdb/io/Compression.h>
 
+#include "solidnoise/volume/vdb/parallel_grid.h"
 #include "solidnoise/volume/vdb/vdb_reader.h"
 
 namespace solidnoise {
@@ -55,7 +56,9 @@ void write_archive(std::ostream& stream, CheckedArchive::Offsets offsets, const 
   openvdb::initialize();
   CheckedArchive archive;
   archive.setCompression(compression_flags(options.codec));
-  archive.write_to(stream, offsets, grids, file_metadata(options));
+  openvdb::GridCPtrVec parallel;
+  for (const auto& grid : grids) parallel.push_back(parallel_grid(grid));
+  archive.write_to(stream, offsets, parallel, file_metadata(options));
   stream.flush();
 }
 
