@@ -19,7 +19,7 @@ for item in $("$tools/papers" --list); do
 done
 
 version=$("$tools/papers" --version)
-for page in improving_gabor_noise gradient_noise implementation_report; do
+for page in improving_gabor_noise noise_by_example gradient_noise implementation_report; do
   /usr/bin/python3 "scripts/papers/$page.py" "$data" docs/papers "$version"
 done
 echo "The pages: $PWD/docs/papers"

@@ -11,9 +11,11 @@ namespace solidnoise::papers {
 using Item = std::function<void(const std::filesystem::path& folder)>;
 using Items = std::map<std::string, Item>;
 
-// The items of docs/papers/improving-gabor-noise.md (Lagae, Lefebvre, Dutre 2011), gradient-noise.md
-// (Kensler, Knoll, Shirley 2008) and implementation-report.md (Ling).
+// The items of docs/papers/improving-gabor-noise.md (Lagae, Lefebvre, Dutre 2011), noise-by-example.md
+// (Galerne, Lagae, Lefebvre, Drettakis 2012), gradient-noise.md (Kensler, Knoll, Shirley 2008) and
+// implementation-report.md (Ling).
 Items improving_gabor_noise_items();
+Items noise_by_example_items();
 Items gradient_noise_items();
 Items implementation_report_items();
 

@@ -9,6 +9,7 @@
 // scripts/papers to draw. papers --list: the items, one a line.
 int main(int argc, char** argv) {
   solidnoise::papers::Items items = solidnoise::papers::improving_gabor_noise_items();
+  items.merge(solidnoise::papers::noise_by_example_items());
   items.merge(solidnoise::papers::gradient_noise_items());
   items.merge(solidnoise::papers::implementation_report_items());
   const std::string first = argc > 1 ? argv[1] : "";
