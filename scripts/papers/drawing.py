@@ -98,3 +98,11 @@ def show(axes, field, title, low=None, high=None):
     axes.set_xticks([])
     axes.set_yticks([])
     axes.grid(False)
+
+
+def middle_of_spectrum(field, bins, step):
+    """The frequencies up to so many bins from 0, which is at the centre, and their extent for imshow."""
+    row, column = field.shape[0] // 2 - 1, field.shape[1] // 2  # rows begin at the top
+    part = field[row - bins:row + bins + 1, column - bins:column + bins + 1]
+    reach = (bins + 0.5) * step
+    return part, (-reach, reach, -reach, reach)

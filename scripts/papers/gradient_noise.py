@@ -4,7 +4,7 @@ import sys
 
 import numpy as np
 
-from drawing import Data, Page, plt, show, table
+from drawing import Data, Page, middle_of_spectrum, plt, show, table
 
 FIGURE = [
     ("a", "a: Perlin, classic hash"), ("b", "b: Perlin, xor hash"), ("c", "c: wide kernel"),
@@ -17,10 +17,8 @@ def draw_spectra(data, kinds, axes):
     for (name, title), column in zip(kinds, axes.T):
         field = data.field(f"gradient_{name}")
         show(column[0], field[:192, :192], title, -3 * field.std(), 3 * field.std())
-        spectrum = data.field(f"gradient_{name}_spectrum")
-        column[1].imshow(spectrum, cmap="gray", vmin=0, vmax=np.quantile(spectrum, 0.995),
-                         extent=(-2, 2, -2, 2))
-        column[1].set(xlim=(-1.2, 1.2), ylim=(-1.2, 1.2))
+        spectrum, extent = middle_of_spectrum(data.field(f"gradient_{name}_spectrum"), 76, 4 / 256)
+        column[1].imshow(spectrum, cmap="gray", vmin=0, vmax=np.quantile(spectrum, 0.99), extent=extent)
         column[1].grid(False)
     axes[1][0].set_ylabel("cycles per lattice unit")
 

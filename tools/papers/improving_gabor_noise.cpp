@@ -8,8 +8,10 @@
 
 #include "papers/data_file.h"
 #include "papers/items.h"
+#include "papers/kernel_speed.h"
 #include "papers/noise_sample.h"
 #include "papers/paper_kernel.h"
+#include "papers/perlin_sample.h"
 #include "papers/radii.h"
 #include "papers/tilted_plane.h"
 #include "papers/transition.h"
@@ -221,20 +223,52 @@ void write_plane(const fs::path& folder) {
   write_table(folder / "plane.csv", table);
 }
 
+template <int Dim>
+void add_speeds(Table& table) {
+  for (const Comparison comparison :
+       {Comparison::same_density, Comparison::same_number, Comparison::same_quality}) {
+    const KernelSpeed speed = measure_kernel_speed<Dim>(comparison);
+    table.rows.push_back({static_cast<double>(Dim), static_cast<double>(comparison),
+                          speed.anisotropic_impulses, speed.isotropic_impulses, speed.anisotropic_procedure,
+                          speed.isotropic_procedure, speed.anisotropic_block, speed.isotropic_block});
+  }
+}
+
+// Sections III-C and IV-B: times.
+void write_speed(const fs::path& folder) {
+  Table table{{"n", "comparison", "anisotropic_impulses", "isotropic_impulses", "anisotropic_procedure",
+               "isotropic_procedure", "anisotropic_block", "isotropic_block"},
+              {}};
+  add_speeds<2>(table);
+  add_speeds<3>(table);
+  add_speeds<4>(table);
+  write_table(folder / "kernel_speed.csv", table);
+}
+
+// Figure 7.
+void write_perlin(const fs::path& folder) {
+  const NoiseComparison comparison = compare_with_perlin(256, 64);
+  write_field(folder / "perlin_noise", comparison.perlin);
+  write_field(folder / "perlin_gabor", comparison.gabor);
+  write_field(folder / "perlin_noise_spectrum", centred(comparison.perlin_spectrum));
+  write_field(folder / "perlin_gabor_spectrum", centred(comparison.gabor_spectrum));
+  Json json;
+  for (const auto& [name, spectrum] :
+       {std::pair{"perlin", &comparison.perlin_spectrum}, {"gabor", &comparison.gabor_spectrum}}) {
+    json[name] = {{"below_peak", diagonal_over_axis(*spectrum, 0.5 * kFrequency, 1.3 * kFrequency)},
+                  {"above_peak", diagonal_over_axis(*spectrum, 1.3 * kFrequency, 2.0 * kFrequency)}};
+  }
+  write_json(folder / "perlin.json", json);
+}
+
 }  // namespace
 
 Items improving_gabor_noise_items() {
-  return {{"kernels", write_kernels},
-          {"radii", write_radii},
-          {"errors", write_errors},
-          {"noise1d", write_noise<1>},
-          {"noise2d", write_noise<2>},
-          {"noise3d", write_noise<3>},
-          {"noise4d", write_noise<4>},
-          {"truncation", write_truncation},
-          {"transition", write_transition},
-          {"strip", write_strip},
-          {"plane", write_plane}};
+  return {{"kernels", write_kernels},  {"radii", write_radii},           {"errors", write_errors},
+          {"noise1d", write_noise<1>}, {"noise2d", write_noise<2>},      {"noise3d", write_noise<3>},
+          {"noise4d", write_noise<4>}, {"truncation", write_truncation}, {"transition", write_transition},
+          {"strip", write_strip},      {"plane", write_plane},           {"kernel_speed", write_speed},
+          {"perlin", write_perlin}};
 }
 
 }  // namespace solidnoise::papers
