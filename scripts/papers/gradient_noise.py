@@ -69,7 +69,7 @@ The published coefficients, s = 4 t^5 - 3 t^4, were found for one dimension, and
 The paper has no closed form of the spectrum; ours is derived at `GradientKernel` (`src/solidnoise/noise/kernel/gradient_kernel.h`).
 """)
     page.picture(figure, "spectrum", "Radial spectra, measured and in closed form")
-    figure, axes = plt.subplots(2, 3, figsize=(8, 5.4), constrained_layout=True)
+    figure, axes = plt.subplots(2, 3, figsize=(8, 5.0), constrained_layout=True)
     draw_spectra(data, ZERO_DC, axes)
     page.photo(figure, "zero-dc", "The noises c, d and e with the kernel that has no power at frequency 0")
 

@@ -134,8 +134,9 @@ void write_noise(const fs::path& folder) {
   const NoiseSample of_paper = sample_noise<Dim>(options, {Dim == 1 ? 1024 : 256, Dim == 1 ? 512 : 32});
   Json json{{"ours", describe(sample)}, {"paper", describe(of_paper)}};
   if constexpr (Dim > 2) {
-    options = {.frequency = kFrequency};
-    const SpectrumComparison block = sample_block_spectrum<Dim>(options, {64, 24});
+    // Twice the frequency, so that the block holds more waves.
+    options = {.frequency = 2.0 * kFrequency};
+    const SpectrumComparison block = sample_block_spectrum<Dim>(options, {96, 12});
     write_table(stem + "_block.csv", table_of(block));
     json["block"] = {{"chi_square", block.chi_square},
                      {"degrees_of_freedom", block.degrees_of_freedom},
@@ -192,6 +193,21 @@ void write_transition(const fs::path& folder) {
   write_table(folder / "transition_weights.csv", weights);
   write_table(folder / "transition_variance.csv", curves);
   write_table(folder / "transition_measured.csv", measured);
+}
+
+// Figure 13.
+void write_impulses(const fs::path& folder) {
+  Table table{{"kind", "alpha", "level", "x", "y", "weight"}, {}};
+  for (const double kind : {0.0, 1.0}) {
+    for (const double alpha : {0.0, 0.2, 0.4, 0.6, 0.8, 1.0}) {
+      for (const WeightedImpulse& impulse :
+           weighted_impulses(kind == 0.0 ? ScaleTransition::paper : ScaleTransition::fade, alpha, 6, 8.0)) {
+        table.rows.push_back(
+            {kind, alpha, static_cast<double>(impulse.level), impulse.x, impulse.y, impulse.weight});
+      }
+    }
+  }
+  write_table(folder / "impulses.csv", table);
 }
 
 // Figure 15.
@@ -268,7 +284,7 @@ Items improving_gabor_noise_items() {
           {"noise1d", write_noise<1>}, {"noise2d", write_noise<2>},      {"noise3d", write_noise<3>},
           {"noise4d", write_noise<4>}, {"truncation", write_truncation}, {"transition", write_transition},
           {"strip", write_strip},      {"plane", write_plane},           {"kernel_speed", write_speed},
-          {"perlin", write_perlin}};
+          {"perlin", write_perlin},    {"impulses", write_impulses}};
 }
 
 }  // namespace solidnoise::papers

@@ -2,9 +2,12 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "papers/paper_kernel.h"
+#include "solidnoise/core/random.h"
+#include "solidnoise/noise/convolution/impulse_process.h"
 #include "solidnoise/noise/gabor/varying_gabor_noise.h"
 
 namespace solidnoise::papers {
@@ -80,6 +83,41 @@ TransitionVariance transition_variance(ScaleTransition transition, double alpha,
   result.expected = transition == ScaleTransition::fade
                         ? 1.0
                         : scale_variance(scale_weights(transition, Dim, alpha), Dim, alpha);
+  return result;
+}
+
+std::vector<WeightedImpulse> weighted_impulses(ScaleTransition transition, double alpha, int side,
+                                               double impulses) {
+  const ScaleFade fade(2);
+  const ScaleWeights weights = scale_weights(transition, 2, alpha);
+  const bool fades = transition == ScaleTransition::fade;
+  // Impulses that come and go have turns between a quarter and 1 of the density that their grid is for.
+  const double density =
+      impulses / std::numbers::pi * (fades ? fade.impulses_per_effective_one * (1.0 - fade.lowest) : 1.0);
+  std::vector<WeightedImpulse> result;
+  for (const int level : {0, 1}) {
+    const double size = level + 1.0;
+    const ImpulseProcess<2> process({CellAxis(size), CellAxis(size)}, density,
+                                    derive_seed(1, static_cast<std::uint64_t>(level)));
+    const auto cells = static_cast<std::int64_t>(side / size);
+    for (std::int64_t i = 0; i < cells * cells; ++i) {
+      const Index<2> cell(i / cells, i % cells);
+      process.generate(cell, [&](const Impulse<2>& impulse) {
+        const double u = RandomStream(impulse.mark).next_unit();
+        const double turn = std::pow((1.0 + alpha) / size, 2) * (fade.lowest + (1.0 - fade.lowest) * u);
+        WeightedImpulse weighted;
+        weighted.level = level;
+        weighted.x = (static_cast<double>(cell.x) +
+                      impulse.position[0] / static_cast<double>(CellAxis::kQuantaPerCell)) *
+                     size;
+        weighted.y = (static_cast<double>(cell.y) +
+                      impulse.position[1] / static_cast<double>(CellAxis::kQuantaPerCell)) *
+                     size;
+        weighted.weight = fades ? fade(turn) : (level == 0 ? weights.fine : weights.coarse);
+        result.push_back(weighted);
+      });
+    }
+  }
   return result;
 }
 

@@ -21,6 +21,19 @@ template <int Dim>
 TransitionVariance transition_variance(ScaleTransition transition, double alpha, int points,
                                        std::uint64_t seed);
 
+// Figure 13: an impulse of the grids of cells of 1 and 2 units, and its weight in a noise whose kernel's
+// radius is 1 + alpha, 0 where it is not there.
+struct WeightedImpulse {
+  int level = 0;  // 0 or 1
+  double x = 0.0;
+  double y = 0.0;
+  double weight = 0.0;
+};
+// Those in a square of `side` units, a whole number of cells of the coarser grid, with `impulses` mean
+// impulses under a kernel.
+std::vector<WeightedImpulse> weighted_impulses(ScaleTransition transition, double alpha, int side,
+                                               double impulses);
+
 // Figure 15: noise whose frequency goes from F0 / 2 to 4 F0 of the paper's example from left to right, in
 // equal ratios, over so many samples; and where between two grids (alpha) each column is.
 struct VaryingStrip {
