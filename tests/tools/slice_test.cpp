@@ -193,6 +193,48 @@ TEST(Slice, HasItsSpectrumWhereTheFrequencyIs) {
   EXPECT_NEAR(sum / 16.0, 1.0, 0.3);  // the variance
 }
 
+// A model of one pair of waves per channel, whose colours are (1, 0, 0), (0, 1, 0) and (0, 0, 1) about a
+// mean.
+constexpr char kColors[] = R"({"solidnoise": 1, "exemplar": {"raw_values": true, "mean": [0.2, 0.5, 0.7],
+  "channels": [{"axis": [1, 0, 0], "bands": [{"a": 0.05, "components": [[0.1, 0.0, 0.01, 0]]}]},
+               {"axis": [0, 1, 0], "bands": [{"a": 0.05, "components": [[0.0, 0.1, 0.04, 0]]}]},
+               {"axis": [0, 0, 1], "bands": [{"a": 0.05, "components": [[0.07, 0.07, 0.01, 0]]}]}]}})";
+
+// Of some 30 x 30 wavelengths in each channel, the mean is off by less than a tenth of a deviation, and the
+// deviation by less than a tenth.
+TEST(Slice, InColorHasTheColorsOfTheExemplar) {
+  const TemporaryFolder folder;
+  folder.write("colors.json", kColors);
+  const Image colors = slice({"--noise", folder.file("colors.json"), "--color", "--dims", "2", "--frequency",
+                              "16", "--period", "2", "2", "0", "--resolution", "128"});
+  ASSERT_EQ(colors.channels, 3);
+  const double mean[] = {0.2, 0.5, 0.7};
+  const double deviation[] = {0.1, 0.2, 0.1};
+  for (int channel = 0; channel < 3; ++channel) {
+    double sum = 0.0;
+    double sum_of_squares = 0.0;
+    for (int y = 0; y < 128; ++y) {
+      for (int x = 0; x < 128; ++x) {
+        const double offset = colors.at(x, y, channel) - mean[channel];
+        sum += offset / (128.0 * 128.0);
+        sum_of_squares += offset * offset / (128.0 * 128.0);
+      }
+    }
+    EXPECT_NEAR(sum, 0.0, 0.1 * deviation[channel]);
+    EXPECT_NEAR(std::sqrt(sum_of_squares), deviation[channel], 0.15 * deviation[channel]);
+  }
+}
+
+TEST(Slice, InColorIsOfThreeIndependentNoises) {
+  const Image colors = slice({"--color", "--dims", "2", "--frequency", "15", "--resolution", "180"});
+  ASSERT_EQ(colors.channels, 3);
+  double products = 0.0;
+  for (int y = 0; y < 180; ++y) {
+    for (int x = 0; x < 180; ++x) products += colors.at(x, y, 0) * colors.at(x, y, 1) / (180.0 * 180.0);
+  }
+  EXPECT_NEAR(products, 0.0, 0.2);  // 400 independent values: four standard errors
+}
+
 class SliceRefusal : public testing::TestWithParam<Refusal> {};
 
 TEST_P(SliceRefusal, IsOneLineAndLeavesNothing) {
@@ -231,6 +273,8 @@ const Refusal kRefusals[] = {
     {"Values", 2, {"--values", "1", "1", "--out", "x.png"}, {"--values is 1 1"}},
     {"Ramp", 2, {"--ramp", "rainbow", "--out", "x.png"}, {"rainbow", "viridis"}},
     {"Bits", 2, {"--bits", "16", "--out", "x.exr"}, {"--bits"}},
+    {"ColorAndRamp", 2, {"--color", "--ramp", "rust", "--out", "x.png"}, {"--color", "--ramp"}},
+    {"ColorOfALine", 2, {"--color", "--out", "x.csv"}, {"--color", "line"}},
     {"Shaped", 2, {"--preset", "cumulus", "--out", "x.png"}, {"--raw"}},
     {"NoiseOfAFile", 2, {"garbage.vdb", "--seed", "2", "--out", "x.png"}, {"--seed"}},
     {"GridOfNoFile", 2, {"--grid", "density", "--out", "x.png"}, {"--grid"}},

@@ -55,7 +55,9 @@ void warn_of_aliasing(const SliceOptions& options, const SliceField& field) {
       highest);
 }
 
-void write_slice(const SliceOptions& options, const SliceField& field, const DenseField<2>& slice) {
+void write_slice(const SliceOptions& options, const SliceField& field,
+                 const std::vector<DenseField<2>>& channels) {
+  const DenseField<2>& slice = channels.front();
   if (options.is_line()) return write_text_file(options.out, line_table(options.plane, slice));
   ImageFileOptions file;
   if (!options.spectrum.empty()) {
@@ -66,7 +68,10 @@ void write_slice(const SliceOptions& options, const SliceField& field, const Den
   const auto [low, high] = shown_values(options, field, slice);
   file.sample_type = options.sample_type;
   file.color_space = options.out.ends_with(".exr") ? ColorSpace::linear : ColorSpace::srgb;
-  write_image(options.out, slice_image(options, slice, low, high), file);
+  write_image(
+      options.out,
+      options.color ? color_image(options, channels, low, high) : slice_image(options, slice, low, high),
+      file);
 }
 
 void make_slice(SliceOptions options) {
@@ -77,19 +82,23 @@ void make_slice(SliceOptions options) {
     threads = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
                                                     static_cast<std::size_t>(options.threads));
   }
-  const SliceField field = make_slice_field(options);
+  const std::vector<SliceField> fields = make_slice_fields(options);
+  const SliceField& field = fields.front();
   if (field.bounds) fit_plane(options, *field.bounds);
   warn_of_aliasing(options, field);
-  DenseField<2> slice;
+  std::vector<DenseField<2>> channels;
   {
     TaskProgress progress(options.quiet ? ProgressBar::Visibility::hidden
                                         : ProgressBar::Visibility::if_terminal);
     progress.begin("slice");
-    slice = sample_slice(*field.field, options.plane, &progress);
+    for (const SliceField& of_channel : fields) {
+      channels.push_back(sample_slice(*of_channel.field, options.plane, &progress));
+    }
     throw_if_cancelled(&progress);
-    write_slice(options, field, slice);
+    write_slice(options, field, channels);
   }
   if (options.quiet) return;
+  const DenseField<2>& slice = channels.front();
   const Moments moments = Moments::of(slice.values);
   std::cerr << fmt::format("{}: {} x {} samples, {:.6g} world units apart\n",
                            options.out.empty() ? options.spectrum : options.out, slice.count.x, slice.count.y,
@@ -106,6 +115,10 @@ int run_slice(const std::vector<std::string>& arguments) {
   declare_slice_flags(flags, options);
   flags.parse(arguments);
   options.recipe = choose_recipe(flags);
+  if (options.recipe.output == std::vector{Output::color}) {
+    options.recipe.output = {Output::value};
+    options.color = true;
+  }
   try {
     flags.apply();
     check_layer_flags(flags, options.recipe);

@@ -94,16 +94,27 @@ SliceField make_grid_field(const SliceOptions& options) {
   return {std::make_shared<GridField>(grid), 0.0, 0.0, world_bounds(*grid)};
 }
 
-}  // namespace
-
-SliceField make_slice_field(const SliceOptions& options) {
-  if (!options.file.empty()) return make_grid_field(options);
-  const VolumeRecipe recipe = at_resolution(options.recipe, Vec<3>(options.plane.pixel));
+SliceField make_noise_field(const VolumeRecipe& recipe) {
   if (recipe.dims == 1) return make_flat_field<1>(recipe);
   if (recipe.dims == 2) return make_flat_field<2>(recipe);
   SliceField result{make_volume_points(recipe), 0.0, highest_frequency(recipe, {}), std::nullopt};
   if (recipe.layers.empty()) result.sigma = std::sqrt(make_volume_noise(recipe)->variance());
   return result;
+}
+
+}  // namespace
+
+std::vector<SliceField> make_slice_fields(const SliceOptions& options) {
+  if (!options.file.empty()) return {make_grid_field(options)};
+  const VolumeRecipe recipe = at_resolution(options.recipe, Vec<3>(options.plane.pixel));
+  if (!options.color) return {make_noise_field(recipe)};
+  std::vector<SliceField> channels;
+  for (int channel = 0; channel < 3; ++channel) {
+    VolumeRecipe of_channel = recipe;
+    of_channel.noise = channel_of(recipe.noise, channel);
+    channels.push_back(make_noise_field(of_channel));
+  }
+  return channels;
 }
 
 }  // namespace solidnoise

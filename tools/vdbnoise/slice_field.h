@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "solidnoise/core/box.h"
 #include "solidnoise/volume/field/point_field.h"
@@ -17,9 +18,9 @@ struct SliceField {
   std::optional<Box<3>> bounds{};  // of a grid's active voxels
 };
 
-// The field that the options name: a grid, interpolated between its voxels, or a noise. One of a single
-// dimension varies along x, one of two along x and y, and is constant along the other axes. Throws
-// std::runtime_error (files) and std::invalid_argument.
-SliceField make_slice_field(const SliceOptions& options);
+// The fields that the options name, one for each channel of the picture: a grid, interpolated between its
+// voxels, or a noise. One of a single dimension varies along x, one of two along x and y, and is constant
+// along the other axes. Throws std::runtime_error (files) and std::invalid_argument.
+std::vector<SliceField> make_slice_fields(const SliceOptions& options);
 
 }  // namespace solidnoise

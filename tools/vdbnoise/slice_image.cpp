@@ -1,6 +1,7 @@
 #include "vdbnoise/slice_image.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <vector>
@@ -101,6 +102,32 @@ Image slice_image(const SliceOptions& options, const DenseField<2>& slice, doubl
       const auto t = static_cast<float>(position(x, image.height - 1 - y));
       const Color color = floats ? ramp.linear(t) : ramp.srgb(t);
       for (int channel = 0; channel < 3; ++channel) image.at(x, y, channel) = color[channel];
+    }
+  }
+  return image;
+}
+
+Image color_image(const SliceOptions& options, std::span<const DenseField<2>> channels, double low,
+                  double high) {
+  const bool floats = options.out.ends_with(".exr");
+  const ExemplarModel* const exemplar = exemplar_of_colors(options.recipe);
+  const glm::ivec2 count = channels[0].count;
+  Image image(count.x, count.y, 3);
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      std::array<double, 3> values;
+      for (std::size_t c = 0; c < 3; ++c) values[c] = value_at(channels[c], x, image.height - 1 - y);
+      Color color;
+      if (exemplar) {
+        color = Color(exemplar->color(values));
+        if (!floats && !exemplar->raw_values) color = srgb_from_linear(color);
+      } else {
+        for (int c = 0; c < 3; ++c) {
+          const double value = values[static_cast<std::size_t>(c)];
+          color[c] = static_cast<float>(floats ? value : (value - low) / (high - low));
+        }
+      }
+      for (int c = 0; c < 3; ++c) image.at(x, y, c) = color[c];
     }
   }
   return image;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <utility>
 
@@ -22,6 +23,11 @@ std::pair<double, double> shown_values(const SliceOptions& options, const SliceF
 // What --out is a picture of, as it is stored: the values themselves in an .exr without a ramp, one channel;
 // colours, linear in an .exr and sRGB-encoded elsewhere; or grey, one channel.
 Image slice_image(const SliceOptions& options, const DenseField<2>& slice, double low, double high);
+
+// The same of --color: the colours of an exemplar, as they are stored (linear in an .exr, unless the
+// exemplar's values are raw), or each channel grey.
+Image color_image(const SliceOptions& options, std::span<const DenseField<2>> channels, double low,
+                  double high);
 
 // What --spectrum is a picture of: the periodogram, with a Hann window unless the slice wraps.
 Image spectrum_image(const SliceOptions& options, const DenseField<2>& slice);

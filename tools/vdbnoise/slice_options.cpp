@@ -58,6 +58,13 @@ void declare_output(FlagSet& flags, SliceOptions& options) {
                parse_color_ramp(text);
                options.ramp = text;
              });
+  flags.toggle(
+      "--color",
+      "Of a noise by example in colour its colours; of others three independent noises, one for each of "
+      "red, green and blue",
+      [&] { options.color = true; });
+  flags.exclude({"--color", "--ramp"});
+  flags.exclude({"--color", "--spectrum"});
   keep(flags, "--spectrum", "FILE",
        "The slice's periodogram, frequency 0 in the middle, half a cycle per pixel at the edges: .png, or "
        ".exr for the densities themselves",
@@ -169,9 +176,10 @@ void check_line(const FlagSet& flags, const SliceOptions& options) {
     throw UsageError("--dims is 1; a noise on a line is written to --out FILE.csv");
   }
   if (!options.is_line()) return;
-  for (const char* flag : {"--spectrum", "--ramp", "--values"}) {
+  for (const char* flag : {"--spectrum", "--ramp", "--values", "--color"}) {
     if (flags.given(flag)) throw UsageError(fmt::format("{} has no effect on a line", flag));
   }
+  if (options.color) throw UsageError("the recipe makes colours, which a line has none of");
 }
 
 // What the noise of a recipe would be given for nothing where a grid is sliced.
@@ -180,9 +188,10 @@ void check_file(const FlagSet& flags, const SliceOptions& options) {
     if (flags.given("--grid")) throw UsageError("--grid names a grid of FILE.vdb, which is missing");
     return;
   }
-  for (const char* flag : {"--preset", "--recipe", "--raw", "--noise", "--seed", "--frequency", "--size",
-                           "--bandwidth", "--octaves", "--period", "--offset", "--band-limit", "--evolve",
-                           "--dims", "--time", "--loop", "--fold", "--histogram", "--warp"}) {
+  for (const char* flag :
+       {"--preset",    "--recipe",  "--raw",    "--noise",     "--seed",       "--frequency", "--size",
+        "--bandwidth", "--octaves", "--period", "--offset",    "--band-limit", "--evolve",    "--dims",
+        "--time",      "--loop",    "--fold",   "--histogram", "--warp",       "--color"}) {
     if (flags.given(flag)) {
       throw UsageError(fmt::format("{} has no effect where {} is sliced", flag, options.file));
     }
@@ -195,6 +204,11 @@ void check_recipe(const SliceOptions& options) {
     throw UsageError(
         "the recipe shapes its noise; give --raw too to see the noise itself, or slice the volume that it "
         "makes");
+  }
+  if (options.color && !options.ramp.empty()) throw UsageError("--ramp has no effect on colours");
+  if (options.color && !recipe.layers.empty()) throw UsageError("--color has no effect on layers");
+  if (options.values && options.color && exemplar_of_colors(recipe)) {
+    throw UsageError("--values has no effect on the colours of an exemplar");
   }
   if (!is_scalar(recipe) || recipe.modification || recipe.parameters.any()) {
     throw UsageError("the recipe is of more than a noise; slice the volume that it makes");

@@ -27,6 +27,7 @@ struct SliceOptions {
   SampleType sample_type = SampleType::automatic;
   std::optional<std::pair<double, double>> values;  // that are black and white; else +-3 sigmas
   std::string ramp;                                 // empty: grey, proportional to the value
+  bool color = false;                               // three channels: an exemplar's own, or three noises
   Existing existing = Existing::refuse;
 
   SlicePlane plane;
