@@ -60,7 +60,7 @@ class Page:
 
     def photo(self, figure, name, caption):
         """The same for a figure with pictures in it."""
-        self.show(self.render(figure), f"{name}.jpg", caption, quality=72, optimize=True)
+        self.show(self.render(figure), f"{name}.jpg", caption, quality=64, optimize=True)
 
     def render(self, figure):
         buffer = io.BytesIO()
@@ -102,7 +102,8 @@ def show(axes, field, title, low=None, high=None):
 
 def middle_of_spectrum(field, bins, step):
     """The frequencies up to so many bins from 0, which is at the centre, and their extent for imshow."""
-    row, column = field.shape[0] // 2 - 1, field.shape[1] // 2  # rows begin at the top
+    # Rows begin at the top.
+    row, column = (field.shape[0] - 1) // 2, field.shape[1] // 2
     part = field[row - bins:row + bins + 1, column - bins:column + bins + 1]
     reach = (bins + 0.5) * step
     return part, (-reach, reach, -reach, reach)

@@ -30,6 +30,7 @@ dashed line is F0. The transform's maximum moves towards lower frequencies as di
 At a bandwidth of one octave the transform at frequency 0 grows to a tenth of its maximum in four.
 """)
     page.picture(figure, "kernels", "Isotropic kernels and their transforms")
+    draw_pictures(data, page)
 
     figure, axes = plt.subplots(1, 4, figsize=(12, 2.7), sharex=True)
     for n, axis in zip(NAMES, axes):
@@ -38,6 +39,20 @@ At a bandwidth of one octave the transform at frequency 0 grows to a tenth of it
         axis.set(title=f"n = {n}", xlabel="radius (pixels)", xlim=(0, 40), ylim=(0, 1.1))
     axes[0].legend()
     page.picture(figure, "envelopes", "Envelopes of the kernels")
+
+
+def draw_pictures(data, page):
+    figure, axes = plt.subplots(1, 4, figsize=(12, 3.2), constrained_layout=True)
+    for axis, (name, title) in zip(axes, (("gaussian", "Gaussian"), ("harmonic", "harmonic"), ("kernel", "kernel"),
+                                          ("transform", "its transform"))):
+        field = data.field(f"kernel2d_{name}")
+        reach = 0.15 if name == "transform" else 40
+        low = 0 if name in ("gaussian", "transform") else -0.5
+        axis.imshow(field, cmap="gray", vmin=low * field.max(), vmax=field.max() * (1 if low == 0 else 0.5),
+                    extent=(-reach, reach, -reach, reach))
+        axis.set(title=title, xlabel="cycles per pixel" if name == "transform" else "pixels")
+        axis.grid(False)
+    page.photo(figure, "kernel2d", "The kernel of two dimensions, what it is the product of, and its transform")
 
 
 def write_radii(data, page):
@@ -136,24 +151,28 @@ def draw_spectra(data, page, n, axes):
     if n == 1:
         axes[0].plot(picture[0][:256], linewidth=1)
         axes[0].set(title="noise, n = 1", xlabel="position (pixels)", ylim=(-4, 4))
-        axes[2].axis("off")
-        axes[3].axis("off")
+        for axis in axes[2:5]:
+            axis.axis("off")
     else:
         show(axes[0], picture[:192, :192], f"noise, n = {n}", -3, 3)
         estimated = data.field(stem + "_estimated")
         expected = data.field(stem + "_expected")
         high = expected.max()
-        for axis, field, name in ((axes[2], estimated, "estimated spectrum"), (axes[3], expected, "expected spectrum")):
+        part, extent = middle_of_spectrum(data.field(stem + "_transform"), 32, 1 / 256)
+        axes[2].imshow(part, cmap="gray", vmin=0, vmax=1, extent=extent)
+        axes[2].set(title="Fourier transform, log", xlabel="cycles per pixel")
+        axes[2].grid(False)
+        for axis, field, name in ((axes[3], estimated, "estimated spectrum"), (axes[4], expected, "expected spectrum")):
             part, extent = middle_of_spectrum(field, 32, 1 / 256)
             axis.imshow(part, cmap="gray", vmin=0, vmax=1.1 * high, extent=extent)
             axis.set(title=name, xlabel="cycles per pixel")
             axis.grid(False)
     axes[1].plot(histogram["value"], histogram["density"], label="measured")
     axes[1].plot(histogram["value"], histogram["gaussian"], "k--", linewidth=1, label="Gaussian")
-    axes[1].set(title="distribution of values", xlim=(-4.5, 4.5), xlabel="sigmas")
-    axes[4].errorbar(radial["f"], radial["measured"], 2 * radial["error"], fmt=".", markersize=4, label="measured")
-    axes[4].plot(radial["f"], radial["expected"], "k-", linewidth=1, label="expected")
-    axes[4].set(title="radial spectrum", xlim=(0, 0.15), xlabel="cycles per pixel")
+    axes[1].set(title="distribution of values", xlim=(-4.5, 4.5), ylim=(0, 0.62), xlabel="sigmas")
+    axes[5].errorbar(radial["f"], radial["measured"], 2 * radial["error"], fmt=".", markersize=4, label="measured")
+    axes[5].plot(radial["f"], radial["expected"], "k-", linewidth=1, label="expected")
+    axes[5].set(title="radial spectrum", xlim=(0, 0.15), ylim=(0, 1.35 * radial["expected"].max()), xlabel="cycles per pixel")
 
 
 def draw_noises(data, page):
@@ -162,13 +181,13 @@ def draw_noises(data, page):
 Also in four dimensions, which the paper leaves out. Noises of 3 and 4 dimensions are seen on a plane: the plane's spectrum is the
 kernel's, integrated over the frequencies that it does not see, and no ring any more. Spectra are means of Hann-windowed
 periodograms of 256 x 256 samples and 64 seeds; bars are two standard errors, lines and "expected" pictures the closed form
-through the same window.
+through the same window. The third column is the transform of the one picture, its magnitude in logarithms.
 """)
-    figure, axes = plt.subplots(4, 5, figsize=(13, 10), constrained_layout=True)
+    figure, axes = plt.subplots(4, 6, figsize=(14, 9.2), constrained_layout=True)
     for n, row in zip(NAMES, axes):
         draw_spectra(data, page, n, row)
     axes[0][1].legend(loc="upper left", fontsize=8)
-    axes[0][4].legend(fontsize=8)
+    axes[0][5].legend(fontsize=8)
     page.photo(figure, "noise", "Noise of 1 to 4 dimensions")
 
     figure, axes = plt.subplots(1, 2, figsize=(10, 3))

@@ -16,6 +16,8 @@
 #include "papers/tilted_plane.h"
 #include "papers/transition.h"
 #include "papers/truncation.h"
+#include "solidnoise/analysis/field_picture.h"
+#include "solidnoise/core/special_functions.h"
 #include "solidnoise/noise/kernel/gabor_kernel.h"
 #include "solidnoise/noise/kernel/isotropic_gabor_kernel.h"
 
@@ -29,8 +31,37 @@ IsotropicGaborKernel<Dim> example_kernel() {
   return IsotropicGaborKernel<Dim>::with_unit_peak(kFrequency, kGaussian);
 }
 
+// Samples of value(distance from the middle) on a square with sides of twice the reach.
+template <typename Function>
+DenseField<2> radial_picture(double reach, const Function& value) {
+  constexpr int kSide = 161;
+  const double step = 2.0 * reach / (kSide - 1);
+  DenseField<2> field({kSide, kSide}, Vec<2>(step));
+  for (std::size_t i = 0; i < field.values.size(); ++i) {
+    const glm::ivec2 at = ArrayShape<2>{field.count}.position(i);
+    field.values[i] = static_cast<float>(value(std::hypot(step * at.x - reach, step * at.y - reach)));
+  }
+  return field;
+}
+
+// Figure 2.
+void write_pictures(const fs::path& folder) {
+  const auto kernel = example_kernel<2>();
+  constexpr double kReach = 40.0;  // pixels
+  write_field(folder / "kernel2d_gaussian", radial_picture(kReach, [](double r) {
+                return std::exp(-std::numbers::pi * kGaussian * kGaussian * r * r);
+              }));
+  write_field(folder / "kernel2d_harmonic", radial_picture(kReach, [](double r) {
+                return mean_cosine(2, 2.0 * std::numbers::pi * kFrequency * r);
+              }));
+  write_field(folder / "kernel2d_kernel", radial_picture(kReach, [&](double r) { return kernel.value(r); }));
+  write_field(folder / "kernel2d_transform",
+              radial_picture(0.15, [&](double f) { return kernel.spectrum(f); }));
+}
+
 // Figures 1, 2 and 6: kernels of unit peak, their transforms over their own maxima, and envelopes.
 void write_kernels(const fs::path& folder) {
+  write_pictures(folder);
   const auto k1 = example_kernel<1>();
   const auto k2 = example_kernel<2>();
   const auto k3 = example_kernel<3>();
@@ -125,6 +156,7 @@ void write_noise(const fs::path& folder) {
   write_table(stem + "_histogram.csv", histogram);
   write_table(stem + "_radial.csv", table_of(sample.radial));
   if constexpr (Dim > 1) {
+    write_field(stem + "_transform", spectrum_magnitude(sample.picture, SpectrumWindow::hann));
     write_field(stem + "_estimated", centred(sample.estimated));
     write_field(stem + "_expected", centred(sample.expected));
   }
