@@ -43,7 +43,7 @@ kernel makes a ring of the disk; a plane through 3D noise fills it with low freq
                       "difference of neighbouring lines, x / y"], rows))
     page.write(f"""
 The last column is the root mean square of the difference over the sum of the powers of neighbouring lines in the spectrum: stripes. The classic
-hash has {values['a']['striation_x']:.2f} along the axis that is looked up last, and the exclusive-or of one table per axis
+hash has {values['a']['striation_x']:.2f} between lines across the axis that is looked up last, and the exclusive-or of one table per axis
 {values['b']['striation_x']:.3f}, as little as chance leaves. The tables repeat after 256 units; `--hash integer` does not.
 """)
 
@@ -94,8 +94,8 @@ def write_costs(data, page):
     perlin = costs["chained"]
     page.write("""
 ## Section 5: costs
-Three dimensions, over Perlin's noise with the classic hash; scalar procedures in single precision, processor time of one thread. Ours reads its 256 gradients from a
-table in all of them; the paper's Perlin noise was a quicker one against which the others look dearer.
+Three dimensions, over Perlin's noise with the classic hash; scalar procedures in single precision, processor time of one thread. All of ours read their gradients
+from a table of 256; how the paper's Perlin noise was made, against which the others look dearer, it does not say.
 """)
     page.write(table(["", "printed", "measured", "ns"], [
         ["xor hash", "about 0.95", f"{costs['xor_tables'] / perlin:.2f}", f"{costs['xor_tables']:.0f}"],
