@@ -43,6 +43,50 @@ TEST(Interrupt, WhileWritingLeavesNothing) {
   EXPECT_TRUE(folder.names().empty()) << *folder.names().begin();
 }
 
+// Commands that read or measure for long before they write. Each is let run for a while, then stopped.
+TEST(Interrupt, EndsWithinASecondWhateverIsDone) {
+  const TemporaryFolder folder;
+  const RunOptions in_folder{.folder = folder.path()};
+  const std::string torus = SOLIDNOISE_MESHES "/torus.obj";
+  ASSERT_EQ(run_vdbnoise({"surface", torus, "--dim", "300", "--band", "0.2", "--out", "band.vdb", "--quiet"},
+                         in_folder)
+                .status,
+            0);
+  ASSERT_EQ(run_vdbnoise({"--raw", "--frequency", "1", "--dim", "192", "--shard", "1/2", "--codec", "none",
+                          "--out", "part.vdb", "--quiet"},
+                         in_folder)
+                .status,
+            0);
+  const std::set<std::string> before = folder.names();
+  struct Run {
+    std::chrono::milliseconds before_signal;
+    std::vector<std::string> arguments;
+  };
+  const std::vector<std::string> displace{"--on",      "band.vdb", "--displace", "0.1",
+                                          "--octaves", "4",        "--out",      "x.vdb"};
+  const std::vector<Run> runs{
+      {0ms, displace},
+      {100ms, displace},
+      {400ms, displace},
+      {30ms, {"--on", "part.vdb", "--combine", "add", "--octaves", "4", "--out", "x.vdb"}},
+      {0ms, {"merge", "part.vdb", "part.vdb", "--out", "x.vdb"}},
+      {200ms, {"surface", torus, "--dim", "900", "--band", "0.2", "--max-memory", "64G", "--out", "x.vdb"}},
+      {300ms, {"--dim", "200", "--preview", "x.png"}},
+  };
+  for (const Run& run : runs) {
+    RunningTool tool(SOLIDNOISE_VDBNOISE, run.arguments, in_folder);
+    tool.wait_until_it_catches(SIGINT);
+    std::this_thread::sleep_for(run.before_signal);
+    const auto sent = std::chrono::steady_clock::now();
+    tool.send(SIGINT);
+    const ToolResult result = tool.wait();
+    EXPECT_LT(std::chrono::steady_clock::now() - sent, 1s) << run.arguments[0];
+    EXPECT_EQ(result.status, 128 + SIGINT) << run.arguments[0] << ": " << result.err;
+    EXPECT_NE(result.err.find("vdbnoise: interrupted"), std::string::npos) << result.err;
+    EXPECT_EQ(folder.names(), before);
+  }
+}
+
 TEST(FullDisk, IsReportedAndLeavesNothing) {
   const TemporaryFolder folder;
   const ToolResult result = run_vdbnoise({"--raw", "--dim", "64", "--out", "x.vdb"},

@@ -104,6 +104,10 @@ const Refusal kRefusals[] = {
      {"surface", "torus.obj", "--voxel", "0.1", "--band", "0.2", "--out", "x.vdb"},
      {"--band is 0.2; it must be between 0.3", "world units, 3 to 1000 voxels"}},
     {"NegativeVoxel", 2, {"surface", "torus.obj", "--voxel", "-1", "--out", "x.vdb"}, {"--voxel"}},
+    {"TooLarge",
+     1,
+     {"surface", "torus.obj", "--dim", "2000", "--max-memory", "100M", "--out", "x.vdb"},
+     {"the level set may need", "--max-memory allows 100.0 MiB; make --dim or --band smaller"}},
     {"NoVoxels", 2, {"surface", "torus.obj", "--dim", "0", "--out", "x.vdb"}, {"--dim is 0"}},
 };
 

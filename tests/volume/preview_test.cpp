@@ -1,6 +1,7 @@
 #include "solidnoise/volume/preview/preview.h"
 
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
@@ -30,7 +31,7 @@ bool is_sky(const Image& image, int x, int y) {
   return image.at(x, y, 0) < 0.85f * image.at(x, y, 2);
 }
 
-constexpr PreviewOptions kSmall{.width = 120, .height = 90};
+const PreviewOptions kSmall{.width = 120, .height = 90};
 
 TEST(RenderPreview, PutsTheVolumeInTheMiddleWithSkyAllAround) {
   const Image image = render_preview(*ball(2.0, 60.0f), kSmall);
@@ -56,6 +57,24 @@ TEST(RenderPreview, PutsTheVolumeInTheMiddleWithSkyAllAround) {
   EXPECT_GT(top, 2);
   EXPECT_GT(bottom - top, 45);  // more than half of the picture's height
   EXPECT_NEAR(right - left, bottom - top, 3);
+}
+
+// A ball half as large, framed by the large one, covers a quarter of what that does, to a pixel all around.
+TEST(RenderPreview, IsFramedByTheGridThatIsNamed) {
+  const openvdb::FloatGrid::Ptr large = ball(2.0, 60.0f);
+  const auto covered = [](const Image& image) {
+    int count = 0;
+    for (int y = 0; y < image.height; ++y) {
+      for (int x = 0; x < image.width; ++x) count += !is_sky(image, x, y);
+    }
+    return count;
+  };
+  PreviewOptions framed = kSmall;
+  framed.frame = large;
+  const double all = covered(render_preview(*large, framed));
+  EXPECT_EQ(all, covered(render_preview(*large, kSmall)));
+  const double circumference = 2.0 * std::sqrt(std::numbers::pi * all);
+  EXPECT_NEAR(covered(render_preview(*ball(1.0, 120.0f), framed)), all / 4.0, circumference / 2.0);
 }
 
 TEST(RenderPreview, LightsTheUpperLeftAndShadowsTheLowerRight) {

@@ -10,7 +10,7 @@
 namespace solidnoise {
 namespace {
 
-constexpr PreviewOptions kSmall{.width = 120, .height = 90};
+const PreviewOptions kSmall{.width = 120, .height = 90};
 
 openvdb::FloatGrid::Ptr ball() {
   return openvdb::tools::createLevelSetSphere<openvdb::FloatGrid>(1.0f, openvdb::Vec3f(0), 0.05f);

@@ -91,6 +91,25 @@ class Bands : public testing::Test {
   std::string file_ = folder_.file("bands.vdb");
 };
 
+// From the lowest frequency of the widest kernel to its highest, times the range of the frequencies.
+TEST_F(Bands, BandFollowsTheGridsOfBandwidthAndFrequency) {
+  ParameterGrids grids;
+  grids.bandwidth = grid_in(file_, "bandwidth");
+  const auto wide_band = [&] {
+    NoiseRecipe recipe = recipe_of(1.0);
+    std::get<GaborNoiseOptions>(recipe.noise).bandwidth = read(grids)->bandwidth()->greatest();
+    return make_noise<3>(recipe)->band();
+  }();
+  const auto band = make_varying_field(recipe_of(1.0), {}, read(grids))->band();
+  EXPECT_DOUBLE_EQ(band.lower, wide_band.lower);
+  EXPECT_DOUBLE_EQ(band.upper, wide_band.upper);
+  EXPECT_GT(band.upper, make_noise<3>(recipe_of(1.0))->band().upper);  // of bandwidth 1
+  grids.frequency = grid_in(file_, "frequency");
+  const auto both = make_varying_field(recipe_of(1.0), {}, read(grids))->band();
+  EXPECT_NEAR(both.lower, wide_band.lower * frequency_of(0), 1e-6);
+  EXPECT_NEAR(both.upper, wide_band.upper * frequency_of(kBands - 1), 1e-6 * both.upper);
+}
+
 // Eight bands, three noises, 4 sigma each: 24 times 6e-5 of false alarms.
 TEST_F(Bands, VarianceIsOneInEachBandOfFrequency) {
   ParameterGrids grids;

@@ -1,19 +1,35 @@
 #include "common/interrupt.h"
 
 #include <csignal>
+#include <errno.h>
+#include <string>
+#include <unistd.h>
+
+#include "common/exit_status.h"
+#include "solidnoise/core/progress.h"
 
 namespace solidnoise {
 namespace {
 
 volatile std::sig_atomic_t received_signal = 0;
+volatile std::sig_atomic_t ends_at_once = 0;
 
+// What a handler may not put together.
+std::string last_words;
+
+// Calls only what a handler of signals may call.
 extern "C" void receive_signal(int signal) {
   received_signal = signal;
+  if (ends_at_once == 0) return;
+  [[maybe_unused]] const auto written = write(STDERR_FILENO, last_words.data(), last_words.size());
+  _exit(kInterrupted + signal);
 }
 
 }  // namespace
 
 void catch_interrupts() {
+  const std::string wipe = isatty(STDERR_FILENO) != 0 ? "\r\x1b[K" : "";  // of a progress bar
+  last_words = wipe + program_invocation_short_name + ": interrupted; nothing is written\n";
   struct sigaction action = {};
   action.sa_handler = receive_signal;
   action.sa_flags = SA_RESTART | static_cast<int>(SA_RESETHAND);
@@ -25,6 +41,15 @@ void catch_interrupts() {
 
 int interrupt_signal() {
   return received_signal;
+}
+
+EndsAtOnce::EndsAtOnce() {
+  ends_at_once = 1;
+  if (received_signal != 0) throw Cancelled();
+}
+
+EndsAtOnce::~EndsAtOnce() {
+  ends_at_once = 0;
 }
 
 }  // namespace solidnoise

@@ -9,4 +9,15 @@ void catch_interrupts();
 // The signal that came, or 0.
 int interrupt_signal();
 
+// While one lives, a signal ends the process at once, with the message and exit status of a run that stops in
+// order: for what cannot ask, such as reading a file, and before anything is begun that would have to be
+// removed. Throws Cancelled if a signal came already.
+class EndsAtOnce {
+ public:
+  EndsAtOnce();
+  ~EndsAtOnce();
+  EndsAtOnce(const EndsAtOnce&) = delete;
+  EndsAtOnce& operator=(const EndsAtOnce&) = delete;
+};
+
 }  // namespace solidnoise

@@ -23,6 +23,7 @@
 #include "solidnoise/volume/volume_recipe_json.h"
 #include "vdbnoise/commands.h"
 #include "vdbnoise/describe.h"
+#include "vdbnoise/grid_flags.h"
 #include "vdbnoise/layer_flags.h"
 #include "vdbnoise/make_options.h"
 #include "vdbnoise/modify_flags.h"
@@ -118,15 +119,27 @@ void write_recipe(const MakeOptions& options, const VolumePlan& plan) {
   write_text_file(options.write_recipe, format_json(to_json(recipe)));
 }
 
-// A part's densities are shown as if they were all of the volume; their own scale they get when merged.
-Image picture(const Volume& volume, const MakeOptions& options) {
+// All of the planned voxels, as they are before empty ones are dropped.
+openvdb::FloatGrid::Ptr full_grid(const VolumePlan& plan) {
+  const auto grid = openvdb::FloatGrid::create();
+  grid->setTransform(plan.frame.transform());
+  grid->sparseFill(plan.voxels, 1.0f);
+  return grid;
+}
+
+// A part is shown in its place in the volume, its densities as if they were all of it; their own scale they
+// get when merged.
+Image picture(const Volume& volume, const VolumePlan& plan, const MakeOptions& options, Progress* progress) {
+  openvdb::FloatGrid::ConstPtr frame = options.preview_frame;
+  if (options.part.whole()) return picture_of(volume, options.recipe, frame, progress);
+  if (!frame) frame = full_grid(plan);
   const bool raw = std::holds_alternative<RawShaping>(options.recipe.shaping);
-  if (options.part.whole() || raw) return picture_of(volume, options.recipe);
+  if (raw) return picture_of(volume, options.recipe, frame, progress);
   MeasuredGrid shown = volume.grids.front();
   const auto density = openvdb::gridPtrCast<openvdb::FloatGrid>(shown.grid)->deepCopy();
   scale_density(options.recipe, *density, shown.moments.front());
   shown.grid = density;
-  return picture_of({{shown}}, options.recipe);
+  return picture_of({{shown}}, options.recipe, frame, progress);
 }
 
 ProgressBar::Visibility visibility(const MakeOptions& options) {
@@ -135,19 +148,29 @@ ProgressBar::Visibility visibility(const MakeOptions& options) {
 
 // Makes one volume.
 void make_volume_files(const MakeOptions& options) {
+  auto ends_at_once = std::make_unique<EndsAtOnce>();
   const VolumePlan plan = plan_volume(options.recipe, options.part);
   if (options.out.empty() && options.preview.empty()) return write_recipe(options, plan);
   check_memory(options, plan);
-  if (!options.quiet && options.warns) warn_of_resolution(options.recipe, plan, std::cerr);
+  const auto warn = [&] {
+    if (!options.quiet && options.warns) warn_of_resolution(options.recipe, plan, std::cerr);
+  };
+  // What is refused is not warned of as well; parameters are checked voxel by voxel.
+  const bool is_checked = !plan.parameters;
+  if (is_checked) warn();
 
   Volume volume;
   {
     TaskProgress progress(visibility(options));
     progress.begin(options.task_prefix + "noise");
     volume = make_volume(options.recipe, plan, kVdbnoise, &progress);
-    progress.begin(options.task_prefix + "writing");
     std::optional<Image> preview;
-    if (!options.preview.empty()) preview = picture(volume, options);
+    if (!options.preview.empty()) {
+      progress.begin(options.task_prefix + "preview");
+      preview = picture(volume, plan, options, &progress);
+    }
+    progress.begin(options.task_prefix + "writing");
+    ends_at_once.reset();
     throw_if_cancelled(&progress);
     if (!options.out.empty()) {
       VdbWriteOptions write;
@@ -162,11 +185,13 @@ void make_volume_files(const MakeOptions& options) {
     if (preview) write_image(options.preview, *preview);
   }
   write_recipe(options, plan);
+  if (!is_checked) warn();
   if (!options.quiet) print_statistics(volume, options.out.empty() ? options.preview : options.out);
 }
 
 // The one factor by which all frames of a sequence are scaled.
 double measure_sequence(const MakeOptions& options) {
+  const EndsAtOnce ends_at_once;
   const VolumePlan plan = plan_volume(options.recipe, options.part);
   check_memory(options, plan);
   std::optional<double> factor;
@@ -223,8 +248,22 @@ int make_sequence(MakeOptions options) {
   throw std::runtime_error(fmt::format("{} of {} frames failed", failed, options.frames.size()));
 }
 
-int make(const MakeOptions& options) {
+// The grid that frames previews, if one is named.
+openvdb::FloatGrid::ConstPtr read_preview_frame(const FlagSet& flags, const MakeOptions& options) {
+  constexpr const char* kFlag = "--preview-frame";
+  const auto text = flags.value_of(kFlag);
+  if (!text) return nullptr;
+  if (options.preview.empty() || options.recipe.output.front() != Output::value) {
+    throw UsageError(fmt::format("{} has no effect without a --preview of values", kFlag));
+  }
+  const EndsAtOnce ends_at_once;
+  GridFile source = parse_grid_flag(kFlag, *text);
+  return read_float_grid(source, kFlag);
+}
+
+int make(MakeOptions options, const FlagSet& flags) {
   catch_interrupts();
+  options.preview_frame = read_preview_frame(flags, options);
   std::unique_ptr<tbb::global_control> threads;
   if (options.threads > 0) {
     threads = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
@@ -257,7 +296,7 @@ int run_make(const std::vector<std::string>& arguments) {
     if (options.task == MakeOptions::Task::describe) {
       std::cout << format_json(describe_volume(options.recipe));
     } else {
-      return make(options);
+      return make(options, flags);
     }
   } catch (const std::invalid_argument& error) {
     throw UsageError(name_loop(flags, flags.name_flag(error.what())));

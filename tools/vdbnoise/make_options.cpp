@@ -57,6 +57,9 @@ void declare_output(FlagSet& flags, MakeOptions& options) {
   keep(flags, "--preview", "FILE.png",
        "A picture of the volume, rendered by OpenVDB; of vectors, colours and phases one of a slice",
        options.preview);
+  flags.text("--preview-frame", "FILE.vdb[:GRID]",
+             "Frame the picture by this grid's active voxels: parts and frames, from one place",
+             [](const std::string&) {});
   flags.toggle("--force", "Replace files that exist", [&] { options.existing = Existing::replace; });
   declare_output_flags(flags, options.recipe);
   keep(flags, "--grid", "NAME", "Name of the grid (default density; of others than values, see the docs)",

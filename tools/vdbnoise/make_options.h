@@ -18,9 +18,10 @@ struct MakeOptions {
 
   Task task = Task::make;
   VolumeRecipe recipe;
-  std::string out;           // .vdb, "-" for the standard output; empty: none
-  std::string preview;       // .png; empty: none
-  std::string write_recipe;  // .json, "-" for the standard output; empty: none
+  std::string out;                             // .vdb, "-" for the standard output; empty: none
+  std::string preview;                         // .png; empty: none
+  openvdb::FloatGrid::ConstPtr preview_frame;  // by whose voxels previews are framed; null: by their own
+  std::string write_recipe;                    // .json, "-" for the standard output; empty: none
   Existing existing = Existing::refuse;
   int threads = 0;               // 0: as many as the machine has
   std::uint64_t max_memory = 0;  // bytes; 0: what the machine has available

@@ -1,3 +1,4 @@
+#include <memory>
 #include <optional>
 #include <stdexcept>
 
@@ -45,11 +46,16 @@ int run_merge(const std::vector<std::string>& arguments) {
   MergedVolume merged;
   {
     TaskProgress progress(quiet ? ProgressBar::Visibility::hidden : ProgressBar::Visibility::if_terminal);
+    auto ends_at_once = std::make_unique<EndsAtOnce>();
     progress.begin("merging");
     merged = merge_parts({files.begin(), files.end()}, kVdbnoise, &progress);
-    progress.begin("writing");
     std::optional<Image> picture;
-    if (!preview.empty()) picture = picture_of(merged.volume, merged.recipe);
+    if (!preview.empty()) {
+      progress.begin("preview");
+      picture = picture_of(merged.volume, merged.recipe, nullptr, &progress);
+    }
+    progress.begin("writing");
+    ends_at_once.reset();
     write.codec = merged.recipe.codec;
     write.creator = kVdbnoise;
     write.frame = merged.frame;

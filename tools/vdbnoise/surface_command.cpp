@@ -1,3 +1,4 @@
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -7,7 +8,9 @@
 #include "common/exit_status.h"
 #include "common/flag_targets.h"
 #include "common/interrupt.h"
+#include "common/memory.h"
 #include "common/outputs.h"
+#include "common/parse_value.h"
 #include "common/task_progress.h"
 #include "common/usage_error.h"
 #include "solidnoise/geometry/read_mesh.h"
@@ -33,6 +36,7 @@ struct SurfaceOptions {
   int dim = 256;
   std::optional<double> band;
   Existing existing = Existing::refuse;
+  std::uint64_t max_memory = 0;  // bytes; 0: what the machine has available
   bool quiet = false;
 };
 
@@ -49,6 +53,8 @@ void declare(FlagSet& flags, SurfaceOptions& options) {
                [&](double band) { options.band = band; });
   keep(flags, "--grid", "NAME", "Name of the grid (default surface)", options.grid);
   flags.toggle("--force", "Replace a file that exists", [&] { options.existing = Existing::replace; });
+  flags.text("--max-memory", "SIZE", "Refuse to need more than this, such as 8G (default: what is available)",
+             [&](const std::string& text) { options.max_memory = parse_bytes("--max-memory", text); });
   flags.toggle("--quiet", "Print errors only", [&] { options.quiet = true; });
 }
 
@@ -61,6 +67,14 @@ TriangleMesh read_triangles(const std::string& file) {
     throw std::runtime_error(fmt::format("{}: {}", file, error.what()));
   }
   return result;
+}
+
+void check_memory(std::uint64_t needed, std::uint64_t allowed) {
+  const std::uint64_t limit = allowed != 0 ? allowed : available_memory();
+  if (limit == 0 || needed <= limit) return;
+  throw std::runtime_error(
+      fmt::format("the level set may need {}, --max-memory allows {}{}; make --dim or --band smaller",
+                  format_bytes(needed), format_bytes(limit), allowed != 0 ? "" : ", what is available"));
 }
 
 }  // namespace
@@ -76,6 +90,7 @@ int run_surface(const std::vector<std::string>& arguments) {
   require_outputs({options.out}, options.existing);
   catch_interrupts();
 
+  auto ends_at_once = std::make_unique<EndsAtOnce>();
   const TriangleMesh mesh = read_triangles(options.mesh);
   Volume volume;
   {
@@ -85,7 +100,9 @@ int run_surface(const std::vector<std::string>& arguments) {
     openvdb::FloatGrid::Ptr grid;
     try {
       const double voxel = options.voxel ? *options.voxel : voxel_size_for_dim(mesh.bounds(), options.dim);
-      grid = mesh_level_set(mesh, voxel, options.band.value_or(3.0 * voxel), &progress);
+      const double band = options.band.value_or(3.0 * voxel);
+      check_memory(estimate_level_set_memory(mesh, voxel, band), options.max_memory);
+      grid = mesh_level_set(mesh, voxel, band, &progress);
     } catch (const std::invalid_argument& error) {
       throw UsageError(flags.name_flag(error.what()));
     }
@@ -93,6 +110,7 @@ int run_surface(const std::vector<std::string>& arguments) {
     grid->setCreator(kVdbnoise);
     volume.grids.push_back({grid, {measure(*grid)}});
     progress.begin("writing");
+    ends_at_once.reset();
     VdbWriteOptions write;
     write.existing = options.existing;
     write.creator = kVdbnoise;

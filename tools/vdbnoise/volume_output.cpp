@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <iostream>
 #include <unistd.h>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -62,11 +63,16 @@ void write_volume(const std::string& path, const Volume& volume, const VdbWriteO
   write_vdb(path, grids, kept);
 }
 
-Image picture_of(const Volume& volume, const VolumeRecipe& recipe) {
+Image picture_of(const Volume& volume, const VolumeRecipe& recipe, openvdb::FloatGrid::ConstPtr frame,
+                 Progress* progress) {
   if (recipe.output.front() != Output::value) return render_slice(volume, recipe);
   const auto density = openvdb::gridPtrCast<openvdb::FloatGrid>(volume.grids.front().grid);
-  if (density->getGridClass() == openvdb::GRID_LEVEL_SET) return render_surface(*density, {.up = recipe.up});
-  return render_preview(*density, {.up = recipe.up});
+  PreviewOptions options;
+  options.up = recipe.up;
+  options.frame = std::move(frame);
+  const bool is_surface = density->getGridClass() == openvdb::GRID_LEVEL_SET;
+  return is_surface ? render_surface(*density, options, progress)
+                    : render_preview(*density, options, progress);
 }
 
 void print_statistics(const Volume& volume, const std::string& where) {

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "solidnoise/core/image.h"
+#include "solidnoise/core/progress.h"
 #include "solidnoise/volume/vdb/vdb_write.h"
 #include "solidnoise/volume/volume.h"
 #include "solidnoise/volume/volume_recipe.h"
@@ -18,8 +19,9 @@ void check_output_names(const std::string& out, const std::string& preview);
 void write_volume(const std::string& path, const Volume& volume, const VdbWriteOptions& options);
 
 // The picture that --preview shows: of a density, of a level set's surface, or of a slice of
-// what is neither.
-Image picture_of(const Volume& volume, const VolumeRecipe& recipe);
+// what is neither. `frame` is that of PreviewOptions; slices have none. Throws Cancelled.
+Image picture_of(const Volume& volume, const VolumeRecipe& recipe, openvdb::FloatGrid::ConstPtr frame,
+                 Progress* progress);
 
 // Tells on the standard error what a file holds.
 void print_statistics(const Volume& volume, const std::string& where);

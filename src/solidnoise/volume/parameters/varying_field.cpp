@@ -203,6 +203,27 @@ Noise<3>::Band constant_band(const NoiseRecipe& recipe, const NoiseView& view) {
   return make_noise<3>(recipe)->band();
 }
 
+// The same where bandwidth and direction are those of the fields: from the narrowest to the widest, waves in
+// space. Other directions have the same band.
+Noise<3>::Band constant_band(NoiseRecipe recipe, const NoiseView& view, const ParameterFields& fields) {
+  auto* const oriented = std::get_if<OrientedGaborNoiseOptions>(&recipe.noise);
+  if (oriented && fields.direction()) oriented->direction = {1.0, 0.0, 0.0, 0.0};
+  const auto& bandwidth = fields.bandwidth();
+  if (!bandwidth) return constant_band(recipe, view);
+  const auto with_bandwidth = [&](double value) {
+    NoiseRecipe result = recipe;
+    std::visit(
+        [&](auto& options) {
+          if constexpr (requires { options.bandwidth; }) options.bandwidth = value;
+        },
+        result.noise);
+    return constant_band(result, view);
+  };
+  const Noise<3>::Band narrow = with_bandwidth(bandwidth->least());
+  const Noise<3>::Band wide = with_bandwidth(bandwidth->greatest());
+  return {std::min(narrow.lower, wide.lower), std::max(narrow.upper, wide.upper)};
+}
+
 struct OctaveRange {
   int first = 0;
   int count = 1;
@@ -221,8 +242,8 @@ std::shared_ptr<const VaryingField> make_octaves(const NoiseRecipe& recipe, cons
                        range.scale * std::pow(recipe.fractal.gain, i)});
   }
   const NoiseRecipe constant = range.count == 1 ? octave_of(recipe, range.first) : recipe;
-  return std::make_shared<VaryingOctaves<Dim>>(std::move(octaves), view, std::move(fields),
-                                               constant_band(constant, view));
+  const Noise<3>::Band band = constant_band(constant, view, *fields);
+  return std::make_shared<VaryingOctaves<Dim>>(std::move(octaves), view, std::move(fields), band);
 }
 
 std::shared_ptr<const VaryingField> make_octaves(const NoiseRecipe& recipe, const OctaveRange& range,

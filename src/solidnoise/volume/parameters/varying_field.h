@@ -34,7 +34,7 @@ class VaryingField : public Field, public PointField {
   // Of the noise with the recipe's own parameters everywhere.
   virtual double excess_kurtosis() const = 0;
 
-  // From that of the least frequency to that of the greatest.
+  // From that of the least frequency and the widest bandwidth to that of the greatest and the widest.
   virtual Noise<3>::Band band() const = 0;
 };
 

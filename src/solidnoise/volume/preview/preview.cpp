@@ -95,7 +95,10 @@ void develop(const Film& light, Image& image) {
 
 // Steps through a volume that is clear may be this much longer than through one that is not: primary ones,
 // and those of rays to a light over primary ones, in which errors are averaged over all that look at them.
+// Where a voxel takes much light away they are shorter: the first one would count for nearly all, and where
+// it falls would show as stripes on faces that were cut.
 constexpr double kLongestStep = 2.0;
+constexpr double kShortestStep = 0.5;
 constexpr double kLongestShadowStep = 3.0;
 
 // Voxels that take away a fifth of a light, on the mean where there is anything.
@@ -120,21 +123,22 @@ Film render_lights(const openvdb::FloatGrid& grid, const PreviewOptions& options
   const View view = three_quarter_view(options.up);
   if (grid.activeVoxelCount() == 0) return sum;
 
-  const Camera place = frame_grid(grid, view, options.width, options.height);
+  const Camera place = frame_grid(framing_grid(grid, options), view, options.width, options.height);
   Film film(width, height);
   openvdb::tools::PerspectiveCamera camera(film, Vec3d(0.0), place.eye, 0.5, place.tan_x,
                                            1e-6 * place.eye.length() + 1e-9);
   camera.lookAt(place.eye - view.back, view.up);
 
-  // Steps of a voxel, or of about a pixel where voxels are smaller. Where a voxel takes little light away,
-  // longer ones: rays go all the way through then, and light changes slowly along them.
+  // Steps of about a pixel where voxels are smaller than that, else such that a fifth of the light goes:
+  // where a voxel takes little light away, rays go all the way through, and light changes slowly along them.
   const openvdb::Coord extent = grid.evalActiveVoxelBoundingBox().dim();
   const double voxels_per_pixel =
       std::max({extent.x(), extent.y(), extent.z()}) / static_cast<double>(std::min(width, height));
   const double clarity = clarity_of(grid);
-  const double step = std::max({1.0, voxels_per_pixel, std::min(clarity, kLongestStep)});
+  const double step = std::max(voxels_per_pixel, std::clamp(clarity, kShortestStep, kLongestStep));
 
-  const Intersector intersector(grid);
+  constexpr int kDilation = 1;  // voxels: where values are interpolated between the grid's and its background
+  const Intersector intersector(grid, kDilation);
   const LightPass pass(grid, intersector);
   std::vector<Light> lights = make_lights(view, options.up);
   std::atomic<std::uint64_t> rows_done{0};

@@ -11,10 +11,14 @@ struct PreviewOptions {
   int width = 480;   // pixels; 16 to 8192
   int height = 480;  // pixels; 16 to 8192
   UpAxis up = UpAxis::y;
+  // The grid whose active voxels frame the picture instead of those that are shown, so that frames of a
+  // sequence or parts of a volume are seen from one place; null: none.
+  openvdb::FloatGrid::ConstPtr frame{};
 };
 
 // A picture of a fog volume, its values taken as extinction per world unit: lit by a sun and a sky, before a
-// blue background, seen at three quarters from a little above, framed by its active voxels. Rendered by
+// blue background, seen at three quarters from a little above, framed by its active voxels or
+// those of options.frame. Rendered by
 // OpenVDB's own VolumeRender, in parallel. Three channels, sRGB-encoded, 0 to 1. A grid with nothing in it
 // gives the background. Progress counts rows of pixels. Throws std::invalid_argument if an option is out of
 // range or the grid's voxels are not cubes; Cancelled.

@@ -67,6 +67,10 @@ View three_quarter_view(UpAxis axis) {
   return view;
 }
 
+const openvdb::FloatGrid& framing_grid(const openvdb::FloatGrid& shown, const PreviewOptions& options) {
+  return options.frame && options.frame->activeVoxelCount() > 0 ? *options.frame : shown;
+}
+
 Camera frame_grid(const openvdb::FloatGrid& grid, const View& view, int width, int height) {
   const double shorter = std::min(width, height);
   Camera camera;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "solidnoise/core/up_axis.h"
+#include "solidnoise/volume/preview/preview.h"
 #include "solidnoise/volume/vdb/openvdb.h"
 
 namespace solidnoise {
@@ -23,6 +24,9 @@ struct Camera {
   double tan_x = 0.0;  // tangents of half the field of view
   double tan_y = 0.0;
 };
+
+// The grid that frames a picture of `shown`: that of the options, if it has one with active voxels.
+const openvdb::FloatGrid& framing_grid(const openvdb::FloatGrid& shown, const PreviewOptions& options);
 
 // One from which all active voxels of a grid, which has some, are in a picture of so many pixels, in the
 // middle of it.

@@ -35,7 +35,7 @@ class SurfacePainter {
         to_sun_((-0.85 * view_.right + 0.70 * vertical_ + 0.25 * view_.back).unit()) {
     if (grid.activeVoxelCount() == 0) return;
     intersector_.emplace(grid);
-    camera_ = frame_grid(grid, view_, options.width, options.height);
+    camera_ = frame_grid(framing_grid(grid, options), view_, options.width, options.height);
   }
 
   void paint_row(int y, Image& image) const {

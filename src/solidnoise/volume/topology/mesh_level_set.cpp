@@ -1,8 +1,10 @@
 #include "solidnoise/volume/topology/mesh_level_set.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 #include <openvdb/tools/MeshToVolume.h>
 
 #include "solidnoise/core/check.h"
@@ -15,13 +17,46 @@ namespace {
 constexpr double kLeastBand = 3.0;  // voxels, OpenVDB's narrow band
 constexpr double kMostBand = 1000.0;
 
+void require_band(double voxel, double band) {
+  require_positive("voxel", voxel, "world units");
+  require_in_range("band", band, kLeastBand * voxel, kMostBand * voxel, "world units, 3 to 1000 voxels");
+}
+
+double area_of(const TriangleMesh& mesh) {
+  double area = 0.0;
+  for (const Triangle& triangle : mesh.triangles) {
+    const Vec<3>& corner = mesh.positions[triangle[0]];
+    area += 0.5 * glm::length(
+                      glm::cross(mesh.positions[triangle[1]] - corner, mesh.positions[triangle[2]] - corner));
+  }
+  return area;
+}
+
 }  // namespace
+
+// The band touches the leaves whose voxels are within it and half a leaf's diagonal, 7 voxels, of the
+// surface; but no more than there are in the bounds. Beside distances OpenVDB keeps the closest triangle of
+// each voxel, and each in a second tree while it widens the band.
+std::uint64_t estimate_level_set_memory(const TriangleMesh& mesh, double voxel, double band) {
+  constexpr double kLeafVoxels = 512.0;
+  constexpr double kHalfDiagonal = 7.0;
+  constexpr double kBytesPerLeaf = kLeafVoxels * (sizeof(float) + sizeof(std::int32_t)) + 400.0;
+  constexpr double kTrees = 2.0;
+  require_band(voxel, band);
+  const double reach = band / voxel + kHalfDiagonal;
+  const Box<3> bounds = mesh.bounds();
+  const Vec<3> size = (bounds.upper - bounds.lower) / voxel + Vec<3>(2.0 * reach);
+  const double in_band = area_of(mesh) / (voxel * voxel) * 2.0 * reach;
+  const double leaves = std::min(in_band, size.x * size.y * size.z) / kLeafVoxels;
+  constexpr double kLargest = 0x1.0p63;
+  return static_cast<std::uint64_t>(std::min(leaves * kBytesPerLeaf * kTrees, kLargest));
+}
 
 openvdb::FloatGrid::Ptr mesh_level_set(const TriangleMesh& mesh, double voxel, double band,
                                        Progress* progress) {
   require_closed(mesh);
+  require_band(voxel, band);
   const GridFrame frame(voxel);
-  require_in_range("band", band, kLeastBand * voxel, kMostBand * voxel, "world units, 3 to 1000 voxels");
   const IndexMesh index_mesh = to_index_space(frame, mesh);
   const openvdb::tools::QuadAndTriangleDataAdapter<openvdb::Vec3s, openvdb::Vec3I> adapter(
       index_mesh.points, index_mesh.triangles);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "solidnoise/core/progress.h"
 #include "solidnoise/volume/topology/triangle_mesh.h"
 #include "solidnoise/volume/vdb/openvdb.h"
@@ -13,5 +15,8 @@ namespace solidnoise {
 // voxel size that is not positive, a band of less than 3 voxels or more than 1000; Cancelled.
 openvdb::FloatGrid::Ptr mesh_level_set(const TriangleMesh& mesh, double voxel, double band,
                                        Progress* progress = nullptr);
+
+// Bytes that it takes at most. Throws std::invalid_argument for the voxel size and the band, as above.
+std::uint64_t estimate_level_set_memory(const TriangleMesh& mesh, double voxel, double band);
 
 }  // namespace solidnoise
