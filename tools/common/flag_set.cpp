@@ -25,7 +25,8 @@ class HelpFormatter : public CLI::Formatter {
   std::string make_usage(const CLI::App* app, std::string) const override {
     std::string usage = "Usage: " + app->get_name();
     for (const CLI::Option* option : app->get_options()) {
-      if (option->get_positional()) usage += " " + option->get_name();
+      if (!option->get_positional()) continue;
+      usage += option->get_required() ? " " + option->get_name() : " [" + option->get_name() + "]";
     }
     return usage + " [FLAG...]\n";
   }

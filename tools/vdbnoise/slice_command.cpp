@@ -45,14 +45,19 @@ VolumeRecipe choose_recipe(const FlagSet& flags) {
   return loaded.recipe;
 }
 
+bool may_limit(const VolumeRecipe& recipe) {
+  return recipe.dims < 4 && recipe.layers.empty() && can_filter(recipe.noise);
+}
+
 // Frequencies that the pixels cannot hold come back as others.
 void warn_of_aliasing(const SliceOptions& options, const SliceField& field) {
   const double highest = field.highest_frequency * options.plane.pixel;
   if (options.quiet || options.recipe.band_limit || highest <= 0.5) return;
   std::cerr << fmt::format(
-      "vdbnoise: warning: the noise reaches {:.2f} cycles per pixel, above 0.5, and will alias; make --width "
+      "vdbnoise: warning: the noise reaches {:.2f} cycles per pixel, above 0.5, and will alias; {}make "
+      "--width "
       "smaller, --frequency lower or --resolution larger\n",
-      highest);
+      highest, may_limit(options.recipe) ? "give --band-limit, or " : "");
 }
 
 void write_slice(const SliceOptions& options, const SliceField& field,
