@@ -15,7 +15,7 @@ import numpy as np
 from PIL import Image
 
 plt.rcParams.update({
-    "font.size": 11, "axes.titlesize": 11, "figure.dpi": 100, "axes.grid": True, "grid.alpha": 0.3,
+    "font.size": 13, "axes.titlesize": 13, "legend.fontsize": 11, "figure.dpi": 100, "axes.grid": True, "grid.alpha": 0.3,
     "lines.linewidth": 1.6, "legend.framealpha": 0.8, "savefig.bbox": "tight", "savefig.pad_inches": 0.08,
 })
 
@@ -60,7 +60,7 @@ class Page:
 
     def photo(self, figure, name, caption):
         """The same for a figure with pictures in it."""
-        self.show(self.render(figure), f"{name}.jpg", caption, quality=64, optimize=True)
+        self.show(self.render(figure), f"{name}.jpg", caption, quality=60, optimize=True)
 
     def render(self, figure):
         buffer = io.BytesIO()

@@ -60,8 +60,8 @@ def draw_zero_dc(data, page):
         axis.plot(closed["f"], closed["zero_dc"], "C1-", linewidth=1, label="zero-dc, closed form")
         axis.set(xlabel="cycles per lattice unit", xlim=(0, 1.3))
     axes[1].set(yscale="log", ylim=(1e-4, 2), title="the same, logarithmic")
-    axes[0].set(ylabel="power density at unit variance", title="Radial spectrum, two dimensions", ylim=(0, None))
-    axes[0].legend(fontsize=9)
+    axes[0].set(xlim=(0, 2), ylabel="power density at unit variance", title="Radial spectrum, two dimensions", ylim=(0, None))
+    axes[0].legend(fontsize=10)
     page.write("""
 ## The kernel without power at frequency 0
 The published coefficients, s = 4 t^5 - 3 t^4, were found for one dimension, and leave power at low frequencies that grows with each dimension. Ours

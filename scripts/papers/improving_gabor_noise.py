@@ -169,10 +169,10 @@ def draw_spectra(data, page, n, axes):
             axis.grid(False)
     axes[1].plot(histogram["value"], histogram["density"], label="measured")
     axes[1].plot(histogram["value"], histogram["gaussian"], "k--", linewidth=1, label="Gaussian")
-    axes[1].set(title="distribution of values", xlim=(-4.5, 4.5), ylim=(0, 0.62), xlabel="sigmas")
+    axes[1].set(title="distribution of values", xlim=(-4.5, 4.5), ylim=(0, 0.75), xlabel="sigmas")
     axes[5].errorbar(radial["f"], radial["measured"], 2 * radial["error"], fmt=".", markersize=4, label="measured")
     axes[5].plot(radial["f"], radial["expected"], "k-", linewidth=1, label="expected")
-    axes[5].set(title="radial spectrum", xlim=(0, 0.15), ylim=(0, 1.35 * radial["expected"].max()), xlabel="cycles per pixel")
+    axes[5].set(title="radial spectrum", xlim=(0, 0.15), ylim=(0, 1.6 * radial["expected"].max()), xlabel="cycles per pixel")
 
 
 def draw_noises(data, page):
@@ -183,11 +183,11 @@ kernel's, integrated over the frequencies that it does not see, and no ring any 
 periodograms of 256 x 256 samples and 64 seeds; bars are two standard errors, lines and "expected" pictures the closed form
 through the same window. The third column is the transform of the one picture, its magnitude in logarithms.
 """)
-    figure, axes = plt.subplots(4, 6, figsize=(14, 9.2), constrained_layout=True)
+    figure, axes = plt.subplots(4, 6, figsize=(13, 9.4), constrained_layout=True)
     for n, row in zip(NAMES, axes):
         draw_spectra(data, page, n, row)
-    axes[0][1].legend(loc="upper left", fontsize=8)
-    axes[0][5].legend(fontsize=8)
+    axes[0][1].legend(loc="upper left", fontsize=10)
+    axes[0][5].legend(fontsize=10)
     page.photo(figure, "noise", "Noise of 1 to 4 dimensions")
 
     figure, axes = plt.subplots(1, 2, figsize=(10, 3))
@@ -252,7 +252,7 @@ def draw_truncation(data, page):
             axis.axhline(sign * record["expected_rms"], color="gray", linestyle="--", linewidth=1,
                          label="expected RMS error" if sign == 1 else None)
         axis.set(title=f"relative error {percent} %", xlabel="position (pixels)", ylim=(-4.5, 3))
-    axes[0].legend(fontsize=8, ncol=2)
+    axes[0].legend(fontsize=10, ncol=2, loc="lower left")
     page.write("""
 ## Figures 9 and 10: the truncation error, seen and predicted
 One noise, summed over the same impulses by the definition, with the kernel whole and cut off. (Solidnoise's own kernels end with value
@@ -304,20 +304,20 @@ def draw_transition(data, page):
     weights = data.table("transition_weights")
     curves = data.table("transition_variance")
     measured = data.table("transition_measured")
-    figure, axes = plt.subplots(1, 2, figsize=(11, 3.6))
+    figure, axes = plt.subplots(1, 2, figsize=(12, 4))
     axes[0].plot(weights["alpha"], weights["paper_fine"], "C0-", label="paper: w0")
     axes[0].plot(weights["alpha"], weights["paper_coarse"], "C0--", label="paper: w1")
-    axes[0].plot(weights["alpha"], weights["power_fine"], "C1-", label="ours (power): w0")
-    axes[0].plot(weights["alpha"], weights["power_coarse"], "C1--", label="ours (power): w1")
+    axes[0].plot(weights["alpha"], weights["power_fine"], "C1-", label="power: w0")
+    axes[0].plot(weights["alpha"], weights["power_coarse"], "C1--", label="power: w1")
     axes[0].set(xlabel="alpha, between two grids", title="Weights")
-    axes[1].plot(curves["alpha"], curves["paper"], "C0-", label="paper, closed form")
-    axes[1].plot(curves["alpha"], curves["power"], "C1-", label="ours (power), closed form")
+    axes[1].plot(curves["alpha"], curves["paper"], "C0-", label="paper")
+    axes[1].plot(curves["alpha"], curves["power"], "C1-", label="power")
     for name, color, mark in (("paper", "C0", "o"), ("power", "C1", "s"), ("fade", "C2", "^")):
         axes[1].errorbar(measured["alpha"], measured[name], 2 * measured[name + "_error"], fmt=mark, color=color,
-                         label={"paper": "paper", "power": "ours (power)", "fade": "ours (fade, default)"}[name] + ", measured")
-    axes[1].set(xlabel="alpha, between two grids", title="Variance, which should be 1", ylim=(0, 1.4))
-    axes[0].legend(fontsize=9)
-    axes[1].legend(fontsize=8)
+                         label=f"{name}, measured")
+    axes[1].set(xlabel="alpha, between two grids", title="Variance, which should be 1", ylim=(0, 2))
+    axes[0].legend(fontsize=10)
+    axes[1].legend(fontsize=10, ncol=2, loc="upper center", columnspacing=0.8, handlelength=1.4)
     page.write("""
 ## Figure 14: the weights between two grids
 """)
@@ -326,7 +326,7 @@ def draw_transition(data, page):
     page.write(f"""
 The paper's weights, eqs. 25 and 26, are right for powers and printed for amplitudes: independent grids add up in their squares, and the
 variance falls to a half at alpha = 1/3 (closed form 0.5, measured {measured['paper'][third]:.3f} ±
-{measured['paper_error'][third]:.3f}). Their square roots keep it at 1, smoothed ones are our `power`; our default, `fade`, lets impulses come and go
+{measured['paper_error'][third]:.3f}). Their square roots keep it at 1, smoothed ones are our `power`. Our default, `fade`, lets impulses come and go
 one by one instead, which keeps all statistics, the kurtosis too. Bars are two standard errors. The derivation is at `ScaleTransition`
 (`src/solidnoise/noise/point/scale_transition.h`).
 """)
@@ -344,7 +344,7 @@ def draw_strip(data, page):
     axes[2].plot(paper["rms"], label="RMS, the paper's weights")
     axes[2].plot(paper["alpha"], "k:", linewidth=1, label="alpha")
     axes[2].set(xlim=(0, len(ours["rms"]) - 1), ylim=(0, 1.5), xlabel="column (pixels)")
-    axes[2].legend(fontsize=8, ncol=3, loc="upper center")
+    axes[2].legend(fontsize=10, ncol=3, loc="upper center")
     page.write("""
 ## Figure 15: a strip over four levels
 F0 goes from 0.03125 at the left to 0.25 cycles per pixel at the right in equal ratios, as in the paper, with a bandwidth of one octave. Alpha is

@@ -46,12 +46,12 @@ def draw_kappas(data, page):
     show_spectrum(flat[1], periodogram, "periodogram", periodogram.max())
     for i, inverse in enumerate(kappas["inverse_kappa"]):
         show_spectrum(flat[i + 2], data.field(f"kappa_{inverse:.0f}"),
-                      f"1/{inverse:.0f}: {kappas['components'][i]:.0f} Gaussians, off by {100 * kappas['residual'][i]:.0f} %",
+                      f"1/{inverse:.0f}: {kappas['components'][i]:.0f}, off by {100 * kappas['residual'][i]:.0f} %",
                       periodogram.max())
-        flat[i + 2].title.set_fontsize(9)
+        flat[i + 2].title.set_fontsize(11)
     page.write("""
 ## Figure 3: ever more Gaussians
-The sparse decompositions of the periodogram for kappa = 1/2 to 1/256. "Off by" is the distance to the periodogram, relative to its length. A periodogram
+The sparse decompositions of the periodogram for kappa = 1/2 to 1/256. Titles say kappa and the number of Gaussians; "off by" is the distance to the periodogram, relative to its length. A periodogram
 of one exemplar scatters by as much as the spectrum itself, so that less is not always better: see [noisefit](../noisefit.md).
 """)
     page.photo(figure, "kappa", "Decompositions for falling kappa")
