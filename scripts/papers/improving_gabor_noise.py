@@ -12,7 +12,7 @@ NAMES = {1: "one dimension", 2: "two", 3: "three", 4: "four"}
 def draw_kernels(data, page):
     space = data.table("kernels")
     transform = data.table("transforms")
-    figure, axes = plt.subplots(1, 2, figsize=(10, 3.4))
+    figure, axes = plt.subplots(1, 2, figsize=(10, 3.6), constrained_layout=True)
     axes[0].plot(space["r"], space["gaussian"], "k:", label="Gaussian")
     for n in NAMES:
         axes[0].plot(space["r"], space[f"n{n}"], label=f"n = {n}")
@@ -32,7 +32,7 @@ At a bandwidth of one octave the transform at frequency 0 grows to a tenth of it
     page.picture(figure, "kernels", "Isotropic kernels and their transforms")
     draw_pictures(data, page)
 
-    figure, axes = plt.subplots(1, 4, figsize=(12, 2.7), sharex=True)
+    figure, axes = plt.subplots(1, 4, figsize=(12, 2.9), sharex=True, sharey=True, constrained_layout=True)
     for n, axis in zip(NAMES, axes):
         axis.plot(space["r"], np.abs(space[f"n{n}"]), label="|kernel|")
         axis.plot(space["r"], space[f"e{n}"], "r--", label="envelope")
@@ -190,7 +190,7 @@ through the same window. The third column is the transform of the one picture, i
     axes[0][5].legend(fontsize=10)
     page.photo(figure, "noise", "Noise of 1 to 4 dimensions")
 
-    figure, axes = plt.subplots(1, 2, figsize=(10, 3))
+    figure, axes = plt.subplots(1, 2, figsize=(10, 3.2), constrained_layout=True)
     for n, axis in zip((3, 4), axes):
         block = data.table(f"noise{n}d_block")
         axis.errorbar(block["f"], block["measured"], 2 * block["error"], fmt=".", markersize=5, label="measured")
@@ -221,7 +221,7 @@ Our default takes weights of ±1 and as many impulses as bring the excess kurtos
 
 def draw_errors(data, page):
     errors = data.table("errors")
-    figure, axes = plt.subplots(1, 2, figsize=(10, 3.4))
+    figure, axes = plt.subplots(1, 2, figsize=(10, 3.6), constrained_layout=True)
     for n in NAMES:
         axes[0].semilogy(errors["r"], 100 * errors[f"n{n}"], label=f"n = {n}")
     axes[1].semilogy(errors["r"], 100 * errors["anisotropic"], label="anisotropic, n = 2")
@@ -239,7 +239,7 @@ error is read off the same curves. The isotropic kernel's error is below the ani
 
 
 def draw_truncation(data, page):
-    figure, axes = plt.subplots(1, 2, figsize=(12, 3), sharey=True)
+    figure, axes = plt.subplots(1, 2, figsize=(12, 3.2), sharey=True, constrained_layout=True)
     rows = []
     for percent, axis in zip((25, 1), axes):
         stem = f"truncation1d_{percent}"
