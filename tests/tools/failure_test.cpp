@@ -72,6 +72,7 @@ TEST(Interrupt, EndsWithinASecondWhateverIsDone) {
       {0ms, {"merge", "part.vdb", "part.vdb", "--out", "x.vdb"}},
       {200ms, {"surface", torus, "--dim", "900", "--band", "0.2", "--max-memory", "64G", "--out", "x.vdb"}},
       {300ms, {"--dim", "200", "--preview", "x.png"}},
+      {10ms, {"slice", "band.vdb", "--resolution", "4000", "--out", "x.png"}},
   };
   for (const Run& run : runs) {
     RunningTool tool(SOLIDNOISE_VDBNOISE, run.arguments, in_folder);

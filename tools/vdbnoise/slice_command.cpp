@@ -87,6 +87,7 @@ void make_slice(SliceOptions options) {
     threads = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
                                                     static_cast<std::size_t>(options.threads));
   }
+  auto ends_at_once = std::make_unique<EndsAtOnce>();
   const std::vector<SliceField> fields = make_slice_fields(options);
   const SliceField& field = fields.front();
   if (field.bounds) fit_plane(options, *field.bounds);
@@ -99,6 +100,7 @@ void make_slice(SliceOptions options) {
     for (const SliceField& of_channel : fields) {
       channels.push_back(sample_slice(*of_channel.field, options.plane, &progress));
     }
+    ends_at_once.reset();
     throw_if_cancelled(&progress);
     write_slice(options, field, channels);
   }

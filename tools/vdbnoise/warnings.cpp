@@ -17,11 +17,12 @@ void warn_of_aliasing(const VolumeRecipe& recipe, const VolumePlan& plan, std::o
   const Vec<3>& voxel = plan.frame.voxel_size();
   const double highest = highest_frequency(recipe, plan) * std::max({voxel.x, voxel.y, voxel.z});
   if (highest <= kHighestCyclesPerVoxel) return;
+  const bool has_own_voxels = !plan.modification && !plan.grid;
   stream << fmt::format(
       "vdbnoise: warning: the noise reaches {:.2f} cycles per voxel, above 0.5, and will alias; {}make "
-      "--voxel "
-      "smaller, --frequency lower or --octaves fewer\n",
-      highest, may_band_limit(recipe) ? "give --band-limit, or " : "");
+      "{}--frequency lower or --octaves fewer\n",
+      highest, may_band_limit(recipe) ? "give --band-limit, or " : "",
+      has_own_voxels ? "--voxel smaller, " : "");
 }
 
 // Tiles meet where the period is a whole number of voxels. Returns whether there was a warning.
