@@ -128,6 +128,17 @@ typename Noise<Dim>::Band FractalNoise<Dim>::band() const {
   return band;
 }
 
+template <int Dim>
+std::vector<typename Noise<Dim>::Part> FractalNoise<Dim>::parts() const {
+  std::vector<typename Noise<Dim>::Part> all;
+  for (const Octave& octave : octaves_) {
+    const auto inner = octave.noise->parts();
+    if (inner.empty()) all.push_back({octave.noise, octave.amplitude});
+    for (const auto& part : inner) all.push_back({part.noise, octave.amplitude * part.amplitude});
+  }
+  return all;
+}
+
 template class FractalNoise<1>;
 template class FractalNoise<2>;
 template class FractalNoise<3>;

@@ -27,7 +27,7 @@ template <int Dim>
 class FractalNoise final : public Noise<Dim> {
  public:
   struct Octave {
-    std::unique_ptr<const Noise<Dim>> noise;
+    std::shared_ptr<const Noise<Dim>> noise;
     double amplitude = 1.0;
   };
 
@@ -41,6 +41,7 @@ class FractalNoise final : public Noise<Dim> {
   double power_spectrum(const Vec<Dim>& frequency) const override;
   double excess_kurtosis() const override;
   typename Noise<Dim>::Band band() const override;
+  std::vector<typename Noise<Dim>::Part> parts() const override;
 
  private:
   std::vector<Octave> octaves_;

@@ -47,6 +47,12 @@ class MovedNoise final : public Noise<Dim> {
   }
   double excess_kurtosis() const override { return noise_->excess_kurtosis(); }
   typename Noise<Dim>::Band band() const override { return noise_->band(); }
+  std::vector<typename Noise<Dim>::Part> parts() const override {
+    auto parts = noise_->parts();
+    for (auto& part : parts) part.noise = std::make_shared<MovedNoise>(part.noise, offset_);
+    return parts;
+  }
+  WaveMixture<Dim> waves() const override { return noise_->waves(); }
 
  private:
   std::shared_ptr<const Noise<Dim>> noise_;

@@ -18,26 +18,26 @@ constexpr std::array<int, Dim> block_size() {
 
 // A box of a lattice's samples.
 template <int Dim>
-struct Part {
+struct Chunk {
   glm::vec<Dim, int> start{0};
   glm::vec<Dim, int> count{1};
 };
 
-// Copies a part's dense samples to where the lattice has them.
+// Copies a chunk's dense samples to where the lattice has them.
 template <int Dim>
-void scatter(const Part<Dim>& part, const glm::vec<Dim, int>& lattice_count, std::span<const float> from,
+void scatter(const Chunk<Dim>& chunk, const glm::vec<Dim, int>& lattice_count, std::span<const float> from,
              std::span<float> to) {
-  const int row = part.count[Dim - 1];
+  const int row = chunk.count[Dim - 1];
   glm::vec<Dim, int> index(0);
   for (std::size_t done = 0; done < from.size(); done += static_cast<std::size_t>(row)) {
     std::size_t offset = 0;
     for (int axis = 0; axis < Dim; ++axis) {
       offset = offset * static_cast<std::size_t>(lattice_count[axis]) +
-               static_cast<std::size_t>(part.start[axis] + index[axis]);
+               static_cast<std::size_t>(chunk.start[axis] + index[axis]);
     }
     std::copy_n(from.begin() + static_cast<std::ptrdiff_t>(done), row,
                 to.begin() + static_cast<std::ptrdiff_t>(offset));
-    for (int axis = Dim - 2; axis >= 0 && ++index[axis] == part.count[axis]; --axis) index[axis] = 0;
+    for (int axis = Dim - 2; axis >= 0 && ++index[axis] == chunk.count[axis]; --axis) index[axis] = 0;
   }
 }
 
@@ -47,34 +47,49 @@ template <int Dim>
 void Noise<Dim>::evaluate(const Lattice<Dim>& lattice, const Samples<Dim>& samples) const {
   constexpr auto kBlock = block_size<Dim>();
   std::array<std::vector<float>, 1 + Dim> buffers;
-  Part<Dim> part;
+  Chunk<Dim> chunk;
   while (true) {
     Lattice<Dim> inside = lattice;
     for (int axis = 0; axis < Dim; ++axis) {
-      part.count[axis] = std::min(kBlock[axis], lattice.count[axis] - part.start[axis]);
-      inside.first[axis] += part.start[axis];
+      chunk.count[axis] = std::min(kBlock[axis], lattice.count[axis] - chunk.start[axis]);
+      inside.first[axis] += chunk.start[axis];
     }
-    inside.count = part.count;
+    inside.count = chunk.count;
     for (auto& buffer : buffers) buffer.resize(inside.size());
 
     Samples<Dim> dense{buffers[0], {}};
     for (int axis = 0; samples.wants_gradient() && axis < Dim; ++axis)
       dense.gradient[axis] = buffers[1 + axis];
     block(inside.bounds())->evaluate(inside, dense);
-    scatter<Dim>(part, lattice.count, buffers[0], samples.values);
+    scatter<Dim>(chunk, lattice.count, buffers[0], samples.values);
     for (int axis = 0; samples.wants_gradient() && axis < Dim; ++axis) {
-      scatter<Dim>(part, lattice.count, buffers[1 + axis], samples.gradient[axis]);
+      scatter<Dim>(chunk, lattice.count, buffers[1 + axis], samples.gradient[axis]);
     }
 
     int axis = Dim - 1;
-    while (axis >= 0 && (part.start[axis] += kBlock[axis]) >= lattice.count[axis]) part.start[axis--] = 0;
+    while (axis >= 0 && (chunk.start[axis] += kBlock[axis]) >= lattice.count[axis]) chunk.start[axis--] = 0;
     if (axis < 0) return;
   }
+}
+
+template <int Dim>
+double covariance(const Noise<Dim>& noise, const Vec<Dim>& displacement) {
+  const auto parts = noise.parts();
+  if (parts.empty()) return noise.waves().covariance(displacement);
+  double sum = 0.0;
+  for (const auto& part : parts) {
+    sum += part.amplitude * part.amplitude * covariance<Dim>(*part.noise, displacement);
+  }
+  return sum;
 }
 
 template class Noise<1>;
 template class Noise<2>;
 template class Noise<3>;
 template class Noise<4>;
+template double covariance<1>(const Noise<1>&, const Vec<1>&);
+template double covariance<2>(const Noise<2>&, const Vec<2>&);
+template double covariance<3>(const Noise<3>&, const Vec<3>&);
+template double covariance<4>(const Noise<4>&, const Vec<4>&);
 
 }  // namespace solidnoise

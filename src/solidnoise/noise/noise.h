@@ -4,11 +4,13 @@
 #include <array>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "solidnoise/core/box.h"
 #include "solidnoise/core/lattice.h"
 #include "solidnoise/core/points.h"
 #include "solidnoise/core/vec.h"
+#include "solidnoise/noise/wave_mixture.h"
 
 namespace solidnoise {
 
@@ -29,7 +31,7 @@ void fill_with_zero(const Samples<Dim>& samples) {
 }
 
 // A noise made ready for one box: what is costly to make (the random impulses) is made once, and any lattice
-// inside the box is then cheap. Immutable; may be shared between threads.
+// inside the box is then cheap. It belongs to one thread at a time, for it may keep what it has evaluated.
 template <int Dim>
 class NoiseBlock {
  public:
@@ -74,9 +76,25 @@ class Noise {
   };
   virtual Band band() const = 0;
 
+  // A noise that is a sum of independent ones, such as octaves, has these as its parts, in the order in which
+  // they are added, each with its amplitude.
+  struct Part {
+    std::shared_ptr<const Noise> noise;
+    double amplitude = 1.0;
+  };
+  virtual std::vector<Part> parts() const { return {}; }
+
+  // The covariance as a mixture of waves, of a noise without parts; without waves if it is not stationary.
+  virtual WaveMixture<Dim> waves() const { return {}; }
+
   // Evaluates a lattice of any size, in blocks. Serial: for several threads, make a block per task.
   void evaluate(const Lattice<Dim>& lattice, const Samples<Dim>& samples) const;
 };
+
+// Covariance of the values at places `displacement` apart, world units: the inverse Fourier transform of the
+// power spectrum. 0 for noises that are not stationary (gradient noise).
+template <int Dim>
+double covariance(const Noise<Dim>& noise, const Vec<Dim>& displacement);
 
 extern template class Noise<1>;
 extern template class Noise<2>;

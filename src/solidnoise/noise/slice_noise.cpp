@@ -69,6 +69,30 @@ class SliceNoise final : public Noise<3> {
   // A slice has all lower frequencies.
   Band band() const override { return {0.0, noise_->band().upper}; }
 
+  std::vector<Part> parts() const override {
+    std::vector<Part> slices;
+    for (const auto& part : noise_->parts()) {
+      slices.push_back({std::make_shared<SliceNoise>(part.noise, t_), part.amplitude});
+    }
+    return slices;
+  }
+
+  // At displacements without time, waves differ by their frequencies in space alone.
+  WaveMixture<3> waves() const override {
+    const WaveMixture<4> all = noise_->waves();
+    WaveMixture<3> frame;
+    for (const auto& wave : all.waves) frame.waves.push_back({wave.variance, Vec<3>(wave.frequency)});
+    if (all.symmetry == WaveMixture<4>::Symmetry::mirror) frame.symmetry = WaveMixture<3>::Symmetry::mirror;
+    frame.a = all.a;
+    frame.truncation = all.truncation;
+    for (const auto& wave : all.truncation_waves) {
+      frame.truncation_waves.push_back({wave.variance, Vec<3>(wave.frequency)});
+    }
+    frame.impulses = all.impulses;
+    frame.radius = all.radius;
+    return frame;
+  }
+
  private:
   std::shared_ptr<const Noise<4>> noise_;
   double t_;

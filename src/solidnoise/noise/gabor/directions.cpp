@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -27,6 +28,30 @@ std::array<double, 3> draw_around(RandomStream& stream) {
     return {height, width * std::cos(azimuth), width * std::sin(azimuth)};
   }
   return {};
+}
+
+// Directions of Dim - 1 dimensions, with weights that add up to 1, whose mean is that of all directions.
+template <int Dim>
+std::vector<std::pair<std::array<double, 3>, double>> directions_around() {
+  if constexpr (Dim == 2) return {{{-1.0, 0.0, 0.0}, 0.5}, {{1.0, 0.0, 0.0}, 0.5}};
+  constexpr int kTurns = 24;
+  std::vector<std::pair<std::array<double, 3>, double>> directions;
+  const auto add_circle = [&](double height, double weight) {
+    const double width = std::sqrt(1.0 - height * height);
+    for (int k = 0; k < kTurns; ++k) {
+      const double azimuth = 2.0 * pi * k / kTurns;
+      const double cosine = width * std::cos(azimuth);
+      const double sine = width * std::sin(azimuth);
+      directions.push_back(
+          {Dim == 3 ? std::array{cosine, sine, 0.0} : std::array{height, cosine, sine}, weight / kTurns});
+    }
+  };
+  if constexpr (Dim == 3) add_circle(0.0, 1.0);
+  if constexpr (Dim == 4) {
+    const QuadratureRule rule = gauss_legendre(kTurns / 2);
+    for (std::size_t i = 0; i < rule.nodes.size(); ++i) add_circle(rule.nodes[i], 0.5 * rule.weights[i]);
+  }
+  return directions;
 }
 
 // The angle p in [0, pi/2] with p - sin p cos p = target, by Newton's method from the small-angle solution;
@@ -78,6 +103,22 @@ Vec<Dim> DirectionCone<Dim>::draw(RandomStream& stream) const {
   if (Dim == 1 || anisotropy_ == 1.0) return axis_;
   const Polar polar = polar_angle(stream.next_unit());
   return at(polar, draw_around<Dim>(stream));
+}
+
+template <int Dim>
+std::vector<WeightedDirection<Dim>> DirectionCone<Dim>::quadrature() const {
+  if (Dim == 1 || anisotropy_ == 1.0) return {{axis_, 1.0}};
+  if (anisotropy_ == 0.0) return mirrored_directions<Dim>();
+  const QuadratureRule& rule = panel_rule();
+  const auto around = directions_around<Dim>();
+  std::vector<WeightedDirection<Dim>> directions;
+  for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+    const Polar polar = polar_angle(0.5 * (1.0 + rule.nodes[i]));
+    for (const auto& [turn, weight] : around) {
+      directions.push_back({at(polar, turn), 0.5 * rule.weights[i] * weight});
+    }
+  }
+  return directions;
 }
 
 template <int Dim>

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "solidnoise/core/random.h"
 #include "solidnoise/core/vec.h"
+#include "solidnoise/noise/wave_mixture.h"
 
 namespace solidnoise {
 
@@ -20,6 +22,10 @@ class DirectionCone {
   double anisotropy() const { return anisotropy_; }
 
   Vec<Dim> draw(RandomStream& stream) const;
+
+  // Directions and weights of a quadrature over the cone, for functions that a direction and its opposite
+  // have in common; of the whole sphere, mirrored_directions().
+  std::vector<WeightedDirection<Dim>> quadrature() const;
 
   // The mean of d_i^2 for each coordinate; the sum of all is 1.
   Vec<Dim> second_moments() const;

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "solidnoise/core/check.h"
+#include "solidnoise/core/quadrature.h"
 #include "solidnoise/core/special_functions.h"
 #include "solidnoise/noise/convolution/impulse_statistics.h"
 #include "solidnoise/noise/convolution/impulse_sums.h"
@@ -141,6 +142,40 @@ typename Noise<Dim>::Band GaborNoise<Dim>::band() const {
   if (variance_ == 0.0) return {};
   const auto density = [this](double f) { return std::pow(f, Dim - 1) * std::pow(kernel_.spectrum(f), 2); };
   return radial_band<Dim>(density, kernel_.frequency(), kernel_.a());
+}
+
+// A quadrature of the radial density of variance, S_n f^(n-1) G(f)^2, and of that of the difference that
+// making the kernel compact makes, of which about half is at frequencies above the band.
+template <int Dim>
+WaveMixture<Dim> GaborNoise<Dim>::waves() const {
+  WaveMixture<Dim> mixture;
+  if (variance_ == 0.0) return mixture;
+  mixture.symmetry = WaveMixture<Dim>::Symmetry::mirror;
+  mixture.impulses = impulses_;
+  mixture.radius = compact_.radius();
+  mixture.truncation = variance_ * std::pow(compact_.relative_error(), 2);
+  const auto directions = mirrored_directions<Dim>();
+  const QuadratureRule& rule = panel_rule();
+  const auto add_shells = [&](std::vector<typename WaveMixture<Dim>::Wave>& waves, double lower, double upper,
+                              const auto& transform) {
+    const double half = 0.5 * (upper - lower);
+    for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+      const double f = lower + half * (1.0 + rule.nodes[i]);
+      const double shell = half * rule.weights[i] * unit_sphere_area(Dim) * std::pow(f, Dim - 1) *
+                           std::pow(transform(f), 2) / kernel_.energy();
+      for (const auto& [direction, weight] : directions) {
+        waves.push_back({variance_ * shell * weight, f * direction});
+      }
+    }
+  };
+  constexpr double kHalfWidth = 2.0;  // of the band, in a: exp(-2 pi 2^2) of the power is left there
+  const double lowest = std::max(0.0, kernel_.frequency() - kHalfWidth * kernel_.a());
+  const double highest = kernel_.frequency() + kHalfWidth * kernel_.a();
+  add_shells(mixture.waves, lowest, highest, [this](double f) { return kernel_.spectrum(f); });
+  const auto difference = [this](double f) { return compact_.spectrum(f) - kernel_.spectrum(f); };
+  add_shells(mixture.truncation_waves, 0.0, highest, difference);
+  add_shells(mixture.truncation_waves, highest, 2.0 * highest, difference);
+  return mixture;
 }
 
 template class GaborNoise<1>;

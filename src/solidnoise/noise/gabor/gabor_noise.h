@@ -56,6 +56,7 @@ class GaborNoise final : public Noise<Dim> {
   double power_spectrum(const Vec<Dim>& frequency) const override;
   double excess_kurtosis() const override { return excess_kurtosis_; }
   typename Noise<Dim>::Band band() const override;
+  WaveMixture<Dim> waves() const override;
 
   // The impulses that the noise sums, and the weight of one at the noise's time: for whoever sums them in
   // another way.

@@ -183,6 +183,23 @@ typename Noise<Dim>::Band OrientedGaborNoise<Dim>::band() const {
   return radial_band<Dim>(density, frequency_, kernel_.a());
 }
 
+// The waves of the cone's directions, under the envelope.
+template <int Dim>
+WaveMixture<Dim> OrientedGaborNoise<Dim>::waves() const {
+  WaveMixture<Dim> mixture;
+  if (variance_ == 0.0) return mixture;
+  mixture.a = kernel_.a();
+  mixture.impulses = impulses_;
+  mixture.radius = envelope_.radius();
+  mixture.truncation = variance_ * (1.0 - std::pow(1.0 - std::pow(envelope_.relative_error(), 2), Dim));
+  if (Dim > 1 && options_.anisotropy == 0.0) mixture.symmetry = WaveMixture<Dim>::Symmetry::mirror;
+  for (const auto& [direction, weight] : directions_.quadrature()) {
+    mixture.waves.push_back({variance_ * weight, frequency_ * direction});
+    mixture.truncation_waves.push_back({mixture.truncation * weight, frequency_ * direction});
+  }
+  return mixture;
+}
+
 template class OrientedGaborNoise<1>;
 template class OrientedGaborNoise<2>;
 template class OrientedGaborNoise<3>;

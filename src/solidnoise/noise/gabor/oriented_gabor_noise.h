@@ -61,6 +61,7 @@ class OrientedGaborNoise final : public Noise<Dim> {
   double power_spectrum(const Vec<Dim>& frequency) const override;
   double excess_kurtosis() const override { return excess_kurtosis_; }
   typename Noise<Dim>::Band band() const override;
+  WaveMixture<Dim> waves() const override;
 
   // The impulses that the noise sums, and what an impulse carries: for whoever sums them in another way.
   const ImpulseProcess<Dim>& impulses() const { return convolution_->process(); }

@@ -55,6 +55,7 @@ class BandNoise final : public Noise<Dim> {
       : spectrum_(spectrum),
         envelope_(envelope),
         variance_(spectrum.variance()),
+        density_(density),
         excess_kurtosis_(noise_excess_kurtosis(density, wave_moments(envelope, Dim))) {
     const double reach = envelope.radius();
     const auto cells = make_kernel_cells<Dim>(reach, options.period);
@@ -97,10 +98,35 @@ class BandNoise final : public Noise<Dim> {
     return {interval.lower, interval.upper};
   }
 
+  WaveMixture<Dim> waves() const override {
+    WaveMixture<Dim> mixture;
+    mixture.a = spectrum_.bands.front().a;
+    mixture.impulses = density_ * std::pow(2.0 * envelope_.radius(), Dim);
+    mixture.radius = envelope_.radius();
+    const double share = 1.0 - std::pow(1.0 - std::pow(envelope_.relative_error(), 2), Dim);
+    mixture.truncation = share * variance_;
+    if (spectrum_.isotropic) mixture.symmetry = WaveMixture<Dim>::Symmetry::mirror;
+    for (const SpectrumComponent& component : spectrum_.bands.front().components) {
+      if (!spectrum_.isotropic) {
+        mixture.waves.push_back({component.variance, Vec<Dim>(component.frequency)});
+        continue;
+      }
+      const double frequency = glm::length(component.frequency);
+      for (const auto& [direction, weight] : mirrored_directions<Dim>()) {
+        mixture.waves.push_back({component.variance * weight, frequency * direction});
+      }
+    }
+    for (const auto& wave : mixture.waves) {
+      mixture.truncation_waves.push_back({share * wave.variance, wave.frequency});
+    }
+    return mixture;
+  }
+
  private:
   GaborSpectrum spectrum_;  // of this band alone
   CompactKernel envelope_;  // of one axis
   double variance_;
+  double density_;
   double excess_kurtosis_;
   std::unique_ptr<const SparseConvolution<Dim>> convolution_;
 };

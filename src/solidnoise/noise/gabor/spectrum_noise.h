@@ -63,6 +63,7 @@ class SpectrumNoise final : public Noise<Dim> {
   double power_spectrum(const Vec<Dim>& frequency) const override;
   double excess_kurtosis() const override { return bands_->excess_kurtosis(); }
   typename Noise<Dim>::Band band() const override { return bands_->band(); }
+  std::vector<typename Noise<Dim>::Part> parts() const override { return bands_->parts(); }
 
  private:
   GaborSpectrum spectrum_;
