@@ -1,0 +1,323 @@
+// Noise on lattices with fewer samples: weights, the budget of error, and that nothing but the error changes.
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "solidnoise/noise/error_budget.h"
+#include "solidnoise/noise/interpolation/interpolated_noise.h"
+#include "solidnoise/noise/noise_recipe.h"
+#include "solidnoise/noise/slice_noise.h"
+#include "support/evaluated.h"
+#include "support/gabor_noises.h"
+#include "support/independent_values.h"
+#include "support/simd_targets.h"
+#include "support/spectra.h"
+
+namespace solidnoise {
+namespace {
+
+// A covariance of samples, a wave of eight of them under a Gaussian.
+std::vector<double> some_covariance(int count) {
+  std::vector<double> covariance;
+  for (int k = 0; k < count; ++k) covariance.push_back(std::exp(-0.004 * k * k) * std::cos(0.7 * k));
+  return covariance;
+}
+
+// The mean square error at one phase: E n^2 - 2 sum w E n n_t + sum sum w w E n_t n_u, term by term.
+double squared_error_at(const AxisWeights& weights, int phase, const std::vector<double>& covariance,
+                        double changed = 0.0) {
+  const auto [step, taps] = weights.shape();
+  const auto at = [&](int k) { return covariance[static_cast<std::size_t>(std::abs(k))]; };
+  const auto weight = [&](int t) {
+    return weights.of_phase(phase)[static_cast<std::size_t>(t)] + (t == 1 ? changed : 0.0);
+  };
+  double error = at(0);
+  for (int t = 0; t < taps; ++t) {
+    const int place = step * (t - taps / 2 + 1);
+    error -= 2.0 * weight(t) * at(place - phase);
+    for (int u = 0; u < taps; ++u) error += weight(t) * weight(u) * at(step * (t - u));
+  }
+  return error;
+}
+
+TEST(AxisWeights, AreTheBestOfEachPhase) {
+  const auto covariance = some_covariance(33);
+  for (const AxisStep shape : {AxisStep{2, 4}, AxisStep{3, 6}, AxisStep{4, 8}}) {
+    const AxisWeights weights(shape, covariance);
+    double sum = 0.0;
+    for (int phase = 0; phase < shape.step; ++phase) {
+      const double error = squared_error_at(weights, phase, covariance);
+      sum += error / shape.step;
+      if (phase == 0) {
+        EXPECT_EQ(error, 0.0);
+        continue;
+      }
+      for (const double change : {-1e-3, 1e-3}) {
+        EXPECT_GT(squared_error_at(weights, phase, covariance, change), error);
+      }
+    }
+    EXPECT_NEAR(weights.squared_error(covariance), sum, 1e-12);
+  }
+}
+
+TEST(AxisWeights, RespondToAWaveAsTheSumOverPhasesSays) {
+  const auto covariance = some_covariance(33);
+  const AxisWeights weights({3, 6}, covariance);
+  const double turn = 0.83;
+  double mean = 0.0;
+  double mean_square = 0.0;
+  for (int phase = 0; phase < 3; ++phase) {
+    double real = 0.0;
+    double imaginary = 0.0;
+    for (int t = 0; t < 6; ++t) {
+      const double weight = weights.of_phase(phase)[static_cast<std::size_t>(t)];
+      const double angle = turn * (3 * (t - 2) - phase);
+      real += weight * std::cos(angle);
+      imaginary += weight * std::sin(angle);
+    }
+    mean += real / 3.0;
+    mean_square += (real * real + imaginary * imaginary) / 3.0;
+  }
+  const AxisWeights::Response response = weights.response(std::cos(turn), {});
+  EXPECT_NEAR(response.mean, mean, 1e-12);
+  EXPECT_NEAR(response.mean_square, mean_square, 1e-12);
+}
+
+// A lattice on which kernels reach `radius` samples.
+template <int Dim>
+LatticeFrame<Dim> frame_of(double support, double radius) {
+  LatticeFrame<Dim> frame;
+  for (int axis = 0; axis < Dim; ++axis) {
+    frame.origin[axis] = 0.013 + axis;
+    frame.step[axis] = support / radius;
+  }
+  return frame;
+}
+
+template <int Dim>
+Lattice<Dim> lattice_of(const LatticeFrame<Dim>& frame, const Index<Dim>& first, int count) {
+  return {frame.origin, frame.step, first, glm::vec<Dim, int>(count)};
+}
+
+// Kernels and interpolation together, against the noise of unlimited kernels, summed in double precision,
+// relative to its standard deviation: the error that a recipe asks for is split between them. Little blocks,
+// of all phases, far from each other.
+template <template <int> class Noise, typename Options>
+void expect_predicted_error(Options options, double samples_in_radius) {
+  constexpr int kPlaces = 900;
+  constexpr int kSide = 6;
+  const ErrorBudget budget(options.error);
+  const auto noise = std::make_shared<const Noise<3>>(with_truncation_share(options));
+  const LatticeFrame<3> frame = frame_of<3>(support_of(*noise), samples_in_radius);
+  const auto plan = plan_interpolation<3>(*noise, frame.step, budget.interpolation).front();
+  ASSERT_FALSE(plan.direct());
+  const double predicted = std::sqrt(plan.truncation + plan.squared_error);
+  EXPECT_LE(predicted, options.error);
+
+  const auto interpolated = interpolate<3>(noise, frame, budget.interpolation);
+  const auto kernel = kernel_reference(*noise);
+  using Offset = reference::Position<3>;
+  using Impulse = reference::Impulse<3>;
+  std::vector<double> squares;
+  const auto apart = static_cast<std::int64_t>(6.0 * samples_in_radius);
+  for (int place = 0; place < kPlaces; ++place) {
+    const Index<3> first(place % 30 * apart + place % 7, place / 30 * apart - place % 5, place % 11);
+    const Lattice<3> lattice = lattice_of<3>(frame, first, kSide);
+    const auto values = values_of<3>(*interpolated, lattice);
+    for (std::size_t i = static_cast<std::size_t>(place) % 29; i < values.size(); i += 29) {
+      const double unlimited = reference::sum_impulses<3>(
+          impulses_near(*noise, sample_position(lattice, i), 2), Offset{},
+          [&](const Offset& offset, const Impulse& impulse) { return kernel.unlimited(offset, impulse); });
+      squares.push_back(std::pow(values[i] - noise->amplitude() * unlimited, 2));
+    }
+  }
+  // Each place gives at least one independent error; with their excess kurtosis of a few the standard error
+  // of the root mean square is at most 0.5 sqrt(2 + 1) / sqrt(900), under 3 %.
+  const double measured = std::sqrt(estimate_mean(squares, [](double x) { return x; }).mean);
+  EXPECT_NEAR(measured, predicted, 0.1 * predicted);
+}
+
+TEST(Interpolation, TotalErrorIsWithinATenthOfThePrediction) {
+  for (const double error : {0.02, 0.05}) {
+    for (const double radius : {16.0, 40.0}) {
+      SCOPED_TRACE(testing::Message() << "error " << error << ", " << radius << " samples");
+      expect_predicted_error<GaborNoise>(GaborNoiseOptions{.error = error, .impulses = 20.0, .seed = 3},
+                                         radius);
+      expect_predicted_error<OrientedGaborNoise>(
+          OrientedGaborNoiseOptions{.error = error, .impulses = 20.0, .anisotropy = 0.5, .seed = 4}, radius);
+    }
+  }
+}
+
+// Runs a check with noises of several kinds on a lattice that they are interpolated on.
+template <typename Check>
+void for_each_interpolated(const Check& check) {
+  const auto run = [&](const std::string& name, std::shared_ptr<const Noise<3>> noise, double step) {
+    SCOPED_TRACE(name);
+    const LatticeFrame<3> frame{{0.013, -7.0, 1000.0}, {step, 0.8 * step, step}};
+    const auto interpolated = interpolate<3>(noise, frame, 0.01);
+    ASSERT_NE(interpolated, noise);
+    check(*interpolated, *noise, frame);
+  };
+  NoiseRecipe recipe{GaborNoiseOptions{.frequency = 1.0, .impulses = 20.0}, {}};
+  run("isotropic", make_noise<3>(recipe), 0.06);
+  run("frame", slice(std::shared_ptr<const Noise<4>>(make_noise<4>(recipe)), 0.37), 0.05);
+  recipe.fractal.octaves = 3;
+  run("octaves", make_noise<3>(recipe), 0.03);
+  run("one direction",
+      make_noise<3>({OrientedGaborNoiseOptions{
+                         .frequency = 1.0, .anisotropy = 1.0, .direction = Vec<4>(3.0, 1.0, 0.0, 0.0)},
+                     {}}),
+      0.05);
+  const auto example = std::make_shared<const SpectrumNoise<3>>(some_spectrum(3));
+  run("by example", example, 0.04 / example->band().upper);
+}
+
+TEST(Interpolation, ValuesDoNotDependOnTheBlock) {
+  for_each_interpolated([](const Noise<3>& noise, const Noise<3>&, const LatticeFrame<3>& frame) {
+    const Lattice<3> whole = lattice_of<3>(frame, Index<3>(-21, 5, -3), 37);
+    const auto expected = values_of<3>(noise, whole);
+    const auto check = [&](const Lattice<3>& part, const NoiseBlock<3>& block) {
+      std::vector<float> values(part.size());
+      block.evaluate(part, Samples<3>{values, {}});
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        std::size_t rest = i;
+        std::size_t index = 0;
+        std::size_t stride = 1;
+        for (int axis = 2; axis >= 0; --axis) {
+          const auto count = static_cast<std::size_t>(part.count[axis]);
+          index += stride * (rest % count + static_cast<std::size_t>(part.first[axis] - whole.first[axis]));
+          stride *= static_cast<std::size_t>(whole.count[axis]);
+          rest /= count;
+        }
+        ASSERT_EQ(values[i], expected[index]) << "sample " << i;
+      }
+    };
+    const auto block = noise.block(whole.bounds());
+    for (const Index<3> start : {Index<3>(0), Index<3>(1, 2, 3), Index<3>(17, 23, 20), Index<3>(3, 9, 29)}) {
+      for (const int count : {1, 5, 8}) {
+        Lattice<3> part = whole;
+        part.first += start;
+        part.count = glm::vec<3, int>(count);
+        check(part, *block);
+        check(part, *noise.block(part.bounds()));
+      }
+    }
+    check(whole, *block);
+    // A box too large to keep its coarse samples.
+    Box<3> huge = whole.bounds();
+    huge.lower -= 40.0;
+    huge.upper += 40.0;
+    Lattice<3> part = whole;
+    part.count = glm::vec<3, int>(9);
+    check(part, *noise.block(huge));
+  });
+}
+
+TEST(Interpolation, InstructionSetsWithFusedMultiplyAddGiveTheSameBits) {
+  for_each_interpolated([](const Noise<3>& noise, const Noise<3>&, const LatticeFrame<3>& frame) {
+    const Lattice<3> lattice = lattice_of<3>(frame, Index<3>(-3, 1, -11), 19);
+    std::vector<std::vector<float>> results;
+    for_each_simd_target([&](std::int64_t target) {
+      if ((target & (HWY_AVX3_DL | HWY_AVX3 | HWY_AVX2)) == 0) return;
+      results.push_back(values_of<3>(noise, lattice));
+    });
+    for (const auto& result : results) EXPECT_EQ(result, results.front());
+  });
+}
+
+TEST(Interpolation, ValuesDoNotDependOnWhetherTheGradientIsWanted) {
+  for_each_interpolated([](const Noise<3>& noise, const Noise<3>&, const LatticeFrame<3>& frame) {
+    const Lattice<3> lattice = lattice_of<3>(frame, Index<3>(-3, 1, -11), 9);
+    EXPECT_EQ(evaluate_in_one_block(noise, lattice).values, values_of<3>(noise, lattice));
+  });
+}
+
+TEST(Interpolation, OtherLatticesAreOfTheNoiseItself) {
+  for_each_interpolated([](const Noise<3>& noise, const Noise<3>& itself, const LatticeFrame<3>& frame) {
+    Lattice<3> lattice = lattice_of<3>(frame, Index<3>(-3, 1, -11), 9);
+    EXPECT_NE(values_of<3>(noise, lattice), values_of<3>(itself, lattice));
+    lattice.origin.x += 0.001;
+    EXPECT_EQ(values_of<3>(noise, lattice), values_of<3>(itself, lattice));
+    lattice.origin = frame.origin;
+    lattice.step *= 0.5;
+    EXPECT_EQ(values_of<3>(noise, lattice), values_of<3>(itself, lattice));
+  });
+}
+
+// What is left out of the noise itself is no more than the budget, and what compact kernels have of
+// frequencies beyond the band, twice at the most: once for what is lost, and once for where it is found
+// instead.
+TEST(Interpolation, IsTheNoiseButForTheError) {
+  for_each_interpolated([](const Noise<3>& noise, const Noise<3>& itself, const LatticeFrame<3>& frame) {
+    const Lattice<3> lattice = lattice_of<3>(frame, Index<3>(-3, 1, -11), 60);
+    const auto values = values_of<3>(noise, lattice);
+    const auto expected = values_of<3>(itself, lattice);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      sum += std::pow(static_cast<double>(values[i]) - static_cast<double>(expected[i]), 2);
+    }
+    EXPECT_LT(std::sqrt(sum / static_cast<double>(values.size())), 0.01 + 0.02);
+    EXPECT_GT(sum, 0.0);
+  });
+}
+
+// Variance and fourth moment of samples of all phases, far from each other: within 4 standard errors.
+TEST(Interpolation, KeepsTheStatistics) {
+  const auto noise =
+      std::make_shared<const GaborNoise<3>>(GaborNoiseOptions{.frequency = 1.0, .impulses = 20.0});
+  LatticeFrame<3> frame{Vec<3>(0.0), Vec<3>(noise->radius() / 16.0)};
+  const auto interpolated = interpolate<3>(noise, frame, 0.01);
+  ASSERT_NE(interpolated, std::shared_ptr<const Noise<3>>(noise));
+  std::vector<float> values;
+  for (int i = 0; i < 12000; ++i) {
+    // 35 samples apart, more than the width of a kernel and of the taps together.
+    const Index<3> first(37 * (i % 23), 39 * (i / 23 % 23), 41 * (i / 529));
+    values.push_back(values_of<3>(*interpolated, lattice_of<3>(frame, first, 1)).front());
+  }
+  // The error takes less than its square from the variance.
+  const Estimate variance = estimate_mean(values, [](double x) { return x * x; });
+  EXPECT_NEAR(variance.mean, 1.0, 4.0 * variance.error + 4e-4);
+  const Estimate fourth = estimate_mean(values, [](double x) { return x * x * x * x; });
+  EXPECT_NEAR(fourth.mean, 3.0 + noise->excess_kurtosis(), 4.0 * fourth.error + 0.003);
+}
+
+TEST(Interpolation, LowOctavesLeaveTheBudgetToTheHighOnes) {
+  NoiseRecipe recipe{GaborNoiseOptions{.frequency = 1.0, .impulses = 32.0}, {}};
+  recipe.fractal.octaves = 4;
+  const auto noise = make_noise<3>(recipe);
+  const double radius = GaborNoise<3>({.frequency = 1.0}).radius();
+  const auto plans = plan_interpolation<3>(*noise, Vec<3>(radius / 128.0), 0.01);
+  ASSERT_EQ(plans.size(), 4u);
+  double total = 0.0;
+  for (std::size_t k = 0; k < plans.size(); ++k) {
+    total += plans[k].squared_error;
+    if (k == 0) continue;
+    EXPECT_LE(plans[k].axes[0].step, plans[k - 1].axes[0].step);
+    EXPECT_GE(plans[k].squared_error, plans[k - 1].squared_error);
+  }
+  EXPECT_GE(plans.front().axes[0].step, 8);
+  EXPECT_LE(total, 1e-4);
+  EXPECT_GE(total, 0.25e-4);
+}
+
+TEST(Interpolation, WhatIsNotStationaryOrNotResolvedIsEvaluatedDirectly) {
+  const std::shared_ptr<const Noise<3>> kensler = make_noise<3>({GradientNoiseOptions{.frequency = 1.0}, {}});
+  EXPECT_EQ(interpolate<3>(kensler, {Vec<3>(0.0), Vec<3>(0.01)}, 0.01), kensler);
+  const std::shared_ptr<const Noise<3>> gabor = make_noise<3>({GaborNoiseOptions{.frequency = 1.0}, {}});
+  EXPECT_EQ(interpolate<3>(gabor, {Vec<3>(0.0), Vec<3>(0.3)}, 0.01), gabor);
+}
+
+TEST(ErrorBudget, PartsMakeTheWhole) {
+  for (const double error : {1e-4, 0.001, 0.02, 0.5}) {
+    const ErrorBudget budget(error);
+    EXPECT_NEAR(std::hypot(budget.truncation, budget.interpolation), error, 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace solidnoise
