@@ -152,7 +152,7 @@ void declare_band(FlagSet& flags, NoiseRecipe& recipe) {
   declare_number(flags, recipe, "--impulses", "N",
                  "Mean impulses under one kernel (default 0: as few as look Gaussian)", kImpulses);
   declare_number(flags, recipe, "--error", "FRACTION",
-                 "Relative RMS error of the kernel, 0.0001 to 0.5 (default 0.02)", kError);
+                 "Relative RMS error that may be made to save time, 0.0001 to 0.5 (default 0.02)", kError);
 }
 
 void declare_octaves(FlagSet& flags, FractalOptions& fractal) {

@@ -1,6 +1,7 @@
 #include "vdbnoise/describe.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -10,10 +11,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "solidnoise/noise/error_budget.h"
 #include "solidnoise/noise/gabor/gabor_noise.h"
 #include "solidnoise/noise/gabor/oriented_gabor_noise.h"
 #include "solidnoise/noise/gabor/spectrum_noise.h"
 #include "solidnoise/noise/gradient/gradient_noise.h"
+#include "solidnoise/noise/interpolation/interpolation_plan.h"
 #include "solidnoise/recipe/noise_recipe_json.h"
 #include "solidnoise/volume/make_volume.h"
 #include "solidnoise/volume/volume_recipe_json.h"
@@ -109,6 +112,32 @@ void describe_statistics(const Noise& noise, double largest_voxel, Json& json) {
   json["band_cycles_per_voxel"] = {band.lower * largest_voxel, band.upper * largest_voxel};
 }
 
+// Predicted root mean square errors relative to the noise's standard deviation, and how each octave, or band
+// of a noise by example, is evaluated: at every so many voxels along each axis, the others interpolated from
+// so many samples; or directly. Not of noises without an error.
+void describe_error(const VolumeRecipe& recipe, const Noise<3>& noise, const Vec<3>& voxel, Json& json) {
+  if (error_of(recipe.noise) == 0.0 || noise.variance() == 0.0) return;
+  const double allowed = recipe.exact ? 0.0 : ErrorBudget(error_of(recipe.noise)).interpolation;
+  double truncation = 0.0;
+  double interpolation = 0.0;
+  Json parts = Json::array();
+  for (const auto& part : plan_interpolation<3>(noise, voxel, allowed)) {
+    truncation += part.truncation / noise.variance();
+    interpolation += part.squared_error / noise.variance();
+    Json evaluated = Json::object();
+    for (const AxisStep& axis : part.axes) {
+      if (part.direct()) continue;
+      evaluated["step_voxels"].push_back(axis.step);
+      evaluated["taps"].push_back(axis.taps);
+    }
+    parts.push_back(part.direct() ? Json("direct") : evaluated);
+  }
+  json["error"]["truncation"] = std::sqrt(truncation);
+  json["error"]["interpolation"] = std::sqrt(interpolation);
+  json["error"]["total"] = std::sqrt(truncation + interpolation);
+  json["evaluation"] = parts;
+}
+
 // A noise whose kernels vary from place to place.
 Json describe_varying(const VolumeRecipe& recipe, const VolumePlan& plan, double largest_voxel) {
   Json json = Json::object();
@@ -126,7 +155,8 @@ Json describe_noise(const VolumeRecipe& recipe, const VolumePlan& plan, double l
   Json json = Json::object();
   json["type"] = noise_type(recipe.noise);
   json["dims"] = recipe.dims;
-  const auto by_type = [&](const auto& options) {
+  const auto by_type = [&](const auto& whole) {
+    const auto options = with_truncation_share(whole);
     recipe.dims == 3 ? describe_kernel<3>(options, json) : describe_kernel<4>(options, json);
   };
   std::visit(by_type, recipe.noise.noise);
@@ -135,7 +165,9 @@ Json describe_noise(const VolumeRecipe& recipe, const VolumePlan& plan, double l
   if (evolves(recipe.noise)) describe_evolution(recipe.noise, json["evolution"]);
 
   if (plan.parameters) describe_parameters(*plan.parameters, json["from_grids"]);
-  describe_statistics(*make_volume_noise(recipe), largest_voxel, json);
+  const auto noise = make_volume_noise(recipe);
+  describe_statistics(*noise, largest_voxel, json);
+  describe_error(recipe, *noise, plan.frame.voxel_size(), json);
   return json;
 }
 

@@ -93,6 +93,11 @@ void declare_noise(FlagSet& flags, VolumeRecipe& recipe) {
       "Gabor noises: filter out what the voxels cannot hold, exactly, so that looks do not depend on "
       "the resolution",
       [&] { recipe.band_limit = true; });
+  flags.toggle(
+      "--exact",
+      "Sum impulses at every voxel; without it, waves that voxels resolve well are interpolated from "
+      "fewer samples, within --error",
+      [&] { recipe.exact = true; });
 }
 
 void declare_shaping(FlagSet& flags, VolumeRecipe& recipe) {

@@ -9,6 +9,7 @@
 
 #include "solidnoise/core/random.h"
 #include "solidnoise/noise/convolution/kernel_cells.h"
+#include "solidnoise/noise/error_budget.h"
 #include "solidnoise/noise/gabor/gabor_noise.h"
 #include "solidnoise/noise/gabor/oriented_gabor_noise.h"
 #include "solidnoise/noise/gabor/spectrum_noise.h"
@@ -60,6 +61,18 @@ void NoiseRecipe::validate() const {
 
 std::uint64_t seed_of(const NoiseRecipe& recipe) {
   return std::visit([](const auto& options) { return options.seed; }, recipe.noise);
+}
+
+double error_of(const NoiseRecipe& recipe) {
+  return std::visit(
+      [](const auto& options) {
+        if constexpr (requires { options.error; }) {
+          return options.error;
+        } else {
+          return 0.0;
+        }
+      },
+      recipe.noise);
 }
 
 NoiseRecipe octave_of(const NoiseRecipe& recipe, int k) {
@@ -143,7 +156,8 @@ std::unique_ptr<Noise<Dim>> make_noise(const NoiseRecipe& recipe) {
   recipe.validate();
   const FractalOptions& fractal = recipe.fractal;
   if (fractal.octaves == 1) {
-    return std::visit([](const auto& options) { return make_single<Dim>(options); }, recipe.noise);
+    return std::visit([](const auto& options) { return make_single<Dim>(with_truncation_share(options)); },
+                      recipe.noise);
   }
   double power = 0.0;
   for (int k = 0; k < fractal.octaves; ++k) power += std::pow(fractal.gain, 2 * k);
@@ -173,7 +187,8 @@ template <int Dim>
 std::unique_ptr<Noise<Dim>> make_quadrature(const NoiseRecipe& recipe) {
   recipe.validate();
   require_phase(recipe);
-  return std::make_unique<OrientedGaborNoise<Dim>>(std::get<OrientedGaborNoiseOptions>(recipe.noise), -0.25);
+  const auto& options = std::get<OrientedGaborNoiseOptions>(recipe.noise);
+  return std::make_unique<OrientedGaborNoise<Dim>>(with_truncation_share(options), -0.25);
 }
 
 template std::unique_ptr<Noise<1>> make_noise<1>(const NoiseRecipe&);

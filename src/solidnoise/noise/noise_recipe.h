@@ -28,7 +28,11 @@ struct NoiseRecipe {
 std::uint64_t seed_of(const NoiseRecipe& recipe);
 
 // Changes whenever any noise's values do, for the same recipe; stored in every file that is written.
-inline constexpr int kAlgorithmVersion = 1;
+inline constexpr int kAlgorithmVersion = 2;
+
+// The error that a recipe allows against the noise of kernels of infinite support, relative to its standard
+// deviation: the `error` of its options, which ErrorBudget splits; 0 for noises without kernels to truncate.
+double error_of(const NoiseRecipe& recipe);
 
 // Octave k of a recipe as a noise by itself, of unit variance: what the recipe's noise sums. k is at least 0.
 NoiseRecipe octave_of(const NoiseRecipe& recipe, int k);
@@ -53,9 +57,9 @@ NoiseRecipe filtered(const NoiseRecipe& recipe, double deviation);
 // of the model's channel k, if it has that many.
 NoiseRecipe channel_of(const NoiseRecipe& recipe, int channel);
 
-// Makes the noise, of unit variance unless the recipe's octaves are not renormalised or the noise is filtered
-// (octaves of which the filter leaves nothing cost nothing). Dim is 1 to 4.
-// Throws std::invalid_argument.
+// Makes the noise, its kernels within their share of the recipe's error (ErrorBudget), of unit variance
+// unless the recipe's octaves are not renormalised or the noise is filtered (octaves of which the filter
+// leaves nothing cost nothing). Dim is 1 to 4. Throws std::invalid_argument.
 template <int Dim>
 std::unique_ptr<Noise<Dim>> make_noise(const NoiseRecipe& recipe);
 

@@ -11,10 +11,10 @@ namespace {
 
 using SharedNoise = std::shared_ptr<const Noise<3>>;
 
-SharedNoise channel_noise(const VolumeRecipe& recipe, int channel) {
+SharedNoise channel_noise(const VolumeRecipe& recipe, const GridFrame& frame, int channel) {
   VolumeRecipe other = recipe;
   other.noise = channel_of(recipe.noise, channel);
-  return make_volume_noise(other);
+  return make_voxel_noise(other, frame);
 }
 
 NoiseRecipe unfiltered(const NoiseRecipe& recipe) {
@@ -29,7 +29,7 @@ NoiseRecipe unfiltered(const NoiseRecipe& recipe) {
 std::unique_ptr<Field> make_velocity(const VolumeRecipe& recipe, const VolumePlan& plan) {
   CurlOptions options;
   for (int c = 0; c < 3; ++c) {
-    options.potentials[static_cast<std::size_t>(c)] = channel_noise(recipe, c);
+    options.potentials[static_cast<std::size_t>(c)] = channel_noise(recipe, plan.frame, c);
   }
   options.speed = recipe.speed;
   VolumeRecipe whole = recipe;
@@ -39,9 +39,9 @@ std::unique_ptr<Field> make_velocity(const VolumeRecipe& recipe, const VolumePla
   return make_curl_field(options);
 }
 
-std::unique_ptr<Field> make_colors(const VolumeRecipe& recipe) {
-  const std::vector<SharedNoise> channels{channel_noise(recipe, 0), channel_noise(recipe, 1),
-                                          channel_noise(recipe, 2)};
+std::unique_ptr<Field> make_colors(const VolumeRecipe& recipe, const GridFrame& frame) {
+  std::vector<SharedNoise> channels;
+  for (int c = 0; c < 3; ++c) channels.push_back(channel_noise(recipe, frame, c));
   if (const ExemplarModel* const exemplar = exemplar_of_colors(recipe)) {
     return make_exemplar_colors(channels, *exemplar);
   }
@@ -55,15 +55,16 @@ std::unique_ptr<Field> make_derived_field(const VolumeRecipe& recipe, const Volu
     case Output::curl:
       return make_velocity(recipe, plan);
     case Output::color:
-      return make_colors(recipe);
+      return make_colors(recipe, plan.frame);
     case Output::phase:
     case Output::intensity:
-      return make_phasor_field(make_volume_noise(recipe), make_volume_quadrature(recipe), recipe.output);
+      return make_phasor_field(make_voxel_noise(recipe, plan.frame),
+                               make_voxel_quadrature(recipe, plan.frame), recipe.output);
     case Output::value:
     case Output::gradient:
       break;
   }
-  return make_gradient_field(make_volume_noise(recipe), recipe.output);
+  return make_gradient_field(make_voxel_noise(recipe, plan.frame), recipe.output);
 }
 
 }  // namespace solidnoise

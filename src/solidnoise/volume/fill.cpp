@@ -21,7 +21,11 @@ namespace {
 
 using MaskLeaf = openvdb::MaskTree::LeafNodeType;
 
-constexpr int kGroupLog2 = 5;  // a group is 4 x 4 x 4 leaves, 32^3 voxels
+// A group is of 64^3 voxels: large beside what blocks need around them, such as impulses and samples to
+// interpolate from. Where there are not enough leaves for as many groups as threads may want, of 32^3.
+constexpr int kGroupLog2 = 6;
+constexpr int kSmallGroupLog2 = 5;
+constexpr std::size_t kManyLeaves = 64 * 512;  // 64 full groups
 
 // Leaves that are evaluated together, some five thousand voxels: most of what fields can share, while what
 // they keep for each voxel stays so small that the memory for it is not fetched anew each time.
@@ -45,10 +49,10 @@ GroupedLeaves group_leaves(const openvdb::MaskTree& mask) {
   mask.getNodes(result.leaves);
   std::vector<std::pair<openvdb::Coord, std::size_t>> keys;
   keys.reserve(result.leaves.size());
+  const int log2 = result.leaves.size() >= kManyLeaves ? kGroupLog2 : kSmallGroupLog2;
   for (std::size_t i = 0; i < result.leaves.size(); ++i) {
     const openvdb::Coord& origin = result.leaves[i]->origin();
-    keys.emplace_back(
-        openvdb::Coord(origin.x() >> kGroupLog2, origin.y() >> kGroupLog2, origin.z() >> kGroupLog2), i);
+    keys.emplace_back(openvdb::Coord(origin.x() >> log2, origin.y() >> log2, origin.z() >> log2), i);
   }
   std::sort(keys.begin(), keys.end());
   result.order.reserve(keys.size());

@@ -16,11 +16,11 @@ struct FilledGrid {
   Moments moments;               // of the active voxels
 };
 
-// Evaluates a field at every voxel of a topology, in parallel: one block for each group of 4 x 4 x 4 leaves,
-// one evaluation for each ten of its leaves. Values, active voxels and moments are the same to the last
-// bit for any number of threads (tbb::global_control sets it) and any topology that holds the voxel. Progress
-// counts leaves. Throws Cancelled, what the field throws, and std::invalid_argument if the field has several
-// channels.
+// Evaluates a field at every voxel of a topology, in parallel: one block for each group of leaves, a cube
+// of 64 voxels, or 32 in small topologies, and one evaluation for each ten of its leaves. Values, active
+// voxels and moments are the same to the last bit for any number of threads (tbb::global_control sets it) and
+// any topology that holds the voxel. Progress counts leaves. Throws Cancelled, what the field throws, and
+// std::invalid_argument if the field has several channels.
 FilledGrid fill_grid(const Topology& topology, const Field& field, Sparsity sparsity,
                      Progress* progress = nullptr);
 

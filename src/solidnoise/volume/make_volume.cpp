@@ -10,6 +10,8 @@
 #include <fmt/format.h>
 
 #include "solidnoise/geometry/read_mesh.h"
+#include "solidnoise/noise/error_budget.h"
+#include "solidnoise/noise/interpolation/interpolated_noise.h"
 #include "solidnoise/noise/moved_noise.h"
 #include "solidnoise/noise/slice_noise.h"
 #include "solidnoise/volume/derived_volume.h"
@@ -60,17 +62,16 @@ NoiseView view_of(const VolumeRecipe& recipe) {
 }
 
 // Octave k of a recipe's noise by itself.
-std::shared_ptr<const Field> make_volume_octave(const VolumeRecipe& recipe, const Parameters& parameters,
-                                                int k) {
+std::shared_ptr<const Field> make_volume_octave(const VolumeRecipe& recipe, const VolumePlan& plan, int k) {
   std::shared_ptr<const Field> field;
   if (recipe.parameters.vary_kernel()) {
-    field = make_varying_octave(recipe.noise, k, view_of(recipe), parameters);
+    field = make_varying_octave(recipe.noise, k, view_of(recipe), plan.parameters);
   } else {
     VolumeRecipe octave = recipe;
     octave.noise = octave_of(recipe.noise, k);
-    field = std::make_shared<NoiseField>(make_volume_noise(octave));
+    field = std::make_shared<NoiseField>(make_voxel_noise(octave, plan.frame));
   }
-  return recipe.parameters.magnitude ? with_magnitude(field, parameters) : field;
+  return recipe.parameters.magnitude ? with_magnitude(field, plan.parameters) : field;
 }
 
 std::unique_ptr<Field> make_cloud(const VolumeRecipe& recipe, const VolumePlan& plan,
@@ -83,8 +84,7 @@ std::unique_ptr<Field> make_cloud(const VolumeRecipe& recipe, const VolumePlan& 
   parts.up = recipe.up;
   parts.seed = seed_of(recipe.noise);
   for (int k = 0; k < recipe.noise.fractal.octaves; ++k) {
-    parts.octaves.push_back(
-        {make_volume_octave(recipe, plan.parameters, k), std::pow(recipe.noise.fractal.gain, k)});
+    parts.octaves.push_back({make_volume_octave(recipe, plan, k), std::pow(recipe.noise.fractal.gain, k)});
   }
   return make_cloud_field(parts);
 }
@@ -99,16 +99,24 @@ std::shared_ptr<const LayeredField> make_layers(const VolumeRecipe& recipe) {
                             [&](const NoiseRecipe& noise) { return make_noise_of(recipe, noise); });
 }
 
+std::shared_ptr<const LayeredField> make_layers(const VolumeRecipe& recipe, const GridFrame& frame) {
+  return make_layered_field(recipe.layers, recipe.noise, [&](const NoiseRecipe& noise) {
+    VolumeRecipe layer = recipe;
+    layer.noise = noise;
+    return make_voxel_noise(layer, frame);
+  });
+}
+
 // What is shaped: the noise, or the layers in its place.
-std::shared_ptr<const Field> make_source(const VolumeRecipe& recipe, const Parameters& parameters) {
-  if (!recipe.layers.empty()) return make_layers(recipe);
+std::shared_ptr<const Field> make_source(const VolumeRecipe& recipe, const VolumePlan& plan) {
+  if (!recipe.layers.empty()) return make_layers(recipe, plan.frame);
   std::shared_ptr<const Field> field;
   if (recipe.parameters.vary_kernel()) {
-    field = make_varying_volume_noise(recipe, parameters);
+    field = make_varying_volume_noise(recipe, plan.parameters);
   } else {
-    field = std::make_shared<NoiseField>(make_volume_noise(recipe));
+    field = std::make_shared<NoiseField>(make_voxel_noise(recipe, plan.frame));
   }
-  return recipe.parameters.magnitude ? with_magnitude(field, parameters) : field;
+  return recipe.parameters.magnitude ? with_magnitude(field, plan.parameters) : field;
 }
 
 std::unique_ptr<PointField> make_raw_points(const VolumeRecipe& recipe, const RawShaping& raw) {
@@ -131,7 +139,7 @@ std::unique_ptr<PointField> make_parameter_points(const VolumeRecipe& recipe, co
 
 std::unique_ptr<Field> make_volume_field(const VolumeRecipe& recipe, const VolumePlan& plan) {
   if (!is_scalar(recipe)) return make_derived_field(recipe, plan);
-  const auto source = [&] { return make_source(recipe, plan.parameters); };
+  const auto source = [&] { return make_source(recipe, plan); };
   const Overloaded by_shaping{
       [&](const RawShaping& raw) { return make_field(source(), raw); },
       [&](const RemapShaping& remap) { return make_field(source(), remap, plan.box); },
@@ -166,6 +174,14 @@ std::shared_ptr<const Noise<3>> make_framed(const VolumeRecipe& recipe, const Ma
     noise = slice(make(std::integral_constant<int, 4>(), recipe.noise), recipe.time);
   }
   return recipe.offset == Vec<3>(0.0) ? noise : move_noise<3>(noise, recipe.offset);
+}
+
+// What is left of the recipe's error interpolates the noise, where that is quicker.
+std::shared_ptr<const Noise<3>> on_voxels(const VolumeRecipe& recipe, std::shared_ptr<const Noise<3>> noise,
+                                          const GridFrame& frame) {
+  if (recipe.exact) return noise;
+  return interpolate<3>(std::move(noise), {frame.origin(), frame.voxel_size()},
+                        ErrorBudget(error_of(recipe.noise)).interpolation);
 }
 
 // Reads the surface that a velocity is to stay off, if there is one.
@@ -274,15 +290,19 @@ std::unique_ptr<PointField> make_volume_points(const VolumeRecipe& recipe) {
   return make_raw_points(recipe, *raw);
 }
 
+std::shared_ptr<const Noise<3>> make_voxel_noise(const VolumeRecipe& recipe, const GridFrame& frame) {
+  return on_voxels(recipe, make_volume_noise(recipe), frame);
+}
+
 std::shared_ptr<const VaryingField> make_varying_volume_noise(const VolumeRecipe& recipe,
                                                               std::shared_ptr<const ParameterFields> fields) {
   return make_varying_field(recipe.noise, view_of(recipe), std::move(fields));
 }
 
-std::shared_ptr<const Noise<3>> make_volume_quadrature(const VolumeRecipe& recipe) {
-  return make_framed(recipe, [](auto dim, const NoiseRecipe& noise) {
-    return make_quadrature<decltype(dim)::value>(noise);
-  });
+std::shared_ptr<const Noise<3>> make_voxel_quadrature(const VolumeRecipe& recipe, const GridFrame& frame) {
+  const auto noise = make_framed(
+      recipe, [](auto dim, const NoiseRecipe& of) { return make_quadrature<decltype(dim)::value>(of); });
+  return on_voxels(recipe, noise, frame);
 }
 
 double highest_frequency(const VolumeRecipe& recipe, const VolumePlan& plan) {

@@ -63,6 +63,10 @@ std::optional<double> measure_density_factor(const VolumeRecipe& recipe, const V
 // at_resolution(); throws std::invalid_argument.
 std::shared_ptr<const Noise<3>> make_volume_noise(const VolumeRecipe& recipe);
 
+// The same, evaluated on these voxels by as few samples as the recipe's error allows (interpolate()), unless
+// the recipe is exact.
+std::shared_ptr<const Noise<3>> make_voxel_noise(const VolumeRecipe& recipe, const GridFrame& frame);
+
 // The same of a recipe whose kernels vary, with the fields of its plan.
 std::shared_ptr<const VaryingField> make_varying_volume_noise(const VolumeRecipe& recipe,
                                                               std::shared_ptr<const ParameterFields> fields);
@@ -71,8 +75,8 @@ std::shared_ptr<const VaryingField> make_varying_volume_noise(const VolumeRecipe
 // range. Parameters, band limit and exceptions as above.
 std::unique_ptr<PointField> make_volume_points(const VolumeRecipe& recipe);
 
-// The same of make_quadrature(): a quarter of a wave behind the recipe's noise.
-std::shared_ptr<const Noise<3>> make_volume_quadrature(const VolumeRecipe& recipe);
+// The same as make_voxel_noise() of make_quadrature(): a quarter of a wave behind the recipe's noise.
+std::shared_ptr<const Noise<3>> make_voxel_quadrature(const VolumeRecipe& recipe, const GridFrame& frame);
 
 // The highest frequency of the recipe's noise, or of those of its layers: the upper end of the band, cycles
 // per world unit, where parameters are the greatest of the plan's. Folds and warps go beyond it.

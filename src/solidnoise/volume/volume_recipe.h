@@ -62,6 +62,7 @@ struct VolumeRecipe {
   ParameterGrids parameters;  // of the noise, where they vary in space; of Output::value, without layers
   Vec<3> offset{0.0};         // moves the noise, world units
   bool band_limit = false;    // filter the noise at the size of the voxels: at_resolution()
+  bool exact = false;         // sum impulses at every voxel, where fewer samples would do within the error
 
   Shaping shaping;  // RawShaping where the output is not the value; then also Range::raw, but for colours
   DensityScale density;

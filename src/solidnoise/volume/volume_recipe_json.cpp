@@ -168,6 +168,7 @@ Json to_json(const VolumeRecipe& recipe) {
   json["time"] = recipe.time;
   json["offset"] = {recipe.offset.x, recipe.offset.y, recipe.offset.z};
   json["band_limit"] = recipe.band_limit;
+  json["exact"] = recipe.exact;
   add_parameter_grids(json, recipe.parameters);
   json["shaping"] = shaping_to_json(recipe.shaping);
   if (!is_scalar(recipe)) json["output"] = format_outputs(recipe.output);
@@ -205,6 +206,7 @@ VolumeRecipe volume_recipe_from_json(const Json& json) {
   reader.read("time", recipe.time);
   reader.read("offset", recipe.offset);
   reader.read("band_limit", recipe.band_limit);
+  reader.read("exact", recipe.exact);
   read_parameter_grids(reader, recipe.parameters);
   if (auto shaping = reader.object("shaping")) recipe.shaping = shaping_from_json(*shaping);
   std::string output = format_outputs(recipe.output);

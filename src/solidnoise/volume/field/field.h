@@ -9,7 +9,7 @@
 
 namespace solidnoise {
 
-// A field made ready for one box. Immutable; may be shared between threads.
+// A field made ready for one box. It belongs to one thread at a time.
 class FieldBlock {
  public:
   virtual ~FieldBlock() = default;
