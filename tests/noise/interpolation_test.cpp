@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <string>
+#include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -234,6 +236,20 @@ TEST(Interpolation, ValuesDoNotDependOnWhetherTheGradientIsWanted) {
   for_each_interpolated([](const Noise<3>& noise, const Noise<3>&, const LatticeFrame<3>& frame) {
     const Lattice<3> lattice = lattice_of<3>(frame, Index<3>(-3, 1, -11), 9);
     EXPECT_EQ(evaluate_in_one_block(noise, lattice).values, values_of<3>(noise, lattice));
+  });
+}
+
+TEST(Interpolation, ThreadsShareANoise) {
+  for_each_interpolated([](const Noise<3>& noise, const Noise<3>&, const LatticeFrame<3>& frame) {
+    const Lattice<3> lattice = lattice_of<3>(frame, Index<3>(-3, 1, -11), 19);
+    const auto expected = values_of<3>(noise, lattice);
+    std::vector<std::vector<float>> results(4);
+    std::vector<std::thread> threads;
+    for (auto& result : results) {
+      threads.emplace_back([&] { result = values_of<3>(noise, lattice); });
+    }
+    for (std::thread& thread : threads) thread.join();
+    for (const auto& result : results) EXPECT_EQ(result, expected);
   });
 }
 

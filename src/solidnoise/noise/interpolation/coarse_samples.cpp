@@ -30,26 +30,6 @@ std::size_t offset_of(const glm::vec<Dim, int>& index, const glm::vec<Dim, int>&
   return offset;
 }
 
-// Copies a box of `count` samples, row by row, between two dense arrays.
-template <int Dim>
-void copy_box(const glm::vec<Dim, int>& count, const float* from, const glm::vec<Dim, int>& from_start,
-              const glm::vec<Dim, int>& from_count, float* to, const glm::vec<Dim, int>& to_start,
-              const glm::vec<Dim, int>& to_count) {
-  from += offset_of<Dim>(from_start, from_count);
-  to += offset_of<Dim>(to_start, to_count);
-  const auto from_row = static_cast<std::size_t>(from_count[Dim - 1]);
-  const auto to_row = static_cast<std::size_t>(to_count[Dim - 1]);
-  const int slabs = Dim == 3 ? count[0] : 1;
-  for (int x = 0; x < slabs; ++x) {
-    const std::size_t first = static_cast<std::size_t>(x);
-    const float* source = from + first * static_cast<std::size_t>(from_count[Dim - 2]) * from_row;
-    float* target = to + first * static_cast<std::size_t>(to_count[Dim - 2]) * to_row;
-    for (int y = 0; y < count[Dim - 2]; ++y, source += from_row, target += to_row) {
-      std::copy_n(source, count[Dim - 1], target);
-    }
-  }
-}
-
 }  // namespace
 
 template <int Dim>
@@ -78,11 +58,12 @@ Lattice<Dim> CoarseSamples<Dim>::lattice_of(const SampleRange<Dim>& part) const 
 }
 
 template <int Dim>
-void CoarseSamples<Dim>::copy(const SampleRange<Dim>& part, std::span<float> to) {
+SampleRows CoarseSamples<Dim>::rows(const SampleRange<Dim>& part) {
   if (samples_.empty()) {
     const Lattice<Dim> lattice = lattice_of(part);
-    noise_->block(lattice.bounds())->evaluate(lattice, Samples<Dim>{to.first(part.size()), {}});
-    return;
+    passing_.resize(part.size());
+    noise_->block(lattice.bounds())->evaluate(lattice, Samples<Dim>{passing_, {}});
+    return rows_of(passing_, part.count, glm::vec<Dim, int>(0), part.count);
   }
   glm::vec<Dim, int> start;
   glm::vec<Dim, int> first_brick;
@@ -96,8 +77,23 @@ void CoarseSamples<Dim>::copy(const SampleRange<Dim>& part, std::span<float> to)
     const glm::vec<Dim, int> brick = first_brick + index;
     if (!evaluated_[offset_of<Dim>(brick, bricks_)]) evaluate_brick(brick);
   });
-  copy_box<Dim>(part.count, samples_.data(), start, range_.count, to.data(), glm::vec<Dim, int>(0),
-                part.count);
+  return rows_of(samples_, range_.count, start, part.count);
+}
+
+// The part of a dense array of `count` samples that begins at `start`.
+template <int Dim>
+SampleRows CoarseSamples<Dim>::rows_of(const std::vector<float>& samples, const glm::vec<Dim, int>& count,
+                                       const glm::vec<Dim, int>& start,
+                                       const glm::vec<Dim, int>& part) const {
+  SampleRows rows;
+  rows.first = samples.data() + offset_of<Dim>(start, count);
+  rows.rows = static_cast<std::size_t>(part[Dim - 2]);
+  rows.row_stride = static_cast<std::size_t>(count[Dim - 1]);
+  if constexpr (Dim == 3) {
+    rows.slabs = static_cast<std::size_t>(part[0]);
+    rows.slab_stride = rows.row_stride * static_cast<std::size_t>(count[1]);
+  }
+  return rows;
 }
 
 template <int Dim>
@@ -110,8 +106,13 @@ void CoarseSamples<Dim>::evaluate_brick(const glm::vec<Dim, int>& brick) {
   }
   std::vector<float> samples(part.size());
   block_->evaluate(lattice_of(part), Samples<Dim>{samples, {}});
-  copy_box<Dim>(part.count, samples.data(), glm::vec<Dim, int>(0), part.count, samples_.data(), start,
-                range_.count);
+  const float* from = samples.data();
+  glm::vec<Dim, int> rows = part.count;
+  rows[Dim - 1] = 1;
+  for_each_index<Dim>(rows, [&](const glm::vec<Dim, int>& row) {
+    std::copy_n(from, part.count[Dim - 1], samples_.data() + offset_of<Dim>(start + row, range_.count));
+    from += part.count[Dim - 1];
+  });
   evaluated_[offset_of<Dim>(brick, bricks_)] = true;
 }
 

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "solidnoise/noise/interpolation/interpolate_axis.h"
 #include "solidnoise/noise/noise.h"
 
 namespace solidnoise {
@@ -32,12 +33,14 @@ class CoarseSamples {
   CoarseSamples(std::shared_ptr<const Noise<Dim>> noise, const Lattice<Dim>& lattice,
                 const SampleRange<Dim>& range);
 
-  // Copies the samples of a part of the range, in a lattice's order.
-  void copy(const SampleRange<Dim>& part, std::span<float> to);
+  // The samples of a part of the range, until the next call.
+  SampleRows rows(const SampleRange<Dim>& part);
 
  private:
   static constexpr int kSide = 8;  // of a brick
 
+  SampleRows rows_of(const std::vector<float>& samples, const glm::vec<Dim, int>& count,
+                     const glm::vec<Dim, int>& start, const glm::vec<Dim, int>& part) const;
   Lattice<Dim> lattice_of(const SampleRange<Dim>& part) const;
   void evaluate_brick(const glm::vec<Dim, int>& brick);
 
@@ -46,6 +49,7 @@ class CoarseSamples {
   SampleRange<Dim> range_;
   glm::vec<Dim, int> bricks_{1};
   std::unique_ptr<NoiseBlock<Dim>> block_;
+  std::vector<float> passing_;   // of the last part, where the range is too much to keep
   std::vector<float> samples_;   // of the whole range; empty where that is too much to keep
   std::vector<bool> evaluated_;  // per brick
 };

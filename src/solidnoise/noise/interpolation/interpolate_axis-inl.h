@@ -19,69 +19,125 @@ namespace solidnoise {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Sums the weighted rows for the values that fill whole vectors of D; returns how many these are.
-template <class D>
-HWY_INLINE std::size_t SumRows(D d, int taps, const float* weight, std::size_t stride, std::size_t begin,
-                               std::size_t end, const float* in, float* out) {
+// Sums the weighted rows of all outer arrays for the values that fill whole vectors of D; returns how many of
+// a row these are. `weight` of kTaps.
+template <int kTaps, class D>
+HWY_INLINE std::size_t SumRows(D d, const float* weight, const AxisShape& shape, std::size_t out_stride,
+                               std::size_t begin, const float* in, float* out) {
+  using V = hn::Vec<D>;
   const std::size_t lanes = hn::Lanes(d);
-  for (; begin + lanes <= end; begin += lanes) {
-    auto sum = hn::Zero(d);
-    for (int t = 0; t < taps; ++t) {
-      sum = hn::MulAdd(hn::Set(d, weight[t]), hn::LoadU(d, in + static_cast<std::size_t>(t) * stride + begin),
-                       sum);
+  const std::size_t end = begin + (shape.inner - begin) / lanes * lanes;
+  const auto weight_of = [&](int tap) { return hn::Set(d, tap < kTaps ? weight[tap] : 0.0f); };
+  const V w0 = weight_of(0);
+  const V w1 = weight_of(1);
+  const V w2 = weight_of(2);
+  const V w3 = weight_of(3);
+  const V w4 = weight_of(4);
+  const V w5 = weight_of(5);
+  const V w6 = weight_of(6);
+  const V w7 = weight_of(7);
+  for (std::size_t o = 0; o < shape.outer; ++o) {
+    const float* const rows = in + o * shape.in * shape.inner;
+    float* const to = out + o * out_stride;
+    for (std::size_t i = begin; i < end; i += lanes) {
+      const auto row = [&](std::size_t tap) { return hn::LoadU(d, rows + tap * shape.inner + i); };
+      V sum = hn::Mul(w0, row(0));
+      if constexpr (kTaps >= 4) {
+        sum = hn::MulAdd(w1, row(1), sum);
+        sum = hn::MulAdd(w2, row(2), sum);
+        sum = hn::MulAdd(w3, row(3), sum);
+      }
+      if constexpr (kTaps >= 6) {
+        sum = hn::MulAdd(w4, row(4), sum);
+        sum = hn::MulAdd(w5, row(5), sum);
+      }
+      if constexpr (kTaps >= 8) {
+        sum = hn::MulAdd(w6, row(6), sum);
+        sum = hn::MulAdd(w7, row(7), sum);
+      }
+      hn::StoreU(sum, d, to + i);
     }
-    hn::StoreU(sum, d, out + begin);
   }
-  return begin;
+  return end;
 }
 
 // Along an axis whose rows are long: each row is a sum of rows.
+template <int kTaps>
 HWY_INLINE void InterpolateRows(const AxisTaps& axis, const AxisShape& shape, const float* in, float* out) {
   const hn::ScalableTag<float> wide;
   const hn::CappedTag<float, 8> narrow;
   const hn::CappedTag<float, 1> single;
-  const std::size_t count = axis.count();
-  for (std::size_t o = 0; o < shape.outer; ++o) {
-    for (std::size_t i = 0; i < count; ++i) {
-      const float* const from = in + (o * shape.in + axis.first(i)) * shape.inner;
-      const float* const weight = axis.weights(i);
-      float* const to = out + (o * count + i) * shape.inner;
-      std::size_t done = SumRows(wide, axis.taps(), weight, shape.inner, 0, shape.inner, from, to);
-      done = SumRows(narrow, axis.taps(), weight, shape.inner, done, shape.inner, from, to);
-      SumRows(single, axis.taps(), weight, shape.inner, done, shape.inner, from, to);
+  const std::size_t stride = axis.count() * shape.inner;
+  for (std::size_t i = 0; i < axis.count(); ++i) {
+    const float* const from = in + axis.first(i) * shape.inner;
+    float* const to = out + i * shape.inner;
+    std::size_t done = SumRows<kTaps>(wide, axis.weights(i), shape, stride, 0, from, to);
+    if (done < shape.inner) done = SumRows<kTaps>(narrow, axis.weights(i), shape, stride, done, from, to);
+    if (done < shape.inner) SumRows<kTaps>(single, axis.weights(i), shape, stride, done, from, to);
+  }
+}
+
+void InterpolateAxis(const AxisTaps& axis, const AxisShape& shape, const float* in, float* out) {
+  switch (axis.taps()) {
+    case 1:
+      return InterpolateRows<1>(axis, shape, in, out);
+    case 4:
+      return InterpolateRows<4>(axis, shape, in, out);
+    case 6:
+      return InterpolateRows<6>(axis, shape, in, out);
+    default:
+      return InterpolateRows<8>(axis, shape, in, out);
+  }
+}
+
+// One tile of kRows rows, whose sums do not wait for each other.
+template <int kRows, class D>
+HWY_INLINE void SumTiles(D d, const AxisTaps::Tile& tile, const float* from, std::size_t from_stride,
+                         float* to, std::size_t to_stride) {
+  using V = hn::Vec<D>;
+  const std::size_t columns = tile.columns.size();
+  for (std::size_t lane = 0; lane < AxisTaps::Tile::kSide; lane += hn::Lanes(d)) {
+    V sum0 = hn::Zero(d);
+    V sum1 = hn::Zero(d);
+    V sum2 = hn::Zero(d);
+    V sum3 = hn::Zero(d);
+    for (std::size_t k = 0; k < columns; ++k) {
+      const V column = hn::LoadU(d, tile.columns[k].data() + lane);
+      sum0 = hn::MulAdd(hn::Set(d, from[k]), column, sum0);
+      if constexpr (kRows == 4) {
+        sum1 = hn::MulAdd(hn::Set(d, from[from_stride + k]), column, sum1);
+        sum2 = hn::MulAdd(hn::Set(d, from[2 * from_stride + k]), column, sum2);
+        sum3 = hn::MulAdd(hn::Set(d, from[3 * from_stride + k]), column, sum3);
+      }
+    }
+    hn::StoreU(sum0, d, to + lane);
+    if constexpr (kRows == 4) {
+      hn::StoreU(sum1, d, to + to_stride + lane);
+      hn::StoreU(sum2, d, to + 2 * to_stride + lane);
+      hn::StoreU(sum3, d, to + 3 * to_stride + lane);
     }
   }
 }
 
 // Along the last axis: tile by tile, for all rows.
-HWY_INLINE void InterpolateLastAxis(const AxisTaps& axis, const AxisShape& shape, const float* in,
-                                    float* out) {
+void InterpolateLastAxis(const AxisTaps& axis, const SampleRows& rows, float* out) {
   constexpr std::size_t kSide = AxisTaps::Tile::kSide;
   const hn::CappedTag<float, kSide> d;
-  const std::size_t lanes = hn::Lanes(d);
   for (const AxisTaps::Tile& tile : axis.tiles()) {
-    const std::size_t columns = tile.columns.size();
-    for (std::size_t o = 0; o < shape.outer; ++o) {
-      const float* const from = in + o * shape.in + tile.first;
-      float* const to = out + o * axis.count() + tile.begin;
-      HWY_ALIGN float sums[kSide];
-      for (std::size_t lane = 0; lane < kSide; lane += lanes) {
-        auto sum = hn::Zero(d);
-        for (std::size_t k = 0; k < columns; ++k) {
-          sum = hn::MulAdd(hn::Set(d, from[k]), hn::LoadU(d, tile.columns[k].data() + lane), sum);
-        }
-        hn::Store(sum, d, sums + lane);
+    for (std::size_t slab = 0; slab < rows.slabs; ++slab) {
+      const float* from = rows.first + slab * rows.slab_stride + tile.first;
+      float* to = out + slab * rows.rows * axis.count() + tile.begin;
+      std::size_t row = 0;
+      for (; tile.count == kSide && row + 4 <= rows.rows; row += 4) {
+        SumTiles<4>(d, tile, from + row * rows.row_stride, rows.row_stride, to + row * axis.count(),
+                    axis.count());
       }
-      std::copy_n(sums, tile.count, to);
+      for (; row < rows.rows; ++row) {
+        float sums[kSide];
+        SumTiles<1>(d, tile, from + row * rows.row_stride, 0, sums, 0);
+        std::copy_n(sums, tile.count, to + row * axis.count());
+      }
     }
-  }
-}
-
-void InterpolateAxis(const AxisTaps& axis, const AxisShape& shape, const float* in, float* out) {
-  if (shape.inner == 1) {
-    InterpolateLastAxis(axis, shape, in, out);
-  } else {
-    InterpolateRows(axis, shape, in, out);
   }
 }
 

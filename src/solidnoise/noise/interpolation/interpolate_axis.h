@@ -37,16 +37,27 @@ class AxisTaps {
   std::vector<Tile> tiles_;
 };
 
-// The shape of an array around an axis: `outer` arrays of `in` rows of `inner` contiguous values each.
+// Rows of samples along the last axis, in slabs of some rows each; strides from one to the next.
+struct SampleRows {
+  const float* first = nullptr;
+  std::size_t slabs = 1;
+  std::size_t rows = 1;
+  std::size_t slab_stride = 0;
+  std::size_t row_stride = 0;
+};
+
+// The shape of a dense array around another axis: `outer` arrays of `in` rows of `inner` contiguous values
+// each.
 struct AxisShape {
   std::size_t outer = 1;
   std::size_t in = 1;
   std::size_t inner = 1;
 };
 
-// Interpolates an array along one axis. Sums are taken tap by tap, elementwise per sample, with explicit
-// multiply-adds: a value does not depend on the vector width or on the other samples. Runs the code of the
-// widest instruction set that the processor has.
+// Interpolates an array along one axis; what comes out is dense. Sums are taken tap by tap, elementwise per
+// sample, with explicit multiply-adds: a value does not depend on the vector width or on the other samples.
+// Runs the code of the widest instruction set that the processor has.
+void interpolate_last_axis(const AxisTaps& axis, const SampleRows& rows, float* out);
 void interpolate_axis(const AxisTaps& axis, const AxisShape& shape, const float* in, float* out);
 
 }  // namespace solidnoise

@@ -10,7 +10,12 @@
 #if HWY_ONCE
 namespace solidnoise {
 
+HWY_EXPORT(InterpolateLastAxis);
 HWY_EXPORT(InterpolateAxis);
+
+void interpolate_last_axis(const AxisTaps& axis, const SampleRows& rows, float* out) {
+  HWY_DYNAMIC_DISPATCH(InterpolateLastAxis)(axis, rows, out);
+}
 
 void interpolate_axis(const AxisTaps& axis, const AxisShape& shape, const float* in, float* out) {
   HWY_DYNAMIC_DISPATCH(InterpolateAxis)(axis, shape, in, out);

@@ -113,17 +113,20 @@ class InterpolatedBlock final : public NoiseBlock<Dim> {
     Index<Dim> end;
     for (int axis = 0; axis < Dim; ++axis) end[axis] = lattice.first[axis] + lattice.count[axis] - 1;
     const SampleRange<Dim> range = interpolation_->coarse_range(lattice.first, end);
-    AxisShape shape{range.size(), 1, 1};
-    from_.resize(range.size());
-    coarse_->copy(range, from_);
-    for (int axis = Dim - 1; axis >= 0; --axis) {
+    const auto taps = [&](int axis) -> const AxisTaps& {
+      return taps_of(axis, lattice.first[axis], lattice.count[axis]);
+    };
+    AxisShape shape{range.size() / static_cast<std::size_t>(range.count[Dim - 1]), 1,
+                    static_cast<std::size_t>(lattice.count[Dim - 1])};
+    to_.resize(shape.outer * shape.inner);
+    interpolate_last_axis(taps(Dim - 1), coarse_->rows(range), to_.data());
+    for (int axis = Dim - 2; axis >= 0; --axis) {
+      std::swap(from_, to_);
       const auto count = static_cast<std::size_t>(lattice.count[axis]);
       shape.in = static_cast<std::size_t>(range.count[axis]);
       shape.outer /= shape.in;
-      const AxisTaps& taps = taps_of(axis, lattice.first[axis], lattice.count[axis]);
       if (axis > 0) to_.resize(shape.outer * count * shape.inner);
-      interpolate_axis(taps, shape, from_.data(), axis > 0 ? to_.data() : values.data());
-      std::swap(from_, to_);
+      interpolate_axis(taps(axis), shape, from_.data(), axis > 0 ? to_.data() : values.data());
       shape.inner *= count;
     }
   }
