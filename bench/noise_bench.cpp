@@ -17,9 +17,12 @@
 #include "ratio_reporter.h"
 #include "reference/gabor_reference.h"
 #include "reference/kensler_reference.h"
+#include "solidnoise/noise/error_budget.h"
+#include "solidnoise/noise/fractal_noise.h"
 #include "solidnoise/noise/gabor/gabor_noise.h"
 #include "solidnoise/noise/gabor/oriented_gabor_noise.h"
 #include "solidnoise/noise/gradient/gradient_noise.h"
+#include "solidnoise/noise/interpolation/interpolated_noise.h"
 #include "solidnoise/noise/kernel/bandwidth.h"
 
 namespace solidnoise::bench {
@@ -28,14 +31,14 @@ namespace {
 constexpr int kLeaf = 8;
 constexpr int kBlock = 32;
 
-// Leaves of 8^3 voxels, in the block whose first voxel is `corner`; in 4D, one frame of them.
+// Leaves of 8^3 voxels, in the block of a side of `leaves` leaves whose first voxel is `corner`; in 4D, one
+// frame of them.
 template <int Dim>
-Lattice<Dim> leaf_lattice(const Index<Dim>& corner, int leaf) {
-  constexpr int kLeaves = kBlock / kLeaf;
+Lattice<Dim> leaf_lattice(const Index<Dim>& corner, int leaves, int leaf) {
   Lattice<Dim> lattice;
   lattice.first = corner;
-  for (int axis = 0; axis < 3; ++axis, leaf /= kLeaves) {
-    lattice.first[axis] += leaf % kLeaves * kLeaf;
+  for (int axis = 0; axis < 3; ++axis, leaf /= leaves) {
+    lattice.first[axis] += leaf % leaves * kLeaf;
     lattice.count[axis] = kLeaf;
   }
   return lattice;
@@ -43,30 +46,31 @@ Lattice<Dim> leaf_lattice(const Index<Dim>& corner, int leaf) {
 
 // A different block for each iteration, so that nothing can be kept from the last.
 template <int Dim>
-Index<Dim> block_corner(std::int64_t iteration, int thread) {
+Index<Dim> block_corner(std::int64_t iteration, int thread, int side = kBlock) {
   Index<Dim> corner(0);
-  corner[0] = kBlock * (iteration % 64);
-  corner[1] = kBlock * (iteration / 64 % 64);
-  corner[2] = kBlock * thread;
+  corner[0] = side * (iteration % 64);
+  corner[1] = side * (iteration / 64 % 64);
+  corner[2] = side * thread;
   return corner;
 }
 
 template <int Dim>
-void evaluate_blocks(benchmark::State& state, const Noise<Dim>& noise) {
+void evaluate_blocks(benchmark::State& state, const Noise<Dim>& noise, int side = kBlock) {
+  const int leaves = side / kLeaf;
   std::vector<float> values(kLeaf * kLeaf * kLeaf);
   std::int64_t iteration = 0;
   for (auto _ : state) {
-    const Index<Dim> corner = block_corner<Dim>(iteration++, state.thread_index());
+    const Index<Dim> corner = block_corner<Dim>(iteration++, state.thread_index(), side);
     Box<Dim> box{Vec<Dim>(corner), Vec<Dim>(corner)};
-    for (int axis = 0; axis < 3; ++axis) box.upper[axis] += kBlock - 1;
+    for (int axis = 0; axis < 3; ++axis) box.upper[axis] += side - 1;
     const auto block = noise.block(box);
-    for (int leaf = 0; leaf < 64; ++leaf) {
-      block->evaluate(leaf_lattice<Dim>(corner, leaf), {.values = values});
+    for (int leaf = 0; leaf < leaves * leaves * leaves; ++leaf) {
+      block->evaluate(leaf_lattice<Dim>(corner, leaves, leaf), {.values = values});
       benchmark::DoNotOptimize(values.data());
       benchmark::ClobberMemory();
     }
   }
-  state.SetItemsProcessed(state.iterations() * kBlock * kBlock * kBlock);
+  state.SetItemsProcessed(state.iterations() * side * side * side);
 }
 
 // Point by point through one leaf; `Real` is the procedure's number type, `scale` its units per voxel.
@@ -142,6 +146,39 @@ void add_isotropic(std::vector<Ratio>& ratios) {
   }
 }
 
+// Noise within an error of 2 %, all of it the kernel's and every voxel summed, or split between the kernel
+// and interpolation; in the blocks of 64^3 voxels that volumes are filled in. `radius` of the kernel in
+// voxels, that of the highest octave.
+void add_budget(std::vector<Ratio>& ratios, int radius, int impulses, int octaves) {
+  constexpr int kSide = 64;
+  constexpr double kError = 0.02;
+  GaborNoiseOptions options = make_gabor<GaborNoise, 3, GaborNoiseOptions>(radius, impulses)->options();
+  std::string name = "gabor/3/isotropic/N" + std::to_string(impulses) + "/R" + std::to_string(radius);
+  if (octaves > 1) name += "x" + std::to_string(octaves);
+  options.frequency /= std::pow(2.0, octaves - 1);
+  const auto make = [&](const GaborNoiseOptions& of) {
+    std::vector<FractalNoise<3>::Octave> sum;
+    for (int k = 0; k < octaves; ++k) {
+      GaborNoiseOptions octave = of;
+      octave.frequency *= std::pow(2.0, k);
+      sum.push_back({std::make_shared<GaborNoise<3>>(octave), std::pow(0.5, k)});
+    }
+    return std::make_shared<FractalNoise<3>>(std::move(sum));
+  };
+  const std::shared_ptr<const Noise<3>> direct = make(options);
+  const std::shared_ptr<const Noise<3>> budget =
+      interpolate<3>(make(with_truncation_share(options)), {}, ErrorBudget(kError).interpolation);
+  for (const auto& [suffix, noise] : {std::pair("/direct", direct), std::pair("/budget", budget)}) {
+    benchmark::RegisterBenchmark((name + suffix).c_str(), [noise = noise](benchmark::State& state) {
+      evaluate_blocks<3>(state, *noise, kSide);
+    });
+  }
+  const bool goal = radius == 16 && impulses == 32 && octaves == 1;
+  std::string label = name.substr(std::string("gabor/3/").size());
+  label += " within 2 %, over direct";
+  ratios.push_back({label, name + "/direct", name + "/budget", goal ? 3.0 : 1.0, goal ? 4.0 : 1.0});
+}
+
 void add_oriented(std::vector<Ratio>& ratios) {
   const auto noise = make_gabor<OrientedGaborNoise, 3, OrientedGaborNoiseOptions>(16, 32);
   const std::string name = "gabor-oriented/3/random/N32/R16/";
@@ -193,6 +230,9 @@ void add_threads(std::vector<Ratio>& ratios) {
 int main(int argc, char** argv) {
   std::vector<solidnoise::bench::Ratio> ratios;
   solidnoise::bench::add_isotropic(ratios);
+  for (const int impulses : {8, 32, 64, 256}) solidnoise::bench::add_budget(ratios, 16, impulses, 1);
+  for (const int radius : {32, 64, 128}) solidnoise::bench::add_budget(ratios, radius, 32, 1);
+  solidnoise::bench::add_budget(ratios, 16, 32, 4);
   solidnoise::bench::add_oriented(ratios);
   solidnoise::bench::add_animated(ratios);
   solidnoise::bench::add_kensler(ratios);
