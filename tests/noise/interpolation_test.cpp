@@ -282,6 +282,35 @@ TEST(Interpolation, IsTheNoiseButForTheError) {
   });
 }
 
+// Images: an octave and a noise by example, whole and in strips.
+TEST(Interpolation, OfImagesDoesNotDependOnTheStrip) {
+  NoiseRecipe recipe{GaborNoiseOptions{.frequency = 1.0, .error = 0.002, .impulses = 20.0}, {}};
+  const auto example = std::make_shared<const SpectrumNoise<2>>(some_spectrum(2));
+  for (const std::shared_ptr<const Noise<2>>& noise :
+       {std::shared_ptr<const Noise<2>>(make_noise<2>(recipe)), std::shared_ptr<const Noise<2>>(example)}) {
+    const double step = 0.04 / noise->band().upper;
+    const auto interpolated = interpolate<2>(noise, {Vec<2>(0.3), Vec<2>(step)}, 0.01);
+    ASSERT_NE(interpolated, noise);
+    const Lattice<2> whole{Vec<2>(0.3), Vec<2>(step), {-5, 9}, {70, 90}};
+    const auto values = values_of<2>(*interpolated, whole);
+    for (int start = 0; start < 70; start += 14) {
+      Lattice<2> strip = whole;
+      strip.first.x += start;
+      strip.count.x = 14;
+      const auto part = evaluate_in_one_block(*interpolated, strip).values;
+      for (std::size_t i = 0; i < part.size(); ++i) {
+        ASSERT_EQ(part[i], values[static_cast<std::size_t>(start) * 90 + i]) << "sample " << i;
+      }
+    }
+    const auto direct = values_of<2>(*noise, whole);
+    double squares = 0.0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      squares += std::pow(static_cast<double>(values[i]) - static_cast<double>(direct[i]), 2);
+    }
+    EXPECT_LT(std::sqrt(squares / static_cast<double>(values.size())), 0.01 + 0.02);
+  }
+}
+
 // Variance and fourth moment of samples of all phases, far from each other: within 4 standard errors.
 TEST(Interpolation, KeepsTheStatistics) {
   const auto noise =

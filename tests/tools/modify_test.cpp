@@ -155,7 +155,9 @@ TEST_F(Modify, RestPositionsMoveTheNoise) {
     rest->tree().setValueOn(*voxel, density->indexToWorld(*voxel) + openvdb::Vec3d(0.3, 0, 0));
   }
   write_vdb(out("rest.vdb"), {rest}, {});
-  const std::vector<std::string> common{"--on", input_ + ":density", "--frequency", "1", "--combine", "add"};
+  // Points are always summed, voxels only where the noise is to be exact.
+  const std::vector<std::string> common{"--on",   input_ + ":density", "--frequency", "1", "--combine", "add",
+                                        "--exact"};
   std::vector<std::string> by_rest = common;
   by_rest.insert(by_rest.end(), {"--rest", out("rest.vdb")});
   run_well(by_rest, "a.vdb");

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <optional>
 #include <utility>
@@ -61,13 +62,15 @@ struct Interpolation {
     return lattice.origin == frame.origin && lattice.step == frame.step;
   }
 
-  // The coarse samples that samples from `begin` to `end` need.
+  // The coarse samples that samples from `begin` to `end` need; of ranges without end, as many as can be
+  // counted.
   SampleRange<Dim> coarse_range(const Index<Dim>& begin, const Index<Dim>& end) const {
     SampleRange<Dim> range;
     for (int axis = 0; axis < Dim; ++axis) {
       const InterpolatedAxis& interpolated = axes[static_cast<std::size_t>(axis)];
       range.first[axis] = interpolated.first(begin[axis]);
-      range.count[axis] = static_cast<int>(interpolated.last(end[axis]) - range.first[axis]) + 1;
+      const std::int64_t count = interpolated.last(end[axis]) - range.first[axis] + 1;
+      range.count[axis] = static_cast<int>(std::min<std::int64_t>(count, std::numeric_limits<int>::max()));
     }
     return range;
   }
