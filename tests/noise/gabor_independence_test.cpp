@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "solidnoise/core/random.h"
+#include "solidnoise/noise/error_budget.h"
 #include "solidnoise/noise/noise_recipe.h"
 #include "support/each_dimension.h"
 #include "support/gabor_noises.h"
@@ -115,7 +116,7 @@ TEST(GaborIndependence, OctavesAreNotCopiesOfEachOther) {
     const GaborNoiseOptions options{.impulses = 20.0, .seed = 9};
     NoiseRecipe recipe{options, {.octaves = 2, .lacunarity = 2.0, .gain = 0.5, .renormalize = false}};
     const auto both = make_noise<Dim>(recipe);
-    const GaborNoise<Dim> first(options);
+    const GaborNoise<Dim> first(with_truncation_share(options));
     const Lattice<Dim> lattice = independent_lattice<Dim>(first.radius());
     Lattice<Dim> shrunk = lattice;
     shrunk.origin *= 0.5;

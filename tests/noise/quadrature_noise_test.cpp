@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "solidnoise/noise/error_budget.h"
 #include "solidnoise/noise/noise_recipe.h"
 #include "support/evaluated.h"
 #include "support/gabor_noises.h"
@@ -24,7 +25,8 @@ NoiseRecipe oriented(double anisotropy) {
 TEST(QuadratureNoise, HasTheNoisesImpulsesWithSineForCosine) {
   for (const double anisotropy : {0.0, 0.7}) {
     const NoiseRecipe recipe = oriented(anisotropy);
-    const OrientedGaborNoise<3> noise(std::get<OrientedGaborNoiseOptions>(recipe.noise));
+    const OrientedGaborNoise<3> noise(
+        with_truncation_share(std::get<OrientedGaborNoiseOptions>(recipe.noise)));
     const auto quadrature = make_quadrature<3>(recipe);
     const Lattice<3> lattice = some_lattice<3>(noise.envelope().radius());
     const Evaluated<3> evaluated = evaluate_in_one_block<3>(*quadrature, lattice);
