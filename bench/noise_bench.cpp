@@ -154,7 +154,7 @@ void add_budget(std::vector<Ratio>& ratios, int radius, int impulses, int octave
   constexpr double kError = 0.02;
   GaborNoiseOptions options = make_gabor<GaborNoise, 3, GaborNoiseOptions>(radius, impulses)->options();
   std::string name = "gabor/3/isotropic/N" + std::to_string(impulses) + "/R" + std::to_string(radius);
-  if (octaves > 1) name += "x" + std::to_string(octaves);
+  if (octaves > 1) name.append("x").append(std::to_string(octaves));
   options.frequency /= std::pow(2.0, octaves - 1);
   const auto make = [&](const GaborNoiseOptions& of) {
     std::vector<FractalNoise<3>::Octave> sum;
