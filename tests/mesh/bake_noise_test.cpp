@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include "solidnoise/noise/error_budget.h"
 #include "solidnoise/noise/gabor/gabor_noise.h"
 #include "solidnoise/noise/gradient/gradient_noise.h"
 #include "solidnoise/noise/noise_recipe.h"
@@ -83,7 +84,8 @@ TEST(BakeNoise, ByAnExampleInSpaceIsTheFieldThatVolumesHave) {
   recipe.exemplar = some_spectrum(3).model;
   EXPECT_FALSE(has_direction(recipe));
   const auto baked = bake_noise(recipe, sphere.vertices(2.0));
-  const SpectrumNoise<3> noise({.model = recipe.exemplar, .frequency = 2.0, .seed = 3});
+  const SpectrumNoise<3> noise(
+      with_truncation_share(SpectrumNoiseOptions{.model = recipe.exemplar, .frequency = 2.0, .seed = 3}));
   for (std::size_t i = 0; i < baked.size(); ++i) {
     Lattice<3> voxel;
     voxel.origin = sphere.positions[i];

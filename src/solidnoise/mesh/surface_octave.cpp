@@ -2,6 +2,7 @@
 
 #include <type_traits>
 
+#include "solidnoise/noise/error_budget.h"
 #include "solidnoise/noise/gabor/gabor_noise.h"
 #include "solidnoise/noise/gabor/spectrum_noise.h"
 #include "solidnoise/noise/gabor/surface_gabor_noise.h"
@@ -27,7 +28,8 @@ class GaborOctave final : public SurfaceOctave {
   SurfaceGaborNoise noise_;
 };
 
-// The field of volumes, or its varying sibling where frequency or bandwidth vary.
+// The field of volumes, with kernels as exact as theirs, or its varying sibling where frequency or bandwidth
+// vary.
 class SolidOctave final : public SurfaceOctave {
  public:
   SolidOctave(const GaborNoiseOptions& options, const VaryingGaborOptions& varying)
@@ -110,7 +112,7 @@ std::unique_ptr<SurfaceOctave> make_surface_octave(const SurfaceNoiseRecipe& rec
       varying.error = recipe.error;
       varying.impulses = recipe.impulses;
       varying.seed = seed;
-      return std::make_unique<SolidOctave>(options, varying);
+      return std::make_unique<SolidOctave>(with_truncation_share(options), varying);
     }
     case SurfaceNoiseKind::kensler:
       return std::make_unique<FixedOctave<ProjectedGradientNoise>>(
@@ -124,7 +126,7 @@ std::unique_ptr<SurfaceOctave> make_surface_octave(const SurfaceNoiseRecipe& rec
       options.impulses = recipe.impulses;
       options.seed = seed;
       if (has_direction(recipe)) return std::make_unique<SpectrumOctave>(options, recipe.layer);
-      return std::make_unique<FixedOctave<SpectrumNoise<3>>>(options);
+      return std::make_unique<FixedOctave<SpectrumNoise<3>>>(with_truncation_share(options));
     }
     case SurfaceNoiseKind::kensler_solid:
       break;
