@@ -7,6 +7,7 @@ shift
 
 if command -v ccache >/dev/null; then
   export CMAKE_CXX_COMPILER_LAUNCHER=ccache
+  export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1  # objects do not depend on the folder
 fi
 
 # One compiler per core, as long as each has 1 GB (OpenVDB's headers need most of it).

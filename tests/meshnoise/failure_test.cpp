@@ -8,6 +8,7 @@
 
 #include "meshnoise/run_meshnoise.h"
 #include "meshnoise/sample_torus.h"
+#include "support/paths.h"
 
 namespace solidnoise {
 namespace {
@@ -21,7 +22,7 @@ TEST(MeshnoiseInterrupt, WhileBakingLeavesNothing) {
   for (const int signal : {SIGINT, SIGTERM}) {
     const TemporaryFolder folder;
     write_sample(folder, "in.ply", sample_torus(40));
-    RunningTool tool(SOLIDNOISE_MESHNOISE,
+    RunningTool tool(in_build("tools/meshnoise"),
                      {"bake", "in.ply", "--out", "x.ply", "--preview", "x.png", "--frequency", "300",
                       "--impulses", "20000", "--error", "0.001", "--octaves", "8"},
                      {.folder = folder.path()});
@@ -39,7 +40,7 @@ TEST(MeshnoiseInterrupt, WhileBakingLeavesNothing) {
 TEST(MeshnoiseInterrupt, WhileWritingLeavesNothing) {
   const TemporaryFolder folder;
   write_sample(folder, "in.ply", sample_torus(44));
-  RunningTool tool(SOLIDNOISE_MESHNOISE,
+  RunningTool tool(in_build("tools/meshnoise"),
                    {"bake", "in.ply", "--out", "x.off", "--noise", "kensler", "--detail", "1", "--octaves",
                     "1", "--bias", "0", "--refine", "3"},
                    {.folder = folder.path()});

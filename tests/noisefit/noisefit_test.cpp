@@ -11,6 +11,7 @@
 #include "noisefit/run_noisefit.h"
 #include "solidnoise/recipe/exemplar_model_json.h"
 #include "solidnoise/recipe/json.h"
+#include "support/paths.h"
 #include "support/temporary_folder.h"
 
 namespace solidnoise {
@@ -122,7 +123,7 @@ TEST(Noisefit, KeepsTheLastSolutionWhenItIsInterrupted) {
   const TemporaryFolder folder;
   write_image(folder / "in.png", wavy_picture(512, 512));
   // A gap that is never reached: all iterations of all levels, a minute or more.
-  RunningTool tool(SOLIDNOISE_NOISEFIT, {"in.png", "--out", "x.json", "--paper", "--gap", "1e-9"},
+  RunningTool tool(in_build("tools/noisefit"), {"in.png", "--out", "x.json", "--paper", "--gap", "1e-9"},
                    {.folder = folder.path()});
   tool.wait_until_it_catches(SIGINT);
   std::this_thread::sleep_for(1s);  // into the fit

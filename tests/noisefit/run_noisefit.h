@@ -5,12 +5,13 @@
 #include <vector>
 
 #include "solidnoise/image/image_file.h"
+#include "support/paths.h"
 #include "tools/run_tool.h"
 
 namespace solidnoise {
 
 inline ToolResult run_noisefit(const std::vector<std::string>& arguments, const RunOptions& options = {}) {
-  return RunningTool(SOLIDNOISE_NOISEFIT, arguments, options).wait();
+  return RunningTool(in_build("tools/noisefit"), arguments, options).wait();
 }
 
 // A texture of some waves, in colour.

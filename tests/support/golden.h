@@ -6,11 +6,13 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "support/paths.h"
+
 namespace solidnoise {
 
 // A file of golden values (tests/golden/README.md says what is in it).
 inline nlohmann::json golden(const std::string& file) {
-  std::ifstream stream(std::string(SOLIDNOISE_TEST_DATA) + "/golden/" + file);
+  std::ifstream stream(in_source("tests/golden/" + file));
   EXPECT_TRUE(stream) << file;
   return nlohmann::json::parse(stream);
 }

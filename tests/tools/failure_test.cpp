@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/paths.h"
 #include "tools/run_vdbnoise.h"
 
 namespace solidnoise {
@@ -18,7 +19,7 @@ const std::vector<std::string> kLongRun{"--raw", "--dim", "320", "--codec", "non
 TEST(Interrupt, WhileMakingLeavesNothing) {
   for (const int signal : {SIGINT, SIGTERM}) {
     const TemporaryFolder folder;
-    RunningTool tool(SOLIDNOISE_VDBNOISE, kLongRun, {.folder = folder.path()});
+    RunningTool tool(in_build("tools/vdbnoise"), kLongRun, {.folder = folder.path()});
     tool.wait_until_it_catches(signal);
     std::this_thread::sleep_for(100ms);  // into the making of the volume
     tool.send(signal);
@@ -31,7 +32,7 @@ TEST(Interrupt, WhileMakingLeavesNothing) {
 
 TEST(Interrupt, WhileWritingLeavesNothing) {
   const TemporaryFolder folder;
-  RunningTool tool(SOLIDNOISE_VDBNOISE, kLongRun, {.folder = folder.path()});
+  RunningTool tool(in_build("tools/vdbnoise"), kLongRun, {.folder = folder.path()});
   const auto give_up = std::chrono::steady_clock::now() + 60s;
   while (folder.names().empty() && std::chrono::steady_clock::now() < give_up)
     std::this_thread::sleep_for(1ms);
@@ -47,7 +48,7 @@ TEST(Interrupt, WhileWritingLeavesNothing) {
 TEST(Interrupt, EndsWithinASecondWhateverIsDone) {
   const TemporaryFolder folder;
   const RunOptions in_folder{.folder = folder.path()};
-  const std::string torus = SOLIDNOISE_MESHES "/torus.obj";
+  const std::string torus = in_source("meshes/torus.obj");
   ASSERT_EQ(run_vdbnoise({"surface", torus, "--dim", "300", "--band", "0.2", "--out", "band.vdb", "--quiet"},
                          in_folder)
                 .status,
@@ -75,7 +76,7 @@ TEST(Interrupt, EndsWithinASecondWhateverIsDone) {
       {10ms, {"slice", "band.vdb", "--resolution", "4000", "--out", "x.png"}},
   };
   for (const Run& run : runs) {
-    RunningTool tool(SOLIDNOISE_VDBNOISE, run.arguments, in_folder);
+    RunningTool tool(in_build("tools/vdbnoise"), run.arguments, in_folder);
     tool.wait_until_it_catches(SIGINT);
     std::this_thread::sleep_for(run.before_signal);
     const auto sent = std::chrono::steady_clock::now();

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/paths.h"
 #include "tools/run_vdbnoise.h"
 #include "tools/same_grid.h"
 
@@ -71,7 +72,7 @@ TEST(Sequence, LastFramesSuccessorIsTheFirstToTheLastBit) {
 TEST(Sequence, FailedFrameLeavesTheOthers) {
   const TemporaryFolder folder;
   RunningTool tool(
-      SOLIDNOISE_VDBNOISE,
+      in_build("tools/vdbnoise"),
       {"--raw", "--dim", "64", "--evolve", "1", "--quiet", "--frames", "1-9", "--out", "s.#.vdb"},
       {.folder = folder.path()});
   const auto give_up = std::chrono::steady_clock::now() + 60s;

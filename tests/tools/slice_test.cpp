@@ -10,6 +10,7 @@
 
 #include "solidnoise/image/image_file.h"
 #include "solidnoise/volume/vdb/vdb_read.h"
+#include "support/paths.h"
 #include "tools/refusal.h"
 #include "tools/run_vdbnoise.h"
 
@@ -287,7 +288,7 @@ INSTANTIATE_TEST_SUITE_P(All, SliceRefusal, testing::ValuesIn(kRefusals),
 
 TEST(Slice, InterruptedLeavesNothing) {
   const TemporaryFolder folder;
-  RunningTool tool(SOLIDNOISE_VDBNOISE,
+  RunningTool tool(in_build("tools/vdbnoise"),
                    {"slice", "--dims", "4", "--resolution", "5000", "--width", "4", "--out", "x.png"},
                    {.folder = folder.path()});
   tool.wait_until_it_catches(SIGINT);

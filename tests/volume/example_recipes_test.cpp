@@ -6,6 +6,7 @@
 
 #include "solidnoise/recipe/json.h"
 #include "solidnoise/volume/volume_recipe_json.h"
+#include "support/paths.h"
 
 namespace solidnoise {
 namespace {
@@ -21,7 +22,7 @@ std::string text_of(const std::filesystem::path& path) {
 }
 
 TEST(ExampleRecipes, AreAcceptedAndDescribedInTheirTable) {
-  const std::filesystem::path examples = SOLIDNOISE_EXAMPLES;
+  const std::filesystem::path examples = in_source("examples");
   const std::string table = text_of(examples / "README.md");
   int volumes = 0;
   for (const auto& entry : std::filesystem::directory_iterator(examples / "recipes")) {
