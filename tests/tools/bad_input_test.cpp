@@ -54,6 +54,10 @@ const Refusal kRefusals[] = {
     {"NoOutput", 2, {}, {"--out"}},
     {"EmptyName", 2, {"--out", ""}, {"--out"}},
     // Numbers
+    {"NoGenerators",
+     2,
+     {"--out", "x.vdb", "--noise", "kensler", "--generator", "auto"},
+     {"--generator auto needs --noise gabor"}},
     {"NotANumber", 2, {"--out", "x.vdb", "--bandwidth", "abc"}, {"--bandwidth is abc", "number"}},
     {"HalfANumber", 2, {"--out", "x.vdb", "--frequency", "2x"}, {"--frequency is 2x", "number"}},
     {"Nan", 2, {"--out", "x.vdb", "--frequency", "nan"}, {"--frequency is nan", "finite"}},

@@ -54,6 +54,18 @@ TEST(Vdbnoise, FlagsOverrideTheRecipeAndNothingElse) {
   EXPECT_EQ(to_json(recipe_in(folder.file("b.vdb"))), to_json(expected));
 }
 
+// The recipe in the file names the generator that was taken, whatever is cheaper in another version.
+TEST(Vdbnoise, TakesTheCheaperGenerator) {
+  const TemporaryFolder folder;
+  run_well({"--raw", "--dim", "16", "--seed", "5", "--generator", "auto", "--out", folder.file("a.vdb")});
+  run_well(
+      {"--raw", "--dim", "16", "--seed", "5", "--noise", "gabor-oriented", "--out", folder.file("b.vdb")});
+  expect_same_grid(folder.file("a.vdb"), folder.file("b.vdb"));
+  run_well({"--raw", "--dim", "16", "--generator", "auto", "--noise", "gabor-oriented", "--bandwidth", "4",
+            "--out", folder.file("c.vdb")});
+  EXPECT_TRUE(std::holds_alternative<GaborNoiseOptions>(recipe_in(folder.file("c.vdb")).noise.noise));
+}
+
 TEST(Vdbnoise, FilesThatFollowTheRecipeFileAreFoundFromAnyFolder) {
   const TemporaryFolder folder;
   folder.write("tetrahedron.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");

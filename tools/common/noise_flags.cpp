@@ -18,6 +18,7 @@
 #include "common/text_file.h"
 #include "common/usage_error.h"
 #include "solidnoise/core/check.h"
+#include "solidnoise/noise/cheapest_generator.h"
 #include "solidnoise/recipe/choices.h"
 #include "solidnoise/recipe/exemplar_model_json.h"
 #include "solidnoise/recipe/noise_recipe_json.h"
@@ -200,6 +201,22 @@ void declare_noise_flags(FlagSet& flags, NoiseRecipe& recipe) {
   declare_vector(flags, recipe, "--period", "Repeat after so many world units along each axis; 0 for never",
                  kPeriod);
   declare_kinds(flags, recipe);
+}
+
+void declare_generator_flag(FlagSet& flags, NoiseRecipe& recipe, const int& dims) {
+  flags.choice(
+      "--generator", {"named", "auto"},
+      "gabor, gabor-oriented without anisotropy: the noise that is named, or of the two the one that is "
+      "cheaper at the same likeness to a Gaussian field (default named)",
+      [&recipe, &dims](std::size_t index) {
+        if (index == 0) return;
+        if (!has_generators(recipe)) {
+          throw UsageError(
+              "--generator auto needs --noise gabor with weights of 1 and -1, or gabor-oriented "
+              "without anisotropy");
+        }
+        recipe = cheapest_generator(recipe, dims);
+      });
 }
 
 }  // namespace solidnoise

@@ -11,6 +11,9 @@ namespace solidnoise {
 // use for is refused then.
 void declare_noise_flags(FlagSet& flags, NoiseRecipe& recipe);
 
+// Declares --generator. Declare it after all other flags of the noise and of its dimensions.
+void declare_generator_flag(FlagSet& flags, NoiseRecipe& recipe, const int& dims);
+
 // Makes it another kind of noise ("gabor-oriented"), with what the old one and it have in common.
 void change_noise_type(NoiseRecipe& recipe, const std::string& type);
 

@@ -174,6 +174,8 @@ void declare_make_flags(FlagSet& flags, MakeOptions& options) {
   declare_noise(flags, options.recipe);
   declare_parameter_flags(flags, options.recipe);
   declare_time_flags(flags, options.recipe);
+  flags.group("Noise");
+  declare_generator_flag(flags, options.recipe.noise, options.recipe.dims);
   declare_shaping(flags, options.recipe);
   declare_layer_flags(flags, options.recipe);
   declare_shape(flags, options.recipe);

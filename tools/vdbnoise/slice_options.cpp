@@ -235,6 +235,8 @@ void declare_slice_flags(FlagSet& flags, SliceOptions& options) {
   flags.toggle("--band-limit", "Gabor noises: filter out what the pixels cannot hold, exactly",
                [&] { options.recipe.band_limit = true; });
   declare_time_flags(flags, options.recipe, "1|2|3|4");
+  flags.group("Noise");
+  declare_generator_flag(flags, options.recipe.noise, options.recipe.dims);
   flags.group("Layers");
   declare_layer_flags(flags, options.recipe);
   declare_plane(flags, options);
