@@ -4,45 +4,30 @@
 // included: making the block's impulses, culling them, summing. The noises are those of the goals: a kernel
 // of R voxels' radius, N impulses in the ball of that radius. The scalar procedures (tests/reference) work
 // point by point, in single precision where they can. Names: noise/dimension/kernel/N/R/target.
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <benchmark/benchmark.h>
 #include <hwy/targets.h>
 
+#include "blocks.h"
+#include "budget_case.h"
 #include "point_bench.h"
 #include "ratio_reporter.h"
 #include "reference/gabor_reference.h"
 #include "reference/kensler_reference.h"
-#include "solidnoise/noise/error_budget.h"
-#include "solidnoise/noise/fractal_noise.h"
 #include "solidnoise/noise/gabor/gabor_noise.h"
 #include "solidnoise/noise/gabor/oriented_gabor_noise.h"
 #include "solidnoise/noise/gradient/gradient_noise.h"
-#include "solidnoise/noise/interpolation/interpolated_noise.h"
 #include "solidnoise/noise/kernel/bandwidth.h"
 
 namespace solidnoise::bench {
 namespace {
-
-constexpr int kLeaf = 8;
-constexpr int kBlock = 32;
-
-// Leaves of 8^3 voxels, in the block of a side of `leaves` leaves whose first voxel is `corner`; in 4D, one
-// frame of them.
-template <int Dim>
-Lattice<Dim> leaf_lattice(const Index<Dim>& corner, int leaves, int leaf) {
-  Lattice<Dim> lattice;
-  lattice.first = corner;
-  for (int axis = 0; axis < 3; ++axis, leaf /= leaves) {
-    lattice.first[axis] += leaf % leaves * kLeaf;
-    lattice.count[axis] = kLeaf;
-  }
-  return lattice;
-}
 
 // A different block for each iteration, so that nothing can be kept from the last.
 template <int Dim>
@@ -56,19 +41,13 @@ Index<Dim> block_corner(std::int64_t iteration, int thread, int side = kBlock) {
 
 template <int Dim>
 void evaluate_blocks(benchmark::State& state, const Noise<Dim>& noise, int side = kBlock) {
-  const int leaves = side / kLeaf;
   std::vector<float> values(kLeaf * kLeaf * kLeaf);
   std::int64_t iteration = 0;
   for (auto _ : state) {
-    const Index<Dim> corner = block_corner<Dim>(iteration++, state.thread_index(), side);
-    Box<Dim> box{Vec<Dim>(corner), Vec<Dim>(corner)};
-    for (int axis = 0; axis < 3; ++axis) box.upper[axis] += side - 1;
-    const auto block = noise.block(box);
-    for (int leaf = 0; leaf < leaves * leaves * leaves; ++leaf) {
-      block->evaluate(leaf_lattice<Dim>(corner, leaves, leaf), {.values = values});
+    evaluate_block(noise, block_corner<Dim>(iteration++, state.thread_index(), side), side, values, [&] {
       benchmark::DoNotOptimize(values.data());
       benchmark::ClobberMemory();
-    }
+    });
   }
   state.SetItemsProcessed(state.iterations() * side * side * side);
 }
@@ -107,17 +86,6 @@ std::int64_t targets_up_to_avx2() {
   return targets & HWY_AVX2 ? targets : 0;
 }
 
-// A Gabor noise whose kernel has this radius, with `impulses` in the ball of that radius. Radii go with 1 /
-// frequency, and densities with the number of impulses, however a noise counts them.
-template <template <int> class Noise, int Dim, typename Options>
-std::shared_ptr<const Noise<Dim>> make_gabor(double radius, double impulses) {
-  const double frequency = Noise<Dim>(Options{.frequency = 1.0}).radius() / radius;
-  const double density = impulses / (reference::kBall<Dim> * std::pow(radius, Dim));
-  const double density_of_one =
-      Noise<Dim>(Options{.frequency = frequency, .impulses = 1.0}).impulse_density();
-  return std::make_shared<Noise<Dim>>(Options{.frequency = frequency, .impulses = density / density_of_one});
-}
-
 template <int Dim, template <int, typename> class Kernel>
 void register_reference(const std::string& name, double frequency, double radius, double impulses) {
   using Procedure = reference::GaborProcedure<Dim, Kernel, float>;
@@ -146,37 +114,39 @@ void add_isotropic(std::vector<Ratio>& ratios) {
   }
 }
 
-// Noise within an error of 2 %, all of it the kernel's and every voxel summed, or split between the kernel
-// and interpolation; in the blocks of 64^3 voxels that volumes are filled in. `radius` of the kernel in
-// voxels, that of the highest octave.
-void add_budget(std::vector<Ratio>& ratios, int radius, int impulses, int octaves) {
-  constexpr int kSide = 64;
-  constexpr double kError = 0.02;
-  GaborNoiseOptions options = make_gabor<GaborNoise, 3, GaborNoiseOptions>(radius, impulses)->options();
-  std::string name = "gabor/3/isotropic/N" + std::to_string(impulses) + "/R" + std::to_string(radius);
-  if (octaves > 1) name.append("x").append(std::to_string(octaves));
-  options.frequency /= std::pow(2.0, octaves - 1);
-  const auto make = [&](const GaborNoiseOptions& of) {
-    std::vector<FractalNoise<3>::Octave> sum;
-    for (int k = 0; k < octaves; ++k) {
-      GaborNoiseOptions octave = of;
-      octave.frequency *= std::pow(2.0, k);
-      sum.push_back({std::make_shared<GaborNoise<3>>(octave), std::pow(0.5, k)});
-    }
-    return std::make_shared<FractalNoise<3>>(std::move(sum));
-  };
-  const std::shared_ptr<const Noise<3>> direct = make(options);
-  const std::shared_ptr<const Noise<3>> budget =
-      interpolate<3>(make(with_truncation_share(options)), {}, ErrorBudget(kError).interpolation);
-  for (const auto& [suffix, noise] : {std::pair("/direct", direct), std::pair("/budget", budget)}) {
-    benchmark::RegisterBenchmark((name + suffix).c_str(), [noise = noise](benchmark::State& state) {
+// Noise within an error of 2 %, every voxel summed, or split between the kernel and interpolation.
+void add_budget(std::vector<Ratio>& ratios, const BudgetCase& budget) {
+  constexpr int kSide = 64;  // of the blocks that volumes are filled in
+  const auto add = [&](const std::string& suffix, const std::shared_ptr<const Noise<3>>& noise) {
+    benchmark::RegisterBenchmark((budget.name() + suffix).c_str(), [noise](benchmark::State& state) {
       evaluate_blocks<3>(state, *noise, kSide);
     });
-  }
-  const bool goal = radius == 16 && impulses == 32 && octaves == 1;
-  std::string label = name.substr(std::string("gabor/3/").size());
-  label += " within 2 %, over direct";
-  ratios.push_back({label, name + "/direct", name + "/budget", goal ? 3.0 : 1.0, goal ? 4.0 : 1.0});
+  };
+  add("/direct", budget.direct());
+  add("/budget", budget.interpolated());
+  const bool goal = budget == BudgetCase{};
+  ratios.push_back({budget.name().substr(std::string("gabor/3/").size()) + " within 2 %, over direct",
+                    budget.name() + "/direct", budget.name() + "/budget", goal ? 3.0 : 1.0,
+                    goal ? 4.0 : 1.0});
+}
+
+void add_budgets(std::vector<Ratio>& ratios) {
+  for (const int impulses : {8, 32, 64, 256}) add_budget(ratios, {.impulses = impulses});
+  for (const int radius : {4, 6, 8, 32, 64, 128}) add_budget(ratios, {.radius = radius});
+  for (const int octaves : {2, 4, 8}) add_budget(ratios, {.octaves = octaves});
+}
+
+// Both generators of isotropic noise at the same frequency, excess kurtosis (0.5) and error, from a kernel of
+// 16 voxels' radius: equal in quality, not in the number of impulses.
+void add_equal_quality(std::vector<Ratio>& ratios) {
+  const double frequency = GaborNoise<3>(GaborNoiseOptions{.frequency = 1.0}).radius() / 16.0;
+  const std::string name = "gabor/3/equal-quality/";
+  register_noise<3>(name + "isotropic",
+                    std::make_shared<GaborNoise<3>>(GaborNoiseOptions{.frequency = frequency}));
+  register_noise<3>(name + "directions", std::make_shared<OrientedGaborNoise<3>>(
+                                             OrientedGaborNoiseOptions{.frequency = frequency}));
+  ratios.push_back({"random directions over isotropic kernels, equal kurtosis", name + "isotropic",
+                    name + "directions", 1.0, 4.0});
 }
 
 void add_oriented(std::vector<Ratio>& ratios) {
@@ -230,14 +200,24 @@ void add_threads(std::vector<Ratio>& ratios) {
 int main(int argc, char** argv) {
   std::vector<solidnoise::bench::Ratio> ratios;
   solidnoise::bench::add_isotropic(ratios);
-  for (const int impulses : {8, 32, 64, 256}) solidnoise::bench::add_budget(ratios, 16, impulses, 1);
-  for (const int radius : {32, 64, 128}) solidnoise::bench::add_budget(ratios, radius, 32, 1);
-  solidnoise::bench::add_budget(ratios, 16, 32, 4);
+  solidnoise::bench::add_budgets(ratios);
+  solidnoise::bench::add_equal_quality(ratios);
   solidnoise::bench::add_oriented(ratios);
   solidnoise::bench::add_animated(ratios);
   solidnoise::bench::add_kensler(ratios);
   solidnoise::bench::add_scattered(ratios);
   solidnoise::bench::add_threads(ratios);
+
+  // --ratios=FILE is ours.
+  std::string file;
+  constexpr std::string_view kRatios = "--ratios=";
+  argc = static_cast<int>(std::remove_if(argv + 1, argv + argc,
+                                         [&](std::string_view argument) {
+                                           if (!argument.starts_with(kRatios)) return false;
+                                           file = argument.substr(kRatios.size());
+                                           return true;
+                                         }) -
+                          argv);
 
   // Ours come first, so that the command line overrides them.
   std::vector<std::string> settings = {"--benchmark_repetitions=7", "--benchmark_min_time=0.2",
@@ -249,7 +229,7 @@ int main(int argc, char** argv) {
   benchmark::Initialize(&count, arguments.data());
   if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 2;
 
-  solidnoise::bench::RatioReporter reporter(std::move(ratios));
+  solidnoise::bench::RatioReporter reporter(std::move(ratios), file);
   benchmark::RunSpecifiedBenchmarks(&reporter);
   return 0;
 }

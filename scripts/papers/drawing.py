@@ -43,7 +43,7 @@ class Data:
 
 
 class Page:
-    """A page of docs/papers and its pictures."""
+    """A page and its pictures."""
 
     def __init__(self, name, docs):
         self.name = name
@@ -73,8 +73,8 @@ class Page:
         image.save(os.path.join(self.docs, name), **options)
         self.write(f"![{caption}]({name})")
 
-    def save(self, version):
-        self.write(f"---\nMade by `scripts/reproduce.sh` on {datetime.date.today()} with {version}, {machine()}.")
+    def save(self, version, script="scripts/reproduce.sh"):
+        self.write(f"---\nMade by `{script}` on {datetime.date.today()} with {version}, {machine()}.")
         with open(os.path.join(self.docs, self.name + ".md"), "w", encoding="utf-8") as file:
             file.write(self.text.getvalue().rstrip("\n") + "\n")
 

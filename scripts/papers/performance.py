@@ -1,0 +1,94 @@
+"""performance.py DATA DOCS: docs/performance.md and its curves, from what bench.sh measured."""
+
+import csv
+import json
+import os
+import re
+import statistics
+import sys
+
+from drawing import Page, plt, table
+
+
+def rows(data, name):
+    with open(os.path.join(data, name), encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def nanoseconds(data):
+    """Medians per sample, by the benchmark's name."""
+    with open(os.path.join(data, "times.json"), encoding="utf-8") as file:
+        runs = json.load(file)["benchmarks"]
+    samples = {}
+    for run in runs:
+        if run["run_type"] == "iteration":
+            name = run["run_name"].split("/repeats:")[0].split("/real_time")[0]
+            samples.setdefault(name, []).append(1e9 / run["items_per_second"])
+    return {name: statistics.median(values) for name, values in samples.items()}
+
+
+def curve(times, pattern):
+    """Times of the benchmarks whose name fits, against the number in it."""
+    points = sorted((int(match[1]), time) for name, time in times.items() if (match := re.fullmatch(pattern, name)))
+    return [x for x, _ in points], [y for _, y in points]
+
+
+def draw_curves(times, page):
+    figure, axes = plt.subplots(1, 3, figsize=(13, 3.8), constrained_layout=True)
+    for suffix, label in (("direct", "every voxel summed"), ("budget", "within 2 %, interpolated")):
+        axes[0].plot(*curve(times, rf"gabor/3/isotropic/N(\d+)/R16/{suffix}"), "o-", label=label)
+        axes[1].plot(*curve(times, rf"gabor/3/isotropic/N32/R(\d+)/{suffix}"), "o-", label=label)
+        axes[2].plot(*curve(times, rf"gabor/3/isotropic/N32/R16x(\d+)/{suffix}"), "o-", label=label)
+    for axis, title in zip(axes, ("impulses per kernel N, R16", "kernel radius in voxels R, N32", "octaves, the highest R16 N32")):
+        axis.set_xscale("log", base=2)
+        axis.set_xticks(axis.lines[0].get_xdata(), [str(x) for x in axis.lines[0].get_xdata()])
+        axis.minorticks_off()
+        axis.set_yscale("log", base=2)
+        axis.yaxis.set_major_formatter("{x:g}")
+        axis.set_xlabel(title)
+    axes[0].set_ylabel("ns per voxel, one thread")
+    axes[0].legend()
+    page.picture(figure, "curves", "Time per voxel against impulses, radius and octaves")
+
+
+def main():
+    data, docs = sys.argv[1:]
+    times = nanoseconds(data)
+    page = Page("performance", docs)
+    page.write("""
+# Performance
+`scripts/bench.sh` makes this page. Times are nanoseconds per sample of one thread, medians, with everything that a volume needs
+included: random impulses, culling, sums. "Scalar" are the papers' procedures, in single precision, point by point, in the same
+run; so are all ratios. Repetitions of the two sides take turns; intervals hold the median with a probability of 95 %, whatever
+the scatter. R is the kernel's radius in voxels, N the impulses in it. "At least" and "aim" are what was to be reached.
+""")
+    page.write(table(["", "ns, slow", "ns, fast", "times", "95 % interval", "at least", "aim"],
+                     [[r["title"], f"{float(r['slow']):.4g}", f"{float(r['fast']):.3g}", f"**{float(r['times']):.3g}**",
+                       f"{float(r['lower']):.3g} to {float(r['upper']):.3g}", f"{float(r['at_least']):g}", f"{float(r['aim']):g}"]
+                      for r in rows(data, "ratios.csv")]))
+    page.write("""
+## What noise costs within an error of 2 %
+Summed at every voxel, the time goes with the impulses N; interpolated from as few samples as the error allows, it hardly does, and lower
+octaves cost next to nothing.
+""")
+    draw_curves(times, page)
+    page.write("""
+## Whole runs
+Start, noise, tree, statistics, compression and file; medians of five. The noise is of one octave, 8 cycles per unit in a box of 2 units, as
+`--raw` makes it.
+""")
+    page.write(table(["", "threads", "seconds", "of processor", "MB at most", "command"],
+                     [[r["what"], r["threads"], r["wall"], r["processor"], r["memory"], f"`{r['command']}`"]
+                      for r in rows(data, "programs.csv")]))
+    page.write("""
+## Instructions
+Of one block, counted by `valgrind --tool=callgrind` on the instruction set that it knows (AVX2): the same number on every run and under any load,
+so that a change for the worse shows on any machine.
+""")
+    page.write(table(["case", "voxels", "instructions per voxel"],
+                     [[r["case"], r["voxels"], f"{float(r['instructions']) / float(r['voxels']):.1f}"]
+                      for r in rows(data, "instructions.csv")]))
+    page.save("Solidnoise", "scripts/bench.sh")
+
+
+main()
