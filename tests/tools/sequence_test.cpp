@@ -1,4 +1,5 @@
 #include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <set>
 #include <string>
@@ -86,6 +87,28 @@ TEST(Sequence, FailedFrameLeavesTheOthers) {
   EXPECT_NE(result.err.find("1 of 9 frames failed"), std::string::npos) << result.err;
   EXPECT_EQ(folder.read("s.9.vdb"), "precious");
   EXPECT_EQ(folder.names().size(), 9u);
+}
+
+TEST(Sequence, InterruptionLeavesTheFramesBefore) {
+  const TemporaryFolder folder;
+  RunningTool tool(
+      in_build("tools/vdbnoise"),
+      {"--raw", "--dim", "160", "--evolve", "1", "--quiet", "--frames", "1-99", "--out", "s.##.vdb"},
+      {.folder = folder.path()});
+  const auto give_up = std::chrono::steady_clock::now() + 60s;
+  while (folder.names().count("s.01.vdb") == 0 && std::chrono::steady_clock::now() < give_up) {
+    std::this_thread::sleep_for(1ms);
+  }
+  tool.send(SIGINT);
+  const ToolResult result = tool.wait();
+  EXPECT_EQ(result.status, 128 + SIGINT);
+  const std::size_t frames = folder.count();
+  EXPECT_GE(frames, 1u);
+  EXPECT_LT(frames, 99u);
+  if (frames < 9) {
+    const std::string next = "frame " + std::to_string(frames + 1) + "; frames before it are";
+    EXPECT_NE(result.err.find(next), std::string::npos) << result.err;
+  }
 }
 
 TEST(Sequence, WritesTheRecipeOfAllFramesOnce) {

@@ -34,7 +34,7 @@ int run_tool(const char* tool, const std::function<int()>& run) {
     std::cerr << tool << ": " << one_line(error.what()) << "\nTry " << command << " --help\n";
     return kWrongUsage;
   } catch (const Cancelled&) {
-    std::cerr << tool << ": interrupted; nothing is written\n";
+    std::cerr << interruption_message();
     return kInterrupted + interrupt_signal();
   } catch (const std::bad_alloc&) {
     std::cerr << tool << ": out of memory\n";

@@ -14,8 +14,15 @@ namespace {
 volatile std::sig_atomic_t received_signal = 0;
 volatile std::sig_atomic_t ends_at_once = 0;
 
+std::string what_is_left = "nothing is written";
+
 // What a handler may not put together.
 std::string last_words;
+
+void compose_last_words() {
+  const std::string wipe = isatty(STDERR_FILENO) != 0 ? "\r\x1b[K" : "";  // of a progress bar
+  last_words = wipe + interruption_message();
+}
 
 // Calls only what a handler of signals may call.
 extern "C" void receive_signal(int signal) {
@@ -28,8 +35,7 @@ extern "C" void receive_signal(int signal) {
 }  // namespace
 
 void catch_interrupts() {
-  const std::string wipe = isatty(STDERR_FILENO) != 0 ? "\r\x1b[K" : "";  // of a progress bar
-  last_words = wipe + program_invocation_short_name + ": interrupted; nothing is written\n";
+  compose_last_words();
   struct sigaction action = {};
   action.sa_handler = receive_signal;
   action.sa_flags = SA_RESTART | static_cast<int>(SA_RESETHAND);
@@ -41,6 +47,15 @@ void catch_interrupts() {
 
 int interrupt_signal() {
   return received_signal;
+}
+
+void set_what_is_left(const std::string& what) {
+  what_is_left = what;
+  compose_last_words();
+}
+
+std::string interruption_message() {
+  return std::string(program_invocation_short_name) + ": interrupted; " + what_is_left + '\n';
 }
 
 EndsAtOnce::EndsAtOnce() {

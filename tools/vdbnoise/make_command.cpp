@@ -236,6 +236,10 @@ int make_sequence(MakeOptions options) {
   std::size_t failed = 0;
   for (std::size_t i = 0; i < options.frames.size(); ++i) {
     try {
+      if (i > failed) {
+        set_what_is_left(
+            fmt::format("nothing is written of frame {}; frames before it are", options.frames[i]));
+      }
       make_volume_files(options_of_frame(options, i));
     } catch (const Cancelled&) {
       throw;
