@@ -21,5 +21,5 @@ build/bench/bench/count_case --list | while read -r name voxels; do
 done
 
 /usr/bin/python3 scripts/papers/programs.py build/bench/tools "$data"
-/usr/bin/python3 scripts/papers/performance.py "$data" docs
+/usr/bin/python3 scripts/papers/performance.py "$data" docs "Solidnoise $(build/bench/tools/vdbnoise --version | cut -d" " -f2)"
 echo "The page: $PWD/docs/performance.md"

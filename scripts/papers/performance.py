@@ -1,4 +1,4 @@
-"""performance.py DATA DOCS: docs/performance.md and its curves, from what bench.sh measured."""
+"""performance.py DATA DOCS VERSION: docs/performance.md and its curves, from what bench.sh measured."""
 
 import csv
 import json
@@ -29,7 +29,7 @@ def nanoseconds(data):
 
 def curve(times, pattern):
     """Times of the benchmarks whose name fits, against the number in it."""
-    points = sorted((int(match[1]), time) for name, time in times.items() if (match := re.fullmatch(pattern, name)))
+    points = sorted((int(match[1] or 1), time) for name, time in times.items() if (match := re.fullmatch(pattern, name)))
     return [x for x, _ in points], [y for _, y in points]
 
 
@@ -38,7 +38,7 @@ def draw_curves(times, page):
     for suffix, label in (("direct", "every voxel summed"), ("budget", "within 2 %, interpolated")):
         axes[0].plot(*curve(times, rf"gabor/3/isotropic/N(\d+)/R16/{suffix}"), "o-", label=label)
         axes[1].plot(*curve(times, rf"gabor/3/isotropic/N32/R(\d+)/{suffix}"), "o-", label=label)
-        axes[2].plot(*curve(times, rf"gabor/3/isotropic/N32/R16x(\d+)/{suffix}"), "o-", label=label)
+        axes[2].plot(*curve(times, rf"gabor/3/isotropic/N32/R16(?:x(\d+))?/{suffix}"), "o-", label=label)
     for axis, title in zip(axes, ("impulses per kernel N, R16", "kernel radius in voxels R, N32", "octaves, the highest R16 N32")):
         axis.set_xscale("log", base=2)
         axis.set_xticks(axis.lines[0].get_xdata(), [str(x) for x in axis.lines[0].get_xdata()])
@@ -52,7 +52,7 @@ def draw_curves(times, page):
 
 
 def main():
-    data, docs = sys.argv[1:]
+    data, docs, version = sys.argv[1:]
     times = nanoseconds(data)
     page = Page("performance", docs)
     page.write("""
@@ -68,8 +68,9 @@ the scatter. R is the kernel's radius in voxels, N the impulses in it. "At least
                       for r in rows(data, "ratios.csv")]))
     page.write("""
 ## What noise costs within an error of 2 %
-Summed at every voxel, the time goes with the impulses N; interpolated from as few samples as the error allows, it hardly does, and lower
-octaves cost next to nothing.
+Each voxel summed, or, as volumes are made, from as few samples as the error allows and interpolated: the larger the kernel in voxels, the
+fewer samples there are, so that lower octaves cost next to nothing. Small kernels are summed at every voxel; they are a little larger
+than those that have the whole error for themselves.
 """)
     draw_curves(times, page)
     page.write("""
@@ -88,7 +89,7 @@ so that a change for the worse shows on any machine.
     page.write(table(["case", "voxels", "instructions per voxel"],
                      [[r["case"], r["voxels"], f"{float(r['instructions']) / float(r['voxels']):.1f}"]
                       for r in rows(data, "instructions.csv")]))
-    page.save("Solidnoise", "scripts/bench.sh")
+    page.save(version, "scripts/bench.sh")
 
 
 main()
