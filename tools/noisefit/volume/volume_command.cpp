@@ -49,9 +49,7 @@ struct VolumeCommand {
   Existing existing = Existing::refuse;
   bool quiet = false;
 
-  VolumeCommand() {
-    fit.raw_values = true;
-  }
+  VolumeCommand() { fit.raw_values = true; }
 };
 
 void declare_flags(FlagSet& flags, VolumeCommand& command) {
