@@ -9,6 +9,11 @@
 namespace solidnoise {
 namespace {
 
+// How much more than of values the error may be of differences of neighbours, which is of errors at two
+// places that know nothing of each other: shading follows differences, and where waves are long they are
+// small.
+constexpr double kDifferenceError = 5.0;
+
 constexpr std::array kSteps{2, 3, 4, 5, 6, 8, 10, 12, 16};
 constexpr std::array kTaps{4, 6, 8};
 constexpr int kLongest = 16 * 8;  // samples that weights reach over
@@ -199,6 +204,18 @@ void predict_errors(const WaveMixture<Dim>& waves, const Vec<Dim>& step, Interpo
   plan.truncation += std::max(0.0, beyond) * white;
 }
 
+// The mean square error that is allowed.
+template <int Dim>
+double budget_of(const Noise<Dim>& noise, const Vec<Dim>& step, double error) {
+  double difference = 0.0;  // half the mean square of that of neighbours, the mean over the axes
+  for (int axis = 0; axis < Dim; ++axis) {
+    Vec<Dim> along(0.0);
+    along[axis] = step[axis];
+    difference += (covariance<Dim>(noise, Vec<Dim>(0.0)) - covariance<Dim>(noise, along)) / Dim;
+  }
+  return error * error * std::min(noise.variance(), kDifferenceError * kDifferenceError * difference);
+}
+
 }  // namespace
 
 template <int Dim>
@@ -215,7 +232,7 @@ std::vector<AxisWeights> interpolation_weights(const WaveMixture<Dim>& waves, co
 template <int Dim>
 std::vector<InterpolationPlan<Dim>> plan_interpolation(const Noise<Dim>& noise, const Vec<Dim>& step,
                                                        double error) {
-  const double budget = error * error * noise.variance();
+  const double budget = budget_of(noise, step, error);
   std::vector<PartChoice<Dim>> parts;
   for (const auto& part : noise.parts()) {
     parts.emplace_back(part.noise->waves(), part.amplitude, step, budget);

@@ -38,6 +38,11 @@ struct InterpolationPlan {
 // over a volume is, and as that of the kernel is a mean over space. The phase farthest from all samples has
 // up to sqrt(2) times as much where one sample of two is interpolated along each axis, and less else.
 //
+// Nor may the differences of neighbouring samples, which shading and surfaces follow, be wrong by more than 5
+// times the error, relative to their own root mean square: where waves are long they are small, and weights
+// that change from one coarse sample to the next would show as lines. Errors of neighbours are taken as
+// independent; they are alike, and what is measured is a third of that.
+//
 // What is not stationary is evaluated directly: a plan of steps 1, without error.
 template <int Dim>
 std::vector<InterpolationPlan<Dim>> plan_interpolation(const Noise<Dim>& noise, const Vec<Dim>& step,
