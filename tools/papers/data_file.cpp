@@ -38,4 +38,14 @@ void write_field(const std::filesystem::path& stem, const DenseField<2>& field) 
   write_json(stem.string() + ".json", {{"columns", field.count.x}, {"rows", field.count.y}});
 }
 
+DenseField<2> centred(const PowerSpectrum<2>& spectrum) {
+  DenseField<2> field(spectrum.count, Vec<2>(1.0));
+  const ArrayShape<2> shape{spectrum.count};
+  for (std::size_t i = 0; i < field.values.size(); ++i) {
+    const glm::ivec2 at = (shape.position(i) + spectrum.count - spectrum.count / 2) % spectrum.count;
+    field.values[i] = static_cast<float>(spectrum.density[shape.index(at)]);
+  }
+  return field;
+}
+
 }  // namespace solidnoise::papers

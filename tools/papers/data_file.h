@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "solidnoise/analysis/dense_field.h"
+#include "solidnoise/analysis/periodogram.h"
 
 namespace solidnoise::papers {
 
@@ -24,5 +25,8 @@ struct Table {
 void write_table(const std::filesystem::path& path, const Table& table);
 void write_json(const std::filesystem::path& path, const Json& json);
 void write_field(const std::filesystem::path& stem, const DenseField<2>& field);
+
+// A spectrum as a field, frequency 0 in the middle.
+DenseField<2> centred(const PowerSpectrum<2>& spectrum);
 
 }  // namespace solidnoise::papers

@@ -118,17 +118,6 @@ Table table_of(const SpectrumComparison& comparison) {
   return table;
 }
 
-// A spectrum as a picture, frequency 0 in the middle.
-DenseField<2> centred(const PowerSpectrum<2>& spectrum) {
-  DenseField<2> field(spectrum.count, Vec<2>(1.0));
-  const ArrayShape<2> shape{spectrum.count};
-  for (std::size_t i = 0; i < field.values.size(); ++i) {
-    const glm::ivec2 at = (shape.position(i) + spectrum.count - spectrum.count / 2) % spectrum.count;
-    field.values[i] = static_cast<float>(spectrum.density[shape.index(at)]);
-  }
-  return field;
-}
-
 Json describe(const NoiseSample& sample) {
   return {{"impulses", sample.impulses},
           {"samples", sample.moments.count()},

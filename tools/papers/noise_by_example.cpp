@@ -60,17 +60,6 @@ ExemplarFit<2> fit(const Exemplar<2>& gray, const SpectrumFitOptions& options) {
   return fit_exemplar<2>(std::span(&gray, 1), fit_options);
 }
 
-// A spectrum as a picture, frequency 0 in the middle.
-DenseField<2> centred(const PowerSpectrum<2>& spectrum) {
-  DenseField<2> field(spectrum.count, Vec<2>(1.0));
-  const ArrayShape<2> shape{spectrum.count};
-  for (std::size_t i = 0; i < field.values.size(); ++i) {
-    const glm::ivec2 at = (shape.position(i) + spectrum.count - spectrum.count / 2) % spectrum.count;
-    field.values[i] = static_cast<float>(spectrum.density[shape.index(at)]);
-  }
-  return field;
-}
-
 DenseField<2> picture_of(const GaborSpectrum& spectrum, const PowerSpectrum<2>& like) {
   return centred(sampled_density<2>(spectrum, like.count, like.step));
 }
