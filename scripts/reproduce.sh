@@ -24,6 +24,6 @@ done
 
 version="$("$papers" --version)"
 for page in improving_gabor_noise noise_by_example gradient_noise implementation_report; do
-  /usr/bin/python3 "scripts/papers/$page.py" "$data" docs/papers "$version"
+  /usr/bin/python3 "scripts/pages/$page.py" "$data" docs/papers "$version"
 done
 echo "The pages: $PWD/docs/papers"

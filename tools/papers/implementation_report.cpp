@@ -9,6 +9,7 @@
 #include "papers/data_file.h"
 #include "papers/items.h"
 #include "papers/paper_kernel.h"
+#include "papers/square.h"
 #include "papers/stopwatch.h"
 #include "reference/gabor_reference.h"
 #include "solidnoise/analysis/expected_spectrum.h"
@@ -19,6 +20,8 @@
 
 namespace solidnoise::papers {
 namespace {
+
+constexpr int kKernelSide = 129;  // samples of the picture of a kernel
 
 namespace fs = std::filesystem;
 
@@ -42,19 +45,6 @@ DenseField<2> sample(const Noise<2>& noise, int side) {
   return field;
 }
 
-// Samples of value(x, y) for x and y from -radius to radius.
-template <typename Function>
-DenseField<2> sample_square(double radius, const Function& value) {
-  constexpr int kSide = 129;
-  const double step = 2.0 * radius / (kSide - 1);
-  DenseField<2> field({kSide, kSide}, Vec<2>(step));
-  for (std::size_t i = 0; i < field.values.size(); ++i) {
-    const glm::ivec2 at = ArrayShape<2>{field.count}.position(i);
-    field.values[i] = static_cast<float>(value(step * at.x - radius, step * at.y - radius));
-  }
-  return field;
-}
-
 void draw(const fs::path& path, const std::string& title, const Noise<2>& noise,
           const DenseField<2>& kernel) {
   write_image(path,
@@ -74,12 +64,13 @@ void write_panels(const fs::path& folder) {
     const bool along = anisotropy == 1.0;
     draw(folder / (along ? "report_anisotropic.png" : "report_isotropic.png"),
          along ? "anisotropic noise" : "isotropic noise, anisotropic kernel", noise,
-         sample_square(envelope.radius(), kernel));
+         sample_square(kKernelSide, envelope.radius(), kernel));
   }
   const GaborNoise<2> noise(isotropic_options());
   const CompactKernel& kernel = noise.compact_kernel();
   draw(folder / "report_isotropic_kernel.png", "isotropic noise, isotropic kernel", noise,
-       sample_square(noise.radius(), [&](double x, double y) { return kernel.value(std::hypot(x, y)); }));
+       sample_square(kKernelSide, noise.radius(),
+                     [&](double x, double y) { return kernel.value(std::hypot(x, y)); }));
 }
 
 // The cells of the report are as wide as the radius where the Gaussian is at 5 %, so many impulses in each.

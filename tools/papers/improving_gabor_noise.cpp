@@ -13,6 +13,7 @@
 #include "papers/paper_kernel.h"
 #include "papers/perlin_sample.h"
 #include "papers/radii.h"
+#include "papers/square.h"
 #include "papers/tilted_plane.h"
 #include "papers/transition.h"
 #include "papers/truncation.h"
@@ -34,14 +35,7 @@ IsotropicGaborKernel<Dim> example_kernel() {
 // Samples of value(distance from the middle) on a square with sides of twice the reach.
 template <typename Function>
 DenseField<2> radial_picture(double reach, const Function& value) {
-  constexpr int kSide = 161;
-  const double step = 2.0 * reach / (kSide - 1);
-  DenseField<2> field({kSide, kSide}, Vec<2>(step));
-  for (std::size_t i = 0; i < field.values.size(); ++i) {
-    const glm::ivec2 at = ArrayShape<2>{field.count}.position(i);
-    field.values[i] = static_cast<float>(value(std::hypot(step * at.x - reach, step * at.y - reach)));
-  }
-  return field;
+  return sample_square(161, reach, [&](double x, double y) { return value(std::hypot(x, y)); });
 }
 
 // Figure 2.
