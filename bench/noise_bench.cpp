@@ -29,13 +29,13 @@
 namespace solidnoise::bench {
 namespace {
 
-// A different block for each iteration, so that nothing can be kept from the last.
+// A different block for each iteration, in the order in which a volume's blocks are filled.
 template <int Dim>
 Index<Dim> block_corner(std::int64_t iteration, int thread, int side = kBlock) {
   Index<Dim> corner(0);
-  corner[0] = side * (iteration % 64);
-  corner[1] = side * (iteration / 64 % 64);
-  corner[2] = side * thread;
+  corner[0] = side * (iteration / 64);
+  corner[1] = side * (iteration / 8 % 8);
+  corner[2] = side * (iteration % 8 + 8 * thread);
   return corner;
 }
 
@@ -117,13 +117,14 @@ void add_isotropic(std::vector<Ratio>& ratios) {
 // Noise within an error of 2 %, every voxel summed, or split between the kernel and interpolation.
 void add_budget(std::vector<Ratio>& ratios, const BudgetCase& budget) {
   constexpr int kSide = 64;  // of the blocks that volumes are filled in
-  const auto add = [&](const std::string& suffix, const std::shared_ptr<const Noise<3>>& noise) {
-    benchmark::RegisterBenchmark((budget.name() + suffix).c_str(), [noise](benchmark::State& state) {
-      evaluate_blocks<3>(state, *noise, kSide);
+  using Make = std::shared_ptr<const Noise<3>> (BudgetCase::*)() const;
+  const auto add = [&](const std::string& suffix, Make make) {
+    benchmark::RegisterBenchmark((budget.name() + suffix).c_str(), [=](benchmark::State& state) {
+      evaluate_blocks<3>(state, *(budget.*make)(), kSide);  // made anew: it keeps samples
     });
   };
-  add("/direct", budget.direct());
-  add("/budget", budget.interpolated());
+  add("/direct", &BudgetCase::direct);
+  add("/budget", &BudgetCase::interpolated);
   const bool goal = budget == BudgetCase{};
   ratios.push_back({budget.name().substr(std::string("gabor/3/").size()) + " within 2 %, over direct",
                     budget.name() + "/direct", budget.name() + "/budget", goal ? 3.0 : 1.0,

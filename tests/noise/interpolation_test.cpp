@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <thread>
@@ -155,15 +156,18 @@ TEST(Interpolation, TotalErrorIsWithinATenthOfThePrediction) {
   }
 }
 
+// Makes an interpolated noise that has not kept any samples yet.
+using MakeAnew = std::function<std::shared_ptr<const Noise<3>>()>;
+
 // Runs a check with noises of several kinds on a lattice that they are interpolated on.
 template <typename Check>
 void for_each_interpolated(const Check& check) {
   const auto run = [&](const std::string& name, std::shared_ptr<const Noise<3>> noise, double step) {
     SCOPED_TRACE(name);
     const LatticeFrame<3> frame{{0.013, -7.0, 1000.0}, {step, 0.8 * step, step}};
-    const auto interpolated = interpolate<3>(noise, frame, 0.01);
-    ASSERT_NE(interpolated, noise);
-    check(*interpolated, *noise, frame);
+    const MakeAnew anew = [&] { return interpolate<3>(noise, frame, 0.01); };
+    ASSERT_NE(anew(), noise);
+    check(anew, *noise, frame);
   };
   NoiseRecipe recipe{GaborNoiseOptions{.frequency = 1.0, .impulses = 20.0}, {}};
   run("isotropic", make_noise<3>(recipe), 0.06);
@@ -180,9 +184,9 @@ void for_each_interpolated(const Check& check) {
 }
 
 TEST(Interpolation, ValuesDoNotDependOnTheBlock) {
-  for_each_interpolated([](const Noise<3>& noise, const Noise<3>&, const LatticeFrame<3>& frame) {
+  for_each_interpolated([](const MakeAnew& anew, const Noise<3>&, const LatticeFrame<3>& frame) {
     const Lattice<3> whole = lattice_of<3>(frame, Index<3>(-21, 5, -3), 37);
-    const auto expected = values_of<3>(noise, whole);
+    const auto expected = values_of<3>(*anew(), whole);
     const auto check = [&](const Lattice<3>& part, const NoiseBlock<3>& block) {
       std::vector<float> values(part.size());
       block.evaluate(part, Samples<3>{values, {}});
@@ -199,14 +203,17 @@ TEST(Interpolation, ValuesDoNotDependOnTheBlock) {
         ASSERT_EQ(values[i], expected[index]) << "sample " << i;
       }
     };
-    const auto block = noise.block(whole.bounds());
+    const auto shared = anew();
+    const auto block = shared->block(whole.bounds());
     for (const Index<3> start : {Index<3>(0), Index<3>(1, 2, 3), Index<3>(17, 23, 20), Index<3>(3, 9, 29)}) {
       for (const int count : {1, 5, 8}) {
         Lattice<3> part = whole;
         part.first += start;
         part.count = glm::vec<3, int>(count);
         check(part, *block);
-        check(part, *noise.block(part.bounds()));
+        check(part, *shared->block(part.bounds()));
+        const auto alone = anew();
+        check(part, *alone->block(part.bounds()));
       }
     }
     check(whole, *block);
@@ -216,52 +223,67 @@ TEST(Interpolation, ValuesDoNotDependOnTheBlock) {
     huge.upper += 40.0;
     Lattice<3> part = whole;
     part.count = glm::vec<3, int>(9);
-    check(part, *noise.block(huge));
+    check(part, *shared->block(huge));
   });
 }
 
 TEST(Interpolation, InstructionSetsWithFusedMultiplyAddGiveTheSameBits) {
-  for_each_interpolated([](const Noise<3>& noise, const Noise<3>&, const LatticeFrame<3>& frame) {
+  for_each_interpolated([](const MakeAnew& anew, const Noise<3>&, const LatticeFrame<3>& frame) {
     const Lattice<3> lattice = lattice_of<3>(frame, Index<3>(-3, 1, -11), 19);
     std::vector<std::vector<float>> results;
     for_each_simd_target([&](std::int64_t target) {
       if ((target & (HWY_AVX3_DL | HWY_AVX3 | HWY_AVX2)) == 0) return;
-      results.push_back(values_of<3>(noise, lattice));
+      results.push_back(values_of<3>(*anew(), lattice));
     });
     for (const auto& result : results) EXPECT_EQ(result, results.front());
   });
 }
 
 TEST(Interpolation, ValuesDoNotDependOnWhetherTheGradientIsWanted) {
-  for_each_interpolated([](const Noise<3>& noise, const Noise<3>&, const LatticeFrame<3>& frame) {
+  for_each_interpolated([](const MakeAnew& anew, const Noise<3>&, const LatticeFrame<3>& frame) {
     const Lattice<3> lattice = lattice_of<3>(frame, Index<3>(-3, 1, -11), 9);
-    EXPECT_EQ(evaluate_in_one_block(noise, lattice).values, values_of<3>(noise, lattice));
+    EXPECT_EQ(evaluate_in_one_block(*anew(), lattice).values, values_of<3>(*anew(), lattice));
   });
 }
 
 TEST(Interpolation, ThreadsShareANoise) {
-  for_each_interpolated([](const Noise<3>& noise, const Noise<3>&, const LatticeFrame<3>& frame) {
+  for_each_interpolated([](const MakeAnew& anew, const Noise<3>&, const LatticeFrame<3>& frame) {
     const Lattice<3> lattice = lattice_of<3>(frame, Index<3>(-3, 1, -11), 19);
-    const auto expected = values_of<3>(noise, lattice);
+    const auto expected = values_of<3>(*anew(), lattice);
+    const auto shared = anew();
     std::vector<std::vector<float>> results(4);
     std::vector<std::thread> threads;
     for (auto& result : results) {
-      threads.emplace_back([&] { result = values_of<3>(noise, lattice); });
+      threads.emplace_back([&] { result = values_of<3>(*shared, lattice); });
     }
     for (std::thread& thread : threads) thread.join();
     for (const auto& result : results) EXPECT_EQ(result, expected);
   });
 }
 
+// More samples than are kept: a walk through far places, and back to the first.
+TEST(Interpolation, ForgottenSamplesComeBack) {
+  const NoiseRecipe recipe{GaborNoiseOptions{.frequency = 1.0, .impulses = 2.0}, {}};
+  const LatticeFrame<3> frame{Vec<3>(0.0), Vec<3>(0.06)};
+  const auto noise = interpolate<3>(make_noise<3>(recipe), frame, 0.01);
+  const auto at = [&](int place) {
+    return values_of<3>(*noise, lattice_of<3>(frame, Index<3>(1000 * place, -7, 3), 3));
+  };
+  const auto expected = at(0);
+  for (int place = 1; place < 600; ++place) EXPECT_NE(at(place), expected);
+  EXPECT_EQ(at(0), expected);
+}
+
 TEST(Interpolation, OtherLatticesAreOfTheNoiseItself) {
-  for_each_interpolated([](const Noise<3>& noise, const Noise<3>& itself, const LatticeFrame<3>& frame) {
+  for_each_interpolated([](const MakeAnew& anew, const Noise<3>& itself, const LatticeFrame<3>& frame) {
+    const auto noise = anew();
     Lattice<3> lattice = lattice_of<3>(frame, Index<3>(-3, 1, -11), 9);
-    EXPECT_NE(values_of<3>(noise, lattice), values_of<3>(itself, lattice));
+    EXPECT_NE(values_of<3>(*noise, lattice), values_of<3>(itself, lattice));
     lattice.origin.x += 0.001;
-    EXPECT_EQ(values_of<3>(noise, lattice), values_of<3>(itself, lattice));
+    EXPECT_EQ(values_of<3>(*noise, lattice), values_of<3>(itself, lattice));
     lattice.origin = frame.origin;
     lattice.step *= 0.5;
-    EXPECT_EQ(values_of<3>(noise, lattice), values_of<3>(itself, lattice));
+    EXPECT_EQ(values_of<3>(*noise, lattice), values_of<3>(itself, lattice));
   });
 }
 
@@ -269,9 +291,10 @@ TEST(Interpolation, OtherLatticesAreOfTheNoiseItself) {
 // frequencies beyond the band, twice at the most: once for what is lost, and once for where it is found
 // instead.
 TEST(Interpolation, IsTheNoiseButForTheError) {
-  for_each_interpolated([](const Noise<3>& noise, const Noise<3>& itself, const LatticeFrame<3>& frame) {
+  for_each_interpolated([](const MakeAnew& anew, const Noise<3>& itself, const LatticeFrame<3>& frame) {
+    const auto noise = anew();
     const Lattice<3> lattice = lattice_of<3>(frame, Index<3>(-3, 1, -11), 60);
-    const auto values = values_of<3>(noise, lattice);
+    const auto values = values_of<3>(*noise, lattice);
     const auto expected = values_of<3>(itself, lattice);
     double sum = 0.0;
     for (std::size_t i = 0; i < values.size(); ++i) {

@@ -1,37 +1,48 @@
 #include "solidnoise/noise/fractal_noise.h"
 
 #include <algorithm>
+#include <memory>
+#include <span>
 
 #include "solidnoise/core/check.h"
 
 namespace solidnoise {
 namespace {
 
+// Calls visit(values, other's values) for all channels of samples.
+template <int Dim, typename Visit>
+void for_each_channel(const Samples<Dim>& samples, const Samples<Dim>& other, const Visit& visit) {
+  visit(samples.values, other.values);
+  if (!samples.wants_gradient()) return;
+  for (int axis = 0; axis < Dim; ++axis) visit(samples.gradient[axis], other.gradient[axis]);
+}
+
 // Overwrites `samples` by the weighted sum of what evaluate(i, buffer) writes for each octave, in order.
 template <int Dim, typename Octaves, typename Evaluate>
 void sum_octaves(const Octaves& octaves, const Samples<Dim>& samples, const Evaluate& evaluate) {
   if (octaves.empty()) return fill_with_zero(samples);
-  const std::size_t count = samples.values.size();
-  const int channels = samples.wants_gradient() ? 1 + Dim : 1;
-  std::vector<float> memory(count * static_cast<std::size_t>(channels));
-  const auto channel = [&](const Samples<Dim>& of, int i) { return i == 0 ? of.values : of.gradient[i - 1]; };
-  Samples<Dim> octave{{memory.data(), count}, {}};
-  for (int i = 1; i < channels; ++i) {
-    octave.gradient[i - 1] = {memory.data() + static_cast<std::size_t>(i) * count, count};
+  evaluate(0, samples);
+  const auto first = static_cast<float>(octaves[0].amplitude);
+  if (first != 1.0f) {
+    for_each_channel(samples, samples, [&](std::span<float> values, std::span<float>) {
+      for (float& value : values) value *= first;
+    });
   }
+  if (octaves.size() == 1) return;
 
-  for (std::size_t k = 0; k < octaves.size(); ++k) {
+  const std::size_t count = samples.values.size();
+  const std::size_t channels = samples.wants_gradient() ? 1 + Dim : 1;
+  const auto memory = std::make_unique_for_overwrite<float[]>(count * channels);
+  Samples<Dim> octave{{memory.get(), count}, {}};
+  for (std::size_t axis = 0; axis + 1 < channels; ++axis) {
+    octave.gradient[axis] = {memory.get() + (axis + 1) * count, count};
+  }
+  for (std::size_t k = 1; k < octaves.size(); ++k) {
     evaluate(k, octave);
     const auto amplitude = static_cast<float>(octaves[k].amplitude);
-    for (int i = 0; i < channels; ++i) {
-      const auto from = channel(octave, i);
-      const auto to = channel(samples, i);
-      if (k == 0) {
-        for (std::size_t j = 0; j < count; ++j) to[j] = amplitude * from[j];
-      } else {
-        for (std::size_t j = 0; j < count; ++j) to[j] += amplitude * from[j];
-      }
-    }
+    for_each_channel(samples, octave, [&](std::span<float> to, std::span<float> from) {
+      for (std::size_t j = 0; j < count; ++j) to[j] += amplitude * from[j];
+    });
   }
 }
 

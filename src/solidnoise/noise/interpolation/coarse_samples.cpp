@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <utility>
 
 namespace solidnoise {
 namespace {
@@ -21,8 +20,8 @@ void for_each_index(const glm::vec<Dim, int>& count, const Visit& visit) {
   }
 }
 
-template <int Dim>
-std::size_t offset_of(const glm::vec<Dim, int>& index, const glm::vec<Dim, int>& count) {
+template <int Dim, typename Integer>
+std::size_t offset_of(const glm::vec<Dim, Integer>& index, const glm::vec<Dim, int>& count) {
   std::size_t offset = 0;
   for (int axis = 0; axis < Dim; ++axis) {
     offset = offset * static_cast<std::size_t>(count[axis]) + static_cast<std::size_t>(index[axis]);
@@ -30,90 +29,86 @@ std::size_t offset_of(const glm::vec<Dim, int>& index, const glm::vec<Dim, int>&
   return offset;
 }
 
-}  // namespace
-
+// The bricks that a range of samples touches.
 template <int Dim>
-CoarseSamples<Dim>::CoarseSamples(std::shared_ptr<const Noise<Dim>> noise, const Lattice<Dim>& lattice,
-                                  const SampleRange<Dim>& range)
-    : noise_(std::move(noise)), lattice_(lattice), range_(range) {
-  std::size_t bricks = 1;
-  double samples = 1.0;  // in double: may be huge
+SampleRange<Dim> bricks_of(const SampleRange<Dim>& samples) {
+  SampleRange<Dim> bricks;
   for (int axis = 0; axis < Dim; ++axis) {
-    bricks_[axis] = (range.count[axis] + kSide - 1) / kSide;
-    bricks *= static_cast<std::size_t>(bricks_[axis]);
-    samples *= range.count[axis];
+    bricks.first[axis] = CoarseStore<Dim>::brick_of(samples.first[axis]);
+    bricks.count[axis] = static_cast<int>(
+        CoarseStore<Dim>::brick_of(samples.first[axis] + samples.count[axis] - 1) - bricks.first[axis] + 1);
   }
-  if (samples > static_cast<double>(kMostKept)) return;
-  block_ = noise_->block(lattice_of(range).bounds());
-  samples_.resize(range.size());
-  evaluated_.resize(bricks, false);
+  return bricks;
 }
 
+// Room for all samples of some bricks, side by side.
 template <int Dim>
-Lattice<Dim> CoarseSamples<Dim>::lattice_of(const SampleRange<Dim>& part) const {
-  Lattice<Dim> lattice = lattice_;
-  lattice.first = part.first;
-  lattice.count = part.count;
-  return lattice;
+glm::vec<Dim, int> room_for(const SampleRange<Dim>& bricks) {
+  return bricks.count * CoarseStore<Dim>::kBrickSide;
 }
 
+// A part of a dense array of these bricks' samples.
 template <int Dim>
-SampleRows CoarseSamples<Dim>::rows(const SampleRange<Dim>& part) {
-  if (samples_.empty()) {
-    const Lattice<Dim> lattice = lattice_of(part);
-    passing_.resize(part.size());
-    noise_->block(lattice.bounds())->evaluate(lattice, Samples<Dim>{passing_, {}});
-    return rows_of(passing_, part.count, glm::vec<Dim, int>(0), part.count);
-  }
-  glm::vec<Dim, int> start;
-  glm::vec<Dim, int> first_brick;
-  glm::vec<Dim, int> brick_count;
+SampleRows rows_of(const std::vector<float>& samples, const SampleRange<Dim>& bricks,
+                   const SampleRange<Dim>& part) {
+  const glm::vec<Dim, int> count = room_for<Dim>(bricks);
+  Index<Dim> start;
   for (int axis = 0; axis < Dim; ++axis) {
-    start[axis] = static_cast<int>(part.first[axis] - range_.first[axis]);
-    first_brick[axis] = start[axis] / kSide;
-    brick_count[axis] = (start[axis] + part.count[axis] - 1) / kSide - first_brick[axis] + 1;
+    start[axis] = part.first[axis] - CoarseStore<Dim>::first_sample(bricks.first[axis]);
   }
-  for_each_index<Dim>(brick_count, [&](const glm::vec<Dim, int>& index) {
-    const glm::vec<Dim, int> brick = first_brick + index;
-    if (!evaluated_[offset_of<Dim>(brick, bricks_)]) evaluate_brick(brick);
-  });
-  return rows_of(samples_, range_.count, start, part.count);
-}
-
-// The part of a dense array of `count` samples that begins at `start`.
-template <int Dim>
-SampleRows CoarseSamples<Dim>::rows_of(const std::vector<float>& samples, const glm::vec<Dim, int>& count,
-                                       const glm::vec<Dim, int>& start,
-                                       const glm::vec<Dim, int>& part) const {
   SampleRows rows;
   rows.first = samples.data() + offset_of<Dim>(start, count);
-  rows.rows = static_cast<std::size_t>(part[Dim - 2]);
+  rows.rows = static_cast<std::size_t>(part.count[Dim - 2]);
   rows.row_stride = static_cast<std::size_t>(count[Dim - 1]);
   if constexpr (Dim == 3) {
-    rows.slabs = static_cast<std::size_t>(part[0]);
+    rows.slabs = static_cast<std::size_t>(part.count[0]);
     rows.slab_stride = rows.row_stride * static_cast<std::size_t>(count[1]);
   }
   return rows;
 }
 
+}  // namespace
+
 template <int Dim>
-void CoarseSamples<Dim>::evaluate_brick(const glm::vec<Dim, int>& brick) {
-  SampleRange<Dim> part;
-  const glm::vec<Dim, int> start = brick * kSide;
-  for (int axis = 0; axis < Dim; ++axis) {
-    part.first[axis] = range_.first[axis] + start[axis];
-    part.count[axis] = std::min(kSide, range_.count[axis] - start[axis]);
-  }
-  std::vector<float> samples(part.size());
-  block_->evaluate(lattice_of(part), Samples<Dim>{samples, {}});
-  const float* from = samples.data();
-  glm::vec<Dim, int> rows = part.count;
+CoarseSamples<Dim>::CoarseSamples(CoarseStore<Dim>& store, const SampleRange<Dim>& range)
+    : store_(store), bricks_(bricks_of<Dim>(range)) {
+  double samples = Store::kBrickSamples;  // in double: may be huge
+  for (int axis = 0; axis < Dim; ++axis) samples *= bricks_.count[axis];
+  if (samples > static_cast<double>(kMostKept)) return;
+  samples_.resize(bricks_.size() * Store::kBrickSamples);
+  fetched_.resize(bricks_.size(), false);
+}
+
+template <int Dim>
+SampleRows CoarseSamples<Dim>::rows(const SampleRange<Dim>& part) {
+  const SampleRange<Dim> needed = bricks_of<Dim>(part);
+  const bool keep = !samples_.empty();
+  if (!keep) passing_.resize(needed.size() * Store::kBrickSamples);
+  for_each_index<Dim>(needed.count, [&](const glm::vec<Dim, int>& index) {
+    const Index<Dim> brick = needed.first + Index<Dim>(index);
+    if (!keep) return fetch(brick, needed, passing_);
+    const std::size_t number = offset_of<Dim>(brick - bricks_.first, bricks_.count);
+    if (fetched_[number]) return;
+    fetch(brick, bricks_, samples_);
+    fetched_[number] = true;
+  });
+  return keep ? rows_of<Dim>(samples_, bricks_, part) : rows_of<Dim>(passing_, needed, part);
+}
+
+// Copies a brick to its place in the dense array of some.
+template <int Dim>
+void CoarseSamples<Dim>::fetch(const Index<Dim>& brick, const SampleRange<Dim>& bricks,
+                               std::vector<float>& samples) {
+  const auto tile = store_.tile_of(brick);
+  const float* from = tile->brick(brick).data();
+  const glm::vec<Dim, int> count = room_for<Dim>(bricks);
+  const Index<Dim> start = (brick - bricks.first) * std::int64_t{Store::kBrickSide};
+  glm::vec<Dim, int> rows(Store::kBrickSide);
   rows[Dim - 1] = 1;
   for_each_index<Dim>(rows, [&](const glm::vec<Dim, int>& row) {
-    std::copy_n(from, part.count[Dim - 1], samples_.data() + offset_of<Dim>(start + row, range_.count));
-    from += part.count[Dim - 1];
+    std::copy_n(from, Store::kBrickSide, samples.data() + offset_of<Dim>(start + Index<Dim>(row), count));
+    from += Store::kBrickSide;
   });
-  evaluated_[offset_of<Dim>(brick, bricks_)] = true;
 }
 
 template class CoarseSamples<2>;

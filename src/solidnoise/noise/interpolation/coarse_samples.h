@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "solidnoise/noise/interpolation/coarse_store.h"
 #include "solidnoise/noise/interpolation/interpolate_axis.h"
 #include "solidnoise/noise/noise.h"
 
@@ -25,33 +26,27 @@ struct SampleRange {
   }
 };
 
-// Samples of a noise on a lattice that are evaluated when they are first asked for, in bricks, and kept.
+// What one block needs of a store of coarse samples, side by side. Bricks are fetched when they are first
+// asked for, and kept.
 template <int Dim>
 class CoarseSamples {
  public:
-  // All samples that are asked for must lie in the range. `lattice` gives origin and step.
-  CoarseSamples(std::shared_ptr<const Noise<Dim>> noise, const Lattice<Dim>& lattice,
-                const SampleRange<Dim>& range);
+  // All samples that are asked for must lie in the range. The store must outlive this.
+  CoarseSamples(CoarseStore<Dim>& store, const SampleRange<Dim>& range);
 
   // The samples of a part of the range, until the next call.
   SampleRows rows(const SampleRange<Dim>& part);
 
  private:
-  static constexpr int kSide = 8;  // of a brick
+  using Store = CoarseStore<Dim>;
 
-  SampleRows rows_of(const std::vector<float>& samples, const glm::vec<Dim, int>& count,
-                     const glm::vec<Dim, int>& start, const glm::vec<Dim, int>& part) const;
-  Lattice<Dim> lattice_of(const SampleRange<Dim>& part) const;
-  void evaluate_brick(const glm::vec<Dim, int>& brick);
+  void fetch(const Index<Dim>& brick, const SampleRange<Dim>& bricks, std::vector<float>& samples);
 
-  std::shared_ptr<const Noise<Dim>> noise_;
-  Lattice<Dim> lattice_;
-  SampleRange<Dim> range_;
-  glm::vec<Dim, int> bricks_{1};
-  std::unique_ptr<NoiseBlock<Dim>> block_;
-  std::vector<float> passing_;   // of the last part, where the range is too much to keep
-  std::vector<float> samples_;   // of the whole range; empty where that is too much to keep
-  std::vector<bool> evaluated_;  // per brick
+  Store& store_;
+  SampleRange<Dim> bricks_;
+  std::vector<float> passing_;  // of the last part, where the range is too much to keep
+  std::vector<float> samples_;  // of all bricks; empty where that is too much to keep
+  std::vector<bool> fetched_;   // per brick
 };
 
 extern template class CoarseSamples<2>;

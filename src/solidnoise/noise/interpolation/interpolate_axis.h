@@ -16,6 +16,8 @@ class AxisTaps {
   int taps() const { return taps_; }
   std::size_t count() const { return first_.size(); }  // samples out
   std::size_t first(std::size_t i) const { return first_[i]; }
+  // Which of its taps a sample is equal to; -1 where it is a sum.
+  int copied(std::size_t i) const { return copied_[i]; }
   const float* weights(std::size_t i) const { return weight_.data() + i * static_cast<std::size_t>(taps_); }
 
   // Some consecutive samples out as a product of a matrix, a column for each coarse sample that any of them
@@ -34,6 +36,7 @@ class AxisTaps {
   int taps_;
   std::vector<std::size_t> first_;
   std::vector<float> weight_;
+  std::vector<int> copied_;
   std::vector<Tile> tiles_;
 };
 

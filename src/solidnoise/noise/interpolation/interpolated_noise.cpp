@@ -11,16 +11,11 @@
 
 #include "solidnoise/noise/fractal_noise.h"
 #include "solidnoise/noise/interpolation/coarse_samples.h"
+#include "solidnoise/noise/interpolation/divide_down.h"
 #include "solidnoise/noise/interpolation/interpolate_axis.h"
 
 namespace solidnoise {
 namespace {
-
-// Largest whole number of `step`s in i.
-std::int64_t divide_down(std::int64_t i, int step) {
-  const std::int64_t quotient = i / step;
-  return quotient * step > i ? quotient - 1 : quotient;
-}
 
 // One axis of a lattice, interpolated: its samples from coarse ones.
 struct InterpolatedAxis {
@@ -57,6 +52,14 @@ struct Interpolation {
   std::shared_ptr<const Noise<Dim>> noise;
   LatticeFrame<Dim> frame;
   std::vector<InterpolatedAxis> axes;
+  mutable CoarseStore<Dim> store;
+
+  Interpolation(std::shared_ptr<const Noise<Dim>> interpolated, const LatticeFrame<Dim>& lattice_frame,
+                const std::vector<AxisWeights>& weights)
+      : noise(std::move(interpolated)),
+        frame(lattice_frame),
+        axes(weights.begin(), weights.end()),
+        store(noise, coarse_lattice()) {}
 
   bool applies_to(const Lattice<Dim>& lattice) const {
     return lattice.origin == frame.origin && lattice.step == frame.step;
@@ -73,6 +76,13 @@ struct Interpolation {
       range.count[axis] = static_cast<int>(std::min<std::int64_t>(count, std::numeric_limits<int>::max()));
     }
     return range;
+  }
+
+ private:
+  Lattice<Dim> coarse_lattice() const {
+    Lattice<Dim> lattice{frame.origin, frame.step, {}, {}};
+    for (int axis = 0; axis < Dim; ++axis) lattice.step[axis] *= axes[static_cast<std::size_t>(axis)].step;
+    return lattice;
   }
 };
 
@@ -100,15 +110,13 @@ class InterpolatedBlock final : public NoiseBlock<Dim> {
     constexpr double kTolerance = 1e-6;  // samples: what the box's corners may be rounded by
     Index<Dim> begin;
     Index<Dim> end;
-    Lattice<Dim> lattice{frame.origin, frame.step, {}, {}};
     for (int axis = 0; axis < Dim; ++axis) {
       const double lower = (box_.lower[axis] - frame.origin[axis]) / frame.step[axis];
       const double upper = (box_.upper[axis] - frame.origin[axis]) / frame.step[axis];
       begin[axis] = static_cast<std::int64_t>(std::floor(lower + kTolerance));
       end[axis] = static_cast<std::int64_t>(std::ceil(upper - kTolerance));
-      lattice.step[axis] *= interpolation_->axes[static_cast<std::size_t>(axis)].step;
     }
-    coarse_.emplace(interpolation_->noise, lattice, interpolation_->coarse_range(begin, end));
+    coarse_.emplace(interpolation_->store, interpolation_->coarse_range(begin, end));
   }
 
   // From the last axis to the first: the arrays in between are then the smallest where each value costs most.
@@ -121,17 +129,24 @@ class InterpolatedBlock final : public NoiseBlock<Dim> {
     };
     AxisShape shape{range.size() / static_cast<std::size_t>(range.count[Dim - 1]), 1,
                     static_cast<std::size_t>(lattice.count[Dim - 1])};
-    to_.resize(shape.outer * shape.inner);
-    interpolate_last_axis(taps(Dim - 1), coarse_->rows(range), to_.data());
+    const SampleRows coarse = coarse_->rows(range);
+    float* out = room_in(to_, shape.outer * shape.inner);
+    interpolate_last_axis(taps(Dim - 1), coarse, out);
     for (int axis = Dim - 2; axis >= 0; --axis) {
+      const float* const in = out;
       std::swap(from_, to_);
       const auto count = static_cast<std::size_t>(lattice.count[axis]);
       shape.in = static_cast<std::size_t>(range.count[axis]);
       shape.outer /= shape.in;
-      if (axis > 0) to_.resize(shape.outer * count * shape.inner);
-      interpolate_axis(taps(axis), shape, from_.data(), axis > 0 ? to_.data() : values.data());
+      out = axis > 0 ? room_in(to_, shape.outer * count * shape.inner) : values.data();
+      interpolate_axis(taps(axis), shape, in, out);
       shape.inner *= count;
     }
+  }
+
+  static float* room_in(std::vector<float>& buffer, std::size_t size) {
+    if (buffer.size() < size) buffer.resize(size);
+    return buffer.data();
   }
 
   // Those of an axis are the same for all blocks of lattices that begin at one phase.
@@ -157,9 +172,8 @@ class InterpolatedBlock final : public NoiseBlock<Dim> {
 template <int Dim>
 class InterpolatedNoise final : public Noise<Dim> {
  public:
-  explicit InterpolatedNoise(Interpolation<Dim> interpolation)
-      : interpolation_(std::make_shared<Interpolation<Dim>>(std::move(interpolation))),
-        noise_(*interpolation_->noise) {}
+  explicit InterpolatedNoise(std::shared_ptr<const Interpolation<Dim>> interpolation)
+      : interpolation_(std::move(interpolation)), noise_(*interpolation_->noise) {}
 
   using Noise<Dim>::evaluate;
   std::unique_ptr<NoiseBlock<Dim>> block(const Box<Dim>& box) const override {
@@ -185,11 +199,9 @@ std::shared_ptr<const Noise<Dim>> follow_plan(std::shared_ptr<const Noise<Dim>> 
                                               const LatticeFrame<Dim>& frame,
                                               const InterpolationPlan<Dim>& plan) {
   if (plan.direct()) return noise;
-  Interpolation<Dim> interpolation{noise, frame, {}};
-  for (const AxisWeights& weights : interpolation_weights<Dim>(noise->waves(), frame.step, plan)) {
-    interpolation.axes.emplace_back(weights);
-  }
-  return std::make_shared<InterpolatedNoise<Dim>>(std::move(interpolation));
+  const auto weights = interpolation_weights<Dim>(noise->waves(), frame.step, plan);
+  return std::make_shared<InterpolatedNoise<Dim>>(
+      std::make_shared<const Interpolation<Dim>>(std::move(noise), frame, weights));
 }
 
 }  // namespace

@@ -24,8 +24,9 @@ struct LatticeFrame {
 // points, and where gradients are wanted, it is the noise itself.
 //
 // Coarse samples are those whose index is a multiple of m, counted from the frame's origin, so that a
-// sample's value does not depend on the block or lattice that it is asked for in. Within a block they are
-// evaluated once, in bricks, as far as samples that are asked for need them.
+// sample's value does not depend on the block or lattice that it is asked for in. They are evaluated once, in
+// bricks, as far as samples that are asked for need them, and shared by all blocks: the noise keeps those used
+// last, up to 64 MB for each part. It may nevertheless be shared between threads.
 //
 // Statistics are those of the noise. Returns the noise itself where nothing is to be gained.
 template <int Dim>

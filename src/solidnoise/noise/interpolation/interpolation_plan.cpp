@@ -43,19 +43,17 @@ std::vector<AxisOption> axis_options(std::span<const double> covariance, double 
 template <int Dim>
 double cost_per_sample(const WaveMixture<Dim>& waves, const Vec<Dim>& step,
                        const std::array<AxisStep, Dim>& axes) {
-  constexpr double kBlock = 64.0;  // samples along a block's side, which needs coarse samples around it, too,
-  constexpr double kUnit = 4.0;    // that are summed so many at a time
-  constexpr double kLeaf = 8.0;    // of a leaf
+  constexpr double kLeaf = 8.0;  // samples along a leaf's side, which needs coarse samples around it, too
   constexpr double kPerImpulse = 0.195;
   constexpr double kCrowding = 12.0;
-  constexpr double kPerTap = 0.06;
+  constexpr double kPerTap = 0.04;
   double evaluated = 1.0;
   double covered = 1.0;  // samples within the radius, along an axis, their geometric mean
   double interpolation = 0.0;
   double width = 1.0;  // of what an axis' interpolation goes over, relative to the leaf
   for (int axis = 0; axis < Dim; ++axis) {
     const auto [multiple, taps] = axes[static_cast<std::size_t>(axis)];
-    evaluated *= kUnit / kBlock * std::ceil((kBlock / multiple + taps - 1) / kUnit);
+    evaluated /= multiple;
     covered *= std::pow(waves.radius / (step[axis] * multiple), 1.0 / Dim);
     interpolation += kPerTap * width * (axis == Dim - 1 ? kLeaf / multiple + taps - 1 : taps);
     width *= 1.0 / multiple + (taps - 1) / kLeaf;
