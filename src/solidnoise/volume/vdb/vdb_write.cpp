@@ -6,23 +6,12 @@
 #include <fmt/format.h>
 #include <openvdb/io/Compression.h>
 
+#include "solidnoise/volume/vdb/grid_archive.h"
 #include "solidnoise/volume/vdb/parallel_grid.h"
 #include "solidnoise/volume/vdb/vdb_reader.h"
 
 namespace solidnoise {
 namespace {
-
-// OpenVDB's File writes grid offsets, which let a reader take one grid or the metadata alone, but does not
-// notice a full disk; its Stream writes to a stream of ours, but no offsets. This does both.
-class CheckedArchive final : public openvdb::io::Archive {
- public:
-  enum class Offsets { write, none };
-
-  void write_to(std::ostream& stream, Offsets offsets, const openvdb::GridCPtrVec& grids,
-                const openvdb::MetaMap& metadata) const {
-    openvdb::io::Archive::write(stream, grids, offsets == Offsets::write, metadata);
-  }
-};
 
 std::uint32_t compression_flags(Codec codec) {
   using namespace openvdb::io;
@@ -51,14 +40,14 @@ openvdb::MetaMap file_metadata(const VdbWriteOptions& options) {
   return result;
 }
 
-void write_archive(std::ostream& stream, CheckedArchive::Offsets offsets, const openvdb::GridCPtrVec& grids,
+void write_archive(std::ostream& stream, GridArchive::Offsets offsets, const openvdb::GridCPtrVec& grids,
                    const VdbWriteOptions& options) {
   openvdb::initialize();
-  CheckedArchive archive;
+  GridArchive archive;
   archive.setCompression(compression_flags(options.codec));
   openvdb::GridCPtrVec parallel;
   for (const auto& grid : grids) parallel.push_back(parallel_grid(grid));
-  archive.write_to(stream, offsets, parallel, file_metadata(options));
+  archive.write_grids(stream, offsets, parallel, file_metadata(options));
   stream.flush();
 }
 
@@ -102,7 +91,7 @@ void set_fog_volume(openvdb::FloatGrid& grid, const std::string& name, const std
 
 void write_vdb(const std::filesystem::path& path, const openvdb::GridCPtrVec& grids,
                const VdbWriteOptions& options) {
-  const auto offsets = path == "-" ? CheckedArchive::Offsets::none : CheckedArchive::Offsets::write;
+  const auto offsets = path == "-" ? GridArchive::Offsets::none : GridArchive::Offsets::write;
   const auto verify_written = [&](const std::filesystem::path& written) {
     verify(written, path.string(), grids.size());
   };
@@ -111,7 +100,7 @@ void write_vdb(const std::filesystem::path& path, const openvdb::GridCPtrVec& gr
 }
 
 void write_vdb(std::ostream& stream, const openvdb::GridCPtrVec& grids, const VdbWriteOptions& options) {
-  write_archive(stream, CheckedArchive::Offsets::none, grids, options);
+  write_archive(stream, GridArchive::Offsets::none, grids, options);
   if (!stream) throw std::runtime_error("writing to the stream failed");
 }
 

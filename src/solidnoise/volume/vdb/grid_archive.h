@@ -1,0 +1,30 @@
+#pragma once
+
+#include <ostream>
+
+#include "solidnoise/volume/vdb/openvdb.h"
+
+namespace solidnoise {
+
+// Writes what OpenVDB's own archives do, with two differences. Its File writes grid offsets, which let a
+// reader take one grid or the metadata alone, but does not notice a full disk; its Stream writes to a stream
+// of the caller's, but no offsets: this does both. And it compresses all values once. OpenVDB up to version
+// 12 compresses them twice, the first time for the sizes alone (`file_delayed_load` in the metadata), from
+// which a reader that loads leaves when they are first asked for knows where they are; without it such a
+// reader looks the sizes up leaf by leaf. OpenVDB 13 neither writes nor reads it.
+class GridArchive final : public openvdb::io::Archive {
+ public:
+  enum class Offsets { write, none };
+
+  // With Offsets::write the stream is to be able to seek. Grids that share a tree share it in the file.
+  void write_grids(std::ostream& stream, Offsets offsets, const openvdb::GridCPtrVec& grids,
+                   const openvdb::MetaMap& metadata) const;
+
+ private:
+  using Descriptor = openvdb::io::GridDescriptor;
+
+  void write_grid(std::ostream& stream, Offsets offsets, const openvdb::GridBase& grid,
+                  Descriptor& descriptor) const;
+};
+
+}  // namespace solidnoise
