@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <mutex>
 #include <string>
 
@@ -15,8 +16,9 @@ class TaskProgress final : public Progress {
  public:
   explicit TaskProgress(ProgressBar::Visibility visibility) : bar_(visibility) {}
 
-  // The name of what begins now. Not while a task runs.
-  void begin(const std::string& task) { task_ = task; }
+  // The name of what begins now, and what is called, by any thread, when all of its units of work are done.
+  // Not while a task runs.
+  void begin(const std::string& task, std::function<void()> done = {});
 
   void advance(std::uint64_t done, std::uint64_t total) override;
   bool cancelled() override;
@@ -25,6 +27,7 @@ class TaskProgress final : public Progress {
   ProgressBar bar_;
   std::mutex mutex_;
   std::string task_;
+  std::function<void()> done_;
 };
 
 }  // namespace solidnoise

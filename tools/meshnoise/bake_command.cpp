@@ -163,15 +163,19 @@ void write_recipe(const BakeOptions& options) {
 void bake_file(const std::string& in, const BakeOptions& options) {
   check_outputs(options);
   catch_interrupts();
+  options.times->begin("reading");
   const MeshReading reading = read_mesh_to_bake(in, options);
   if (options.out.empty() && options.preview.empty()) return write_recipe(options);
+  options.times->begin("plan");
   const BakePlan plan = plan_bake(reading.mesh, options.recipe);
   if (!options.quiet) print_plan(plan, steering_name(options.recipe.by));
 
   TaskProgress progress(options.quiet ? ProgressBar::Visibility::hidden
                                       : ProgressBar::Visibility::if_terminal);
-  progress.begin("noise");
+  options.times->begin("noise");
+  progress.begin("noise", [&] { options.times->begin("colors"); });
   const BakedMesh baked = bake(plan, options.recipe, options.keep, &progress);
+  options.times->begin("writing");
   progress.begin("writing");
   std::optional<Image> preview;
   if (!options.preview.empty()) {
@@ -180,6 +184,7 @@ void bake_file(const std::string& in, const BakeOptions& options) {
   throw_if_cancelled(&progress);
   if (!options.out.empty()) write_baked(baked, options, foreign_comments(reading.comments), &progress);
   if (preview) write_image(options.preview, *preview);
+  options.times->begin("end");
   write_recipe(options);
   if (options.quiet) return;
   std::cerr << fmt::format("{}: {} vertices, {} faces\nmin {:.6g}  max {:.6g}  mean {:.6g}  sigma {:.6g}\n",
@@ -219,6 +224,7 @@ int run_bake(const std::vector<std::string>& arguments) {
       std::cout << format_json(describe_bake(plan_bake(reading.mesh, options.recipe), options.recipe));
     } else {
       bake_file(in, options);
+      if (options.timings) std::cerr << options.times->report();
     }
   } catch (const std::invalid_argument& error) {
     throw UsageError(flags.name_flag(error.what()));

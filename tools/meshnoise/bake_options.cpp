@@ -261,6 +261,7 @@ void declare_run(FlagSet& flags, BakeOptions& options) {
     options.threads = value;
   });
   flags.toggle("--quiet", "Print errors only", [&] { options.quiet = true; });
+  flags.toggle("--timings", "Print what each stage of the run took", [&] { options.timings = true; });
 }
 
 }  // namespace

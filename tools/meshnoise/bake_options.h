@@ -1,9 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "common/flag_set.h"
+#include "common/stage_times.h"
 #include "solidnoise/core/output_file.h"
 #include "solidnoise/mesh/bake_recipe.h"
 
@@ -22,6 +24,8 @@ struct BakeOptions {
   Existing existing = Existing::refuse;
   int threads = 0;  // 0: as many as the machine has
   bool quiet = false;
+  bool timings = false;
+  std::shared_ptr<StageTimes> times = std::make_shared<StageTimes>();
 };
 
 // Declares all flags. Before they are applied the caller puts the recipe that they override into `options`:

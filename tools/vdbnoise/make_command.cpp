@@ -149,6 +149,7 @@ ProgressBar::Visibility visibility(const MakeOptions& options) {
 // Makes one volume.
 void make_volume_files(const MakeOptions& options) {
   auto ends_at_once = std::make_unique<EndsAtOnce>();
+  options.times->begin("plan");
   const VolumePlan plan = plan_volume(options.recipe, options.part);
   if (options.out.empty() && options.preview.empty()) return write_recipe(options, plan);
   check_memory(options, plan);
@@ -162,13 +163,16 @@ void make_volume_files(const MakeOptions& options) {
   Volume volume;
   {
     TaskProgress progress(visibility(options));
-    progress.begin(options.task_prefix + "noise");
+    options.times->begin("noise");
+    progress.begin(options.task_prefix + "noise", [&] { options.times->begin("tree"); });
     volume = make_volume(options.recipe, plan, kVdbnoise, &progress);
     std::optional<Image> preview;
     if (!options.preview.empty()) {
+      options.times->begin("preview");
       progress.begin(options.task_prefix + "preview");
       preview = picture(volume, plan, options, &progress);
     }
+    options.times->begin("writing");
     progress.begin(options.task_prefix + "writing");
     ends_at_once.reset();
     throw_if_cancelled(&progress);
@@ -184,6 +188,7 @@ void make_volume_files(const MakeOptions& options) {
     }
     if (preview) write_image(options.preview, *preview);
   }
+  options.times->begin("end");
   write_recipe(options, plan);
   if (!is_checked) warn();
   if (!options.quiet) print_statistics(volume, options.out.empty() ? options.preview : options.out);
@@ -192,6 +197,7 @@ void make_volume_files(const MakeOptions& options) {
 // The one factor by which all frames of a sequence are scaled.
 double measure_sequence(const MakeOptions& options) {
   const EndsAtOnce ends_at_once;
+  options.times->begin("scale");
   const VolumePlan plan = plan_volume(options.recipe, options.part);
   check_memory(options, plan);
   std::optional<double> factor;
@@ -214,7 +220,7 @@ double measure_sequence(const MakeOptions& options) {
 }
 
 // Makes the frames one after the other. One that fails leaves the others; an interruption ends all.
-int make_sequence(MakeOptions options) {
+void make_sequence(MakeOptions options) {
   const bool makes_volumes = !options.out.empty() || !options.preview.empty();
   for (std::size_t i = 0; makes_volumes && i < options.frames.size(); ++i) {
     check_outputs(options_of_frame(options, i));
@@ -231,7 +237,7 @@ int make_sequence(MakeOptions options) {
   if (!options.write_recipe.empty()) {
     recipe_only.recipe = options.recipe;
     make_volume_files(recipe_only);
-    if (!makes_volumes) return kDone;
+    if (!makes_volumes) return;
   }
   std::size_t failed = 0;
   for (std::size_t i = 0; i < options.frames.size(); ++i) {
@@ -248,7 +254,7 @@ int make_sequence(MakeOptions options) {
       std::cerr << fmt::format("vdbnoise: frame {}: {}\n", options.frames[i], error.what());
     }
   }
-  if (failed == 0) return kDone;
+  if (failed == 0) return;
   throw std::runtime_error(fmt::format("{} of {} frames failed", failed, options.frames.size()));
 }
 
@@ -273,9 +279,13 @@ int make(MakeOptions options, const FlagSet& flags) {
     threads = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
                                                     static_cast<std::size_t>(options.threads));
   }
-  if (!options.frames.empty()) return make_sequence(options);
-  check_outputs(options);
-  make_volume_files(options);
+  if (options.frames.empty()) {
+    check_outputs(options);
+    make_volume_files(options);
+  } else {
+    make_sequence(options);
+  }
+  if (options.timings) std::cerr << options.times->report();
   return kDone;
 }
 

@@ -164,6 +164,7 @@ void declare_run(FlagSet& flags, MakeOptions& options) {
   flags.text("--max-memory", "SIZE", "Refuse to need more than this, such as 8G (default: what is available)",
              [&](const std::string& text) { options.max_memory = parse_bytes("--max-memory", text); });
   flags.toggle("--quiet", "Print errors only", [&] { options.quiet = true; });
+  flags.toggle("--timings", "Print what each stage of the run took", [&] { options.timings = true; });
 }
 
 }  // namespace

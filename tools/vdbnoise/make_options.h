@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "common/flag_set.h"
+#include "common/stage_times.h"
 #include "solidnoise/volume/topology/volume_part.h"
 #include "solidnoise/volume/vdb/vdb_write.h"
 #include "solidnoise/volume/volume_recipe.h"
@@ -26,6 +28,8 @@ struct MakeOptions {
   int threads = 0;               // 0: as many as the machine has
   std::uint64_t max_memory = 0;  // bytes; 0: what the machine has available
   bool quiet = false;
+  bool timings = false;
+  std::shared_ptr<StageTimes> times = std::make_shared<StageTimes>();  // of all frames
 
   std::vector<int> frames;  // of a sequence; empty: one volume
   double fps = 24.0;        // frames per unit of time
