@@ -77,7 +77,10 @@ std::optional<Jet> fit_polynomial(std::span<const Neighbour> neighbours, const R
     const Eigen::Vector2d p = round(neighbour.offset);
     const auto row = monomials<Size>(p[0], p[1]);
     const Eigen::Matrix<double, Size, 1> weighted = neighbour.weight * row;
-    normal_matrix.noalias() += weighted * row.transpose();
+    // The lower triangle, from which the factors are made.
+    for (int column = 0; column < Size; ++column) {
+      for (int i = column; i < Size; ++i) normal_matrix(i, column) += weighted[i] * row[column];
+    }
     right += neighbour.offset.z * weighted;
   }
   const Eigen::LDLT<Eigen::Matrix<double, Size, Size>> factors(normal_matrix);

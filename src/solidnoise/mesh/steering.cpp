@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
 
 #include "solidnoise/core/check.h"
 
@@ -29,18 +32,20 @@ struct Distribution {
 };
 
 Distribution distribution_of(std::span<const double> numbers, std::span<const double> areas) {
-  std::vector<std::size_t> order;
+  std::vector<std::pair<double, std::size_t>> order;  // numbers and where they are; equal ones in that order
+  order.reserve(numbers.size());
   for (std::size_t i = 0; i < numbers.size(); ++i) {
-    if (std::isfinite(numbers[i]) && (areas.empty() || areas[i] > 0.0)) order.push_back(i);
+    if (std::isfinite(numbers[i]) && (areas.empty() || areas[i] > 0.0)) order.emplace_back(numbers[i], i);
   }
   if (order.empty() && !areas.empty()) return distribution_of(numbers, {});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return numbers[a] < numbers[b]; });
+  tbb::parallel_sort(order.begin(), order.end());
   Distribution distribution;
+  distribution.numbers.reserve(order.size());
+  distribution.places.reserve(order.size());
   double area = 0.0;
-  for (const std::size_t i : order) {
+  for (const auto& [number, i] : order) {
     const double half = 0.5 * (areas.empty() ? 1.0 : areas[i]);
-    distribution.numbers.push_back(numbers[i]);
+    distribution.numbers.push_back(number);
     distribution.places.push_back(area + half);
     area += 2.0 * half;
   }
@@ -81,10 +86,16 @@ SteeringWeights make_weights(std::span<const double> numbers, const Steering& st
   result.high = distribution.percentile(steering.high_percentile);
   if (result.low == result.high) return result;
 
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    if (!std::isfinite(numbers[i])) continue;
-    const double share = std::clamp((numbers[i] - result.low) / (result.high - result.low), 0.0, 1.0);
-    result.weights[i] = static_cast<float>(std::pow(share, steering.gamma));
+  const auto share_of = [&](double number) {
+    return std::clamp((number - result.low) / (result.high - result.low), 0.0, 1.0);
+  };
+  tbb::parallel_for(std::size_t{0}, numbers.size(), [&](std::size_t i) {
+    if (!std::isfinite(numbers[i])) return;
+    result.weights[i] = static_cast<float>(std::pow(share_of(numbers[i]), steering.gamma));
+  });
+  for (const double number : numbers) {
+    if (!std::isfinite(number)) continue;
+    const double share = share_of(number);
     const auto bin = static_cast<std::size_t>(share * SteeringWeights::kBins);
     ++result.histogram[std::min(bin, SteeringWeights::kBins - 1)];
   }
@@ -96,11 +107,11 @@ VertexNumber steer(const ParameterRange& range, Interpolation interpolation, std
   const bool logarithmic = interpolation == Interpolation::logarithmic;
   VertexNumber number{logarithmic ? std::sqrt(range.from * range.to) : 0.5 * (range.from + range.to), {}};
   number.values.resize(weights.size());
-  for (std::size_t i = 0; i < weights.size(); ++i) {
+  tbb::parallel_for(std::size_t{0}, weights.size(), [&](std::size_t i) {
     const double weight = weights[i];
     number.values[i] = static_cast<float>(logarithmic ? range.from * std::pow(range.to / range.from, weight)
                                                       : range.from + weight * (range.to - range.from));
-  }
+  });
   return number;
 }
 

@@ -5,6 +5,8 @@
 #include <numeric>
 
 #include <glm/common.hpp>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
 
 namespace solidnoise {
 namespace {
@@ -22,15 +24,15 @@ std::vector<VertexBatch> make_batches(std::span<const Vec<3>> positions, double 
     std::uint32_t vertex;
   };
   std::vector<Place> places(positions.size());
-  for (std::size_t i = 0; i < positions.size(); ++i) {
+  tbb::parallel_for(std::size_t{0}, positions.size(), [&](std::size_t i) {
     const Vec<3> scaled = positions[i] / cube;
     const Vec<3> corner = glm::floor(scaled);
     places[i] = {corner, glm::floor((scaled - corner) * kParts), static_cast<std::uint32_t>(i)};
-  }
+  });
   const auto before = [](const Vec<3>& a, const Vec<3>& b) {
     return std::lexicographical_compare(&a.x, &a.x + 3, &b.x, &b.x + 3);
   };
-  std::sort(places.begin(), places.end(), [&](const Place& a, const Place& b) {
+  tbb::parallel_sort(places.begin(), places.end(), [&](const Place& a, const Place& b) {
     if (a.cube != b.cube) return before(a.cube, b.cube);
     if (a.part != b.part) return before(a.part, b.part);
     return a.vertex < b.vertex;

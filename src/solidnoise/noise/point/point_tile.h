@@ -33,7 +33,7 @@ CellPosition locate_point(const CellAxis& axis, double coordinate, std::size_t p
 // A tile is a run of points that are near each other, for which impulses are gathered together.
 inline constexpr std::size_t kTilePoints = 512;
 inline constexpr std::size_t kPatchPoints = 64;  // of a tile, for a first culling
-inline constexpr std::int64_t kTileCells = 3;    // most cells along an axis that the points of a tile lie in
+inline constexpr std::int64_t kTileCells = 6;    // most cells along an axis that the points of a tile lie in
 
 // Takes a tile from the front of `points`: relates its points to a cell near them, its anchor. Differences
 // between positions relative to the anchor are exact.
