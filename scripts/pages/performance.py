@@ -33,6 +33,29 @@ def curve(times, pattern):
     return [x for x, _ in points], [y for _, y in points]
 
 
+def stages(data):
+    """A row for each run: seconds of its stages, and the shares that are to be small."""
+    runs = {}
+    for row in rows(data, "stages.csv"):
+        runs.setdefault((row["what"], row["threads"]), {})[row["stage"]] = (float(row["wall"]), float(row["processor"]))
+    result = []
+    for (what, threads), run in runs.items():
+        total = run["all"][0]
+        cells = [what, threads]
+        for names in (("start",), ("reading", "plan"), ("noise",), ("tree", "colors"), ("writing",), ("end",)):
+            cells.append(f"{sum(run[name][0] for name in names if name in run):.3f}")
+        cells.append(f"{100 * (1 - run['noise'][0] / total):.0f} %")
+        if threads == "2":
+            # With s seconds of one thread and p of two, the clock shows s + p and the processor s + 2 p.
+            alone = {name: max(0.0, 2 * wall - processor) for name, (wall, processor) in run.items() if name != "all"}
+            worst = max(alone, key=alone.get)
+            cells += [f"{100 * sum(alone.values()) / total:.0f} %", f"{worst}, {100 * alone[worst] / total:.0f} %"]
+        else:
+            cells += ["", ""]
+        result.append(cells)
+    return result
+
+
 def draw_curves(times, page):
     figure, axes = plt.subplots(1, 3, figsize=(13, 3.8), constrained_layout=True)
     for suffix, label in (("direct", "every voxel summed"), ("budget", "within 2 %, interpolated")):
@@ -76,11 +99,20 @@ than those that have the whole error for themselves.
     page.write("""
 ## Whole runs
 Start, noise, tree, statistics, compression and file; medians of five. The noise is of one octave, 8 cycles per unit in a box of 2 units, as
-`--raw` makes it.
+`--raw` makes it. The memory of the result is that of the voxels' values, or of the mesh's positions and corners; the rest is what a
+grid has beside values (5 %), the mask of its voxels (5 %), some MB per thread, and 36 MB of libraries (OpenVDB's); or a mesh's
+connectivity, curvature and attributes.
 """)
-    page.write(table(["", "threads", "seconds", "of processor", "MB at most", "command"],
-                     [[r["what"], r["threads"], r["wall"], r["processor"], r["memory"], f"`{r['command']}`"]
-                      for r in rows(data, "programs.csv")]))
+    page.write(table(["", "threads", "seconds", "of processor", "MB at most", "of the result", "command"],
+                     [[r["what"], r["threads"], r["wall"], r["processor"], r["memory"], r["result"] if r["result"] != "0" else "",
+                       f"`{r['command']}`"] for r in rows(data, "programs.csv")]))
+    page.write("""
+## Where the time of a run goes
+Seconds of the stages that `--timings` prints, of the run that took the median time. *Noise* has making and measuring the leaves in it;
+*tree* joins them (of meshes: colours and displacement); *writing* compresses and writes. The file is in memory: a disk adds its own time.
+*Outside* is all that is not noise. *One thread* is the share of the time in which only one of two works, and in which stage most of it.
+""")
+    page.write(table(["", "threads", "start", "plan", "noise", "tree", "writing", "end", "outside", "one thread", "most of it"], stages(data)))
     page.write("""
 ## Instructions
 Of one block, counted by `valgrind --tool=callgrind` on the instruction set that it knows (AVX2): the same number on every run and under any load,

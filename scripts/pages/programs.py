@@ -1,8 +1,11 @@
-"""programs.py TOOLS DATA: times whole runs of the programs, into DATA/programs.csv: wall and processor seconds, medians, and MB.
+"""programs.py TOOLS DATA: times whole runs of the programs, into DATA/programs.csv: wall and processor seconds, medians, MB at most
+and MB of the result in memory; and their stages, into DATA/stages.csv. Files are in memory where there is room: disks differ.
 programs.py sphere FILE.ply: writes a sphere of a million vertices, in a process of its own: what a parent holds counts as its children's."""
 
 import csv
 import os
+import re
+import shutil
 import statistics
 import subprocess
 import sys
@@ -12,12 +15,14 @@ import time
 REPETITIONS = 5
 
 
-def vdbnoise(side, threads):
-    return ["vdbnoise", "--raw", "--dim", str(side), "--out", "out.vdb", "--force", "--quiet", "--threads", str(threads)]
-
-
-def meshnoise(threads):
-    return ["meshnoise", "bake", "sphere.ply", "--out", "out.ply", "--force", "--quiet", "--threads", str(threads)]
+COMMANDS = [  # what, its command, MB of the result: 4 bytes a voxel; positions and corners in double precision and 32 bits
+    *((f"vdbnoise, {side}^3", f"vdbnoise --raw --dim {side} --out out.vdb", 4 * side**3 / 2**20) for side in (64, 128, 256, 512)),
+    *((f"the same, --exact, {side}^3", f"vdbnoise --raw --exact --dim {side} --out out.vdb", 4 * side**3 / 2**20) for side in (256, 512)),
+    *((f"the same, uncompressed, {side}^3", f"vdbnoise --raw --codec none --dim {side} --out out.vdb", 4 * side**3 / 2**20)
+      for side in (256, 512)),
+    ("vdbnoise, the default cloud", "vdbnoise --out out.vdb", 0.0),
+    ("meshnoise, 1 M vertices", "meshnoise bake sphere.ply --out out.ply", (24 + 2 * 3 * 4) * 1e6 / 2**20),
+]
 
 
 def write_sphere(path, rings=708, segments=1412):
@@ -45,32 +50,52 @@ def write_sphere(path, rings=708, segments=1412):
         rows.tofile(file)
 
 
+def stages_of(printed):
+    """What --timings printed: seconds and seconds of processor by stage."""
+    found = re.findall(r"^(\w+) +([\d.]+) s +([\d.]+) s of processor", printed, re.MULTILINE)
+    return {name: (float(wall), float(processor)) for name, wall, processor in found}
+
+
 def measure(tools, command, folder):
-    walls, processors, memory = [], [], 0
+    walls, processors, memory, stages = [], [], 0, []
     for _ in range(REPETITIONS):
         begin = time.monotonic()
-        process = subprocess.Popen([os.path.join(tools, command[0])] + command[1:], cwd=folder)
-        _, status, usage = os.wait4(process.pid, 0)
+        with open(os.path.join(folder, "timings"), "w+", encoding="utf-8") as printed:
+            process = subprocess.Popen([os.path.join(tools, command[0])] + command[1:] + ["--timings"], cwd=folder, stderr=printed)
+            _, status, usage = os.wait4(process.pid, 0)
+            printed.seek(0)
+            stages.append(stages_of(printed.read()))
         walls.append(time.monotonic() - begin)
         if status != 0:
             raise SystemExit(f"programs: {' '.join(command)} failed")
         processors.append(usage.ru_utime + usage.ru_stime)
         memory = max(memory, usage.ru_maxrss / 1024)
-    return statistics.median(walls), statistics.median(processors), memory
+    typical = walls.index(sorted(walls)[len(walls) // 2])
+    return statistics.median(walls), statistics.median(processors), memory, stages[typical]
+
+
+def roomy_folder():
+    room = 2 * 2**30
+    return "/dev/shm" if os.path.isdir("/dev/shm") and shutil.disk_usage("/dev/shm").free > room else None
 
 
 def main():
     tools, data = os.path.abspath(sys.argv[1]), sys.argv[2]
-    runs = [(f"vdbnoise, {side}^3", threads, vdbnoise(side, threads)) for side in (64, 128, 256, 512) for threads in (1, 2)]
-    runs += [("meshnoise, 1 M vertices", threads, meshnoise(threads)) for threads in (1, 2)]
-    with tempfile.TemporaryDirectory() as folder, open(os.path.join(data, "programs.csv"), "w", encoding="utf-8") as file:
+    with (tempfile.TemporaryDirectory(dir=roomy_folder()) as folder,
+          open(os.path.join(data, "programs.csv"), "w", encoding="utf-8") as runs_file,
+          open(os.path.join(data, "stages.csv"), "w", encoding="utf-8") as stages_file):
         subprocess.run([sys.executable, __file__, "sphere", os.path.join(folder, "sphere.ply")], check=True)
-        table = csv.writer(file)
-        table.writerow(["what", "threads", "wall", "processor", "memory", "command"])
-        for what, threads, command in runs:
-            wall, processor, memory = measure(tools, command, folder)
-            table.writerow([what, threads, f"{wall:.3f}", f"{processor:.3f}", f"{memory:.0f}", " ".join(command)])
-            print(f"{what}, {threads} threads: {wall:.3f} s")
+        runs, of_runs = csv.writer(runs_file), csv.writer(stages_file)
+        runs.writerow(["what", "threads", "wall", "processor", "memory", "result", "command"])
+        of_runs.writerow(["what", "threads", "stage", "wall", "processor"])
+        for what, command, result in COMMANDS:
+            for threads in (1, 2):
+                run = command.split() + ["--force", "--quiet", "--threads", str(threads)]
+                wall, processor, memory, stages = measure(tools, run, folder)
+                runs.writerow([what, threads, f"{wall:.3f}", f"{processor:.3f}", f"{memory:.0f}", f"{result:.0f}", " ".join(run)])
+                for stage, (stage_wall, stage_processor) in stages.items():
+                    of_runs.writerow([what, threads, stage, stage_wall, stage_processor])
+                print(f"{what}, {threads} threads: {wall:.3f} s")
 
 
 if sys.argv[1] == "sphere":
