@@ -16,19 +16,28 @@ namespace solidnoise {
 // Appends to `list` the run's impulses whose support meets the box.
 void cull_impulses(const ImpulseRun& run, const CullBox& box, ImpulseList& list);
 
-// A radial function of compact support, w t^2 P(v) with t = 1 - s, v = t - 1/2 and s the squared distance in
-// radii; 0 for s >= 1. The polynomials are in powers of v, or in Chebyshev polynomials of 2 v where powers
-// would lose accuracy.
+// A radial function of compact support, w t^2 P(t) with t = 1 - s and s the squared distance in radii; 0 for
+// s >= 1.
 struct RadialPolynomial {
-  enum class Basis { power, chebyshev };
+  enum class Form { factored, chebyshev };
 
-  Basis basis = Basis::power;
-  std::vector<float> value;       // coefficients of P, low to high
-  std::vector<float> derivative;  // coefficients of dP/dv, in the same basis
+  Form form = Form::factored;
+  float leading = 1.0f;      // a factor of P
+  std::vector<float> value;  // coefficients: of a FactoredPolynomial, or in Chebyshev polynomials of 2 t - 1
+  std::vector<float> derivative;  // in Chebyshev polynomials: of dP/dt; else not used
+};
+
+// Up to where a sum takes factored polynomials: the degrees that it is compiled for, and what rounding may
+// add to a kernel, relative RMS.
+struct FactoredLimits {
+  int degree;
+  double rounding;
 };
 
 // Sums of an isotropic kernel. Attribute 0 of the list is the impulse's weight.
 struct RadialSum {
+  static constexpr FactoredLimits kFactored{12, 1e-5};
+
   std::array<float, kRoles> scale{};  // cells to radii; 0 for roles that the noise does not have
   RadialPolynomial kernel;
 };
@@ -37,9 +46,10 @@ void sum_radial(const RadialSum& sum, const ImpulseList& list, const SampleBrick
 void sum_radial(const RadialSum& sum, const ImpulseList& list, const SampleCluster& cluster,
                 Derivatives derivatives, ClusterSums& sums);
 
-// Sums of oriented kernels: cos(2 pi (w . d + phase)) times one envelope t^2 P(v) per axis, v = 1/2 - (d /
+// Sums of oriented kernels: cos(2 pi (w . d + phase)) times one envelope t^2 P(t) per axis, t = 1 - (d /
 // H)^2. Attributes of the list: w along x, y and z in cycles per cell, the phase in cycles, w along t.
 struct OrientedSum {
+  static constexpr FactoredLimits kFactored{6, 1e-6};
   static constexpr int kPhase = 3;  // attributes
   static constexpr int wave(Role role) { return role == kT ? kPhase + 1 : role; }
 

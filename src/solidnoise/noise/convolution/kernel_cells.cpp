@@ -1,25 +1,16 @@
 #include "solidnoise/noise/convolution/kernel_cells.h"
 
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "solidnoise/noise/kernel/factored_polynomial.h"
+
 namespace solidnoise {
 namespace {
-
-// Horner's rule is compiled for these degrees.
-constexpr int kLowestHornerDegree = 2;
-constexpr int kHighestHornerDegree = 12;
-
-std::vector<double> power_derivative(std::span<const double> coefficients) {
-  std::vector<double> derivative;
-  for (std::size_t k = 1; k < coefficients.size(); ++k) {
-    derivative.push_back(static_cast<double>(k) * coefficients[k]);
-  }
-  return derivative;
-}
 
 // d/dv of a Chebyshev series in u = 2 v: d'_{k-1} = d'_{k+1} + 2 k c_k for d/du, then doubled.
 std::vector<double> chebyshev_derivative(std::span<const double> coefficients) {
@@ -32,10 +23,17 @@ std::vector<double> chebyshev_derivative(std::span<const double> coefficients) {
   return derivative;
 }
 
-std::vector<float> padded(std::span<const double> coefficients, std::size_t size) {
-  std::vector<float> single(size, 0.0f);
-  for (std::size_t k = 0; k < coefficients.size(); ++k) single[k] = static_cast<float>(coefficients[k]);
-  return single;
+// The factored form of the kernel's polynomial, if it is one that is compiled, and accurate enough.
+std::optional<FactoredPolynomial> factored(const CompactKernel& kernel, const FactoredLimits& limits) {
+  if (kernel.degree() < 1 || kernel.degree() > limits.degree) return std::nullopt;
+  // Of such a leading coefficient nothing is left in single precision: there is no use in its roots.
+  if (std::abs(kernel.chebyshev_coefficients().back()) < 1e-9 * std::abs(kernel.value(0.0)))
+    return std::nullopt;
+  const FactoredPolynomial polynomial(kernel.chebyshev_coefficients());
+  const double rounding = kernel.rounding_error(
+      [&](float t) { return static_cast<float>(polynomial.leading()) * polynomial.monic(t); });
+  const bool accurate = rounding <= std::fmin(limits.rounding, 0.01 * kernel.relative_error());
+  return accurate ? std::optional(polynomial) : std::nullopt;
 }
 
 }  // namespace
@@ -63,20 +61,19 @@ KernelCells<Dim> make_kernel_cells(double radius, const Vec<4>& period) {
   return cells;
 }
 
-RadialPolynomial to_single_precision(const CompactKernel& kernel) {
+RadialPolynomial to_single_precision(const CompactKernel& kernel, const FactoredLimits& limits) {
   RadialPolynomial polynomial;
-  if (kernel.well_conditioned() && kernel.degree() <= kHighestHornerDegree) {
-    polynomial.basis = RadialPolynomial::Basis::power;
-    int degree = std::max(kernel.degree(), kLowestHornerDegree);
-    degree += degree % 2;
-    const auto size = static_cast<std::size_t>(degree) + 1;
-    polynomial.value = padded(kernel.power_coefficients(), size);
-    polynomial.derivative = padded(power_derivative(kernel.power_coefficients()), size);
+  if (const auto product = factored(kernel, limits)) {
+    polynomial.form = RadialPolynomial::Form::factored;
+    polynomial.leading = static_cast<float>(product->leading());
+    polynomial.value.assign(product->coefficients().begin(), product->coefficients().end());
   } else {
-    polynomial.basis = RadialPolynomial::Basis::chebyshev;
-    const auto size = kernel.chebyshev_coefficients().size();
-    polynomial.value = padded(kernel.chebyshev_coefficients(), size);
-    polynomial.derivative = padded(chebyshev_derivative(kernel.chebyshev_coefficients()), size);
+    const auto single = [](std::span<const double> from) {
+      return std::vector<float>(from.begin(), from.end());
+    };
+    polynomial.form = RadialPolynomial::Form::chebyshev;
+    polynomial.value = single(kernel.chebyshev_coefficients());
+    polynomial.derivative = single(chebyshev_derivative(kernel.chebyshev_coefficients()));
   }
   return polynomial;
 }

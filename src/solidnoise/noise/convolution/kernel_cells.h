@@ -33,8 +33,10 @@ struct KernelCells {
 template <int Dim>
 KernelCells<Dim> make_kernel_cells(double radius, const Vec<4>& period);
 
-// The kernel's polynomial as the vectorised loops take it.
-RadialPolynomial to_single_precision(const CompactKernel& kernel);
+// The kernel's polynomial as the vectorised loops take it: factored, which is quickest, within the limits
+// (rounding is measured, and must be below a hundredth of the kernel's own error too; nearly all kernels of
+// the degrees that are compiled are), else as a sum of Chebyshev polynomials.
+RadialPolynomial to_single_precision(const CompactKernel& kernel, const FactoredLimits& limits);
 
 // Streams of random numbers that a noise derives from its seed.
 enum SeedStream : std::uint64_t { kImpulseStream = 1, kOctaveStream = 1000, kChannelStream = 2000 };

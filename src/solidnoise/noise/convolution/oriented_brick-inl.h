@@ -74,7 +74,7 @@ HWY_INLINE void ForEachRow(const OrientedSum& sum, const ImpulseList& list, std:
                            const float* coordinates, int samples, const Store& store) {
   const hn::CappedTag<float, 16> d;
   using V = hn::Vec<decltype(d)>;
-  const BoundKernel<decltype(d), Polynomial> envelope(d, sum.envelope);
+  const typename Polynomial::template Bound<decltype(d)> envelope(d, sum.envelope);
   const V zero = hn::Zero(d);
   const std::size_t count = std::min(kChunk, list.size() - from);
   for (std::size_t k = 0; k < count; k += hn::Lanes(d)) {
@@ -102,7 +102,7 @@ template <Derivatives kDerivatives, class Polynomial>
 HWY_INLINE void MakeLines(const OrientedSum& sum, const ImpulseList& list, std::size_t from,
                           const float* coordinates, ChunkFactors& factors, ChunkDerivatives& derivatives) {
   const hn::CappedTag<float, SampleBrick::kSide> d;
-  const BoundKernel<decltype(d), Polynomial> envelope(d, sum.envelope);
+  const typename Polynomial::template Bound<decltype(d)> envelope(d, sum.envelope);
   const std::size_t count = std::min(kChunk, list.size() - from);
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t i = from + k;

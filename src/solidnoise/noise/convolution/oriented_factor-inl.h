@@ -44,25 +44,20 @@ struct AxisFactor {
 };
 
 // `offset` from the impulse in cells, `wave` in cycles per cell, `phase` in cycles.
-template <Derivatives kDerivatives, class D, class Kernel, class V = hn::Vec<D>>
-HWY_INLINE AxisFactor<V> FactorAlongAxis(D d, const Kernel& envelope, V offset, V wave, V phase,
+template <Derivatives kDerivatives, class D, class Envelope, class V = hn::Vec<D>>
+HWY_INLINE AxisFactor<V> FactorAlongAxis(D d, const Envelope& envelope, V offset, V wave, V phase,
                                          float scale) {
-  const V half = hn::Set(d, 0.5f);
   const V scaled = hn::Mul(offset, hn::Set(d, scale));
-  const V v = hn::Max(hn::NegMulAdd(scaled, scaled, half), hn::Set(d, -0.5f));
-  const V t = hn::Add(v, half);
-  const V t2 = hn::Mul(t, t);
-  const V shape = envelope.value(d, v);
-  const V amplitude = hn::Mul(t2, shape);
+  const V t = PositivePart(d, hn::NegMulAdd(scaled, scaled, hn::Set(d, 1.0f)));
+  const RadialTerm<D, Envelope> term(d, envelope, t, envelope.leading);
+  const V amplitude = term.value();
   V cosine, sine;
   CosineSine(d, hn::MulAdd(offset, wave, phase), cosine, sine);
 
   AxisFactor<V> factor{{hn::Mul(amplitude, cosine), hn::Mul(amplitude, sine)}, {hn::Zero(d), hn::Zero(d)}};
   if constexpr (kDerivatives == Derivatives::gradient) {
     // d amplitude / d scaled = -2 scaled (2 t P + t^2 P'); d wave / d scaled = i 2 pi wave / scale.
-    const V slope = envelope.derivative(d, v);
-    const V by_v = hn::MulAdd(t2, slope, hn::Mul(hn::Add(t, t), shape));
-    const V amplitude_slope = hn::Mul(hn::Mul(hn::Set(d, -2.0f), scaled), by_v);
+    const V amplitude_slope = hn::Mul(hn::Mul(hn::Set(d, -2.0f), scaled), term.derivative());
     const V turning = hn::Mul(hn::Mul(amplitude, wave), hn::Set(d, 2.0f * std::numbers::pi_v<float> / scale));
     factor.derivative = {hn::NegMulAdd(turning, sine, hn::Mul(amplitude_slope, cosine)),
                          hn::MulAdd(turning, cosine, hn::Mul(amplitude_slope, sine))};

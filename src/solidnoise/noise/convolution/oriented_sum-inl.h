@@ -26,7 +26,7 @@ void SumOrientedCluster(const OrientedSum& sum, const ImpulseList& list, const S
                         ClusterSums& sums) {
   const hn::CappedTag<float, SampleCluster::kSamples> d;
   using V = hn::Vec<decltype(d)>;
-  const BoundKernel<decltype(d), Polynomial> envelope(d, sum.envelope);
+  const typename Polynomial::template Bound<decltype(d)> envelope(d, sum.envelope);
   const V zero = hn::Zero(d);
 
   for (int piece = 0; piece < cluster.count; piece += static_cast<int>(hn::Lanes(d))) {
@@ -70,7 +70,7 @@ void SumOrientedCluster(const OrientedSum& sum, const ImpulseList& list, const S
 template <class Samples, class SamplesSums>
 HWY_INLINE void SumOriented(const OrientedSum& sum, const ImpulseList& list, const Samples& samples,
                             Derivatives derivatives, SamplesSums& sums) {
-  WithPolynomial(sum.envelope, [&](const auto& polynomial) {
+  WithPolynomial<OrientedSum::kFactored.degree>(sum.envelope, [&](const auto& polynomial) {
     using Polynomial = std::decay_t<decltype(polynomial)>;
     if constexpr (std::is_same_v<Samples, SampleBrick>) {
       derivatives == Derivatives::none

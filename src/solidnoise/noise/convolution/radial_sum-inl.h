@@ -22,27 +22,6 @@ namespace solidnoise {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// w t^2 P(v) and, where wanted, its derivative by v, of one vector of samples and one impulse.
-template <class D, class Kernel, class V = hn::Vec<D>>
-struct RadialTerm {
-  HWY_INLINE RadialTerm(D d, const Kernel& kernel, V v, V weight) {
-    const V half = hn::Set(d, 0.5f);
-    const V t = hn::Add(v, half);
-    weighted_t = hn::MulAdd(v, weight, hn::Mul(weight, half));
-    weighted_t2 = hn::Mul(weighted_t, t);
-    polynomial = kernel.value(d, v);
-  }
-
-  HWY_INLINE V derivative(D d, const Kernel& kernel, V v) const {
-    return hn::MulAdd(weighted_t2, kernel.derivative(d, v),
-                      hn::Mul(hn::Add(weighted_t, weighted_t), polynomial));
-  }
-
-  V weighted_t;
-  V weighted_t2;
-  V polynomial;
-};
-
 // Squared excess (see Excess) of each impulse over an interval of one axis.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V SquaredExcess(D d, const float* positions, float lower, float upper, float scale) {
@@ -78,7 +57,7 @@ class PreparedImpulses {
   const float* x_squared(int x) const { return x_squared_ + static_cast<std::size_t>(x) * stride_; }
   const float* time_offset() const { return time_offset_; }
   const float* weight() const { return list_.attribute(0); }
-  // Per impulse, of the column's samples: 1/2 minus the squared offset in y, z and time; and the offsets.
+  // Per impulse, of the column's samples: 1 minus the squared offset in y, z and time; and the offsets.
   const float* rest(std::size_t i) const { return rest_ + i * Column::kSamples; }
   const float* y_offset(std::size_t i) const { return y_offset_ + i * Column::kSamples; }
   const float* z_offset(std::size_t i) const { return z_offset_ + i * Column::kSamples; }
@@ -94,7 +73,7 @@ class PreparedImpulses {
   float* x_squared_;
   float* pair_excess_;  // squared, of each pair of planes
   float* time_offset_;
-  float* rest_in_time_;   // 1/2 minus the squared offset in time
+  float* rest_in_time_;   // 1 minus the squared offset in time
   float* column_excess_;  // squared, of the column and the time
   float* rest_;
   float* y_offset_;
@@ -143,7 +122,7 @@ inline PreparedImpulses::PreparedImpulses(const RadialSum& sum, const ImpulseLis
     }
     const V time = offset(brick.time, kT, i);
     hn::StoreU(time, d, time_offset_ + i);
-    hn::StoreU(hn::Sub(hn::Set(d, 0.5f), hn::Mul(time, time)), d, rest_in_time_ + i);
+    hn::StoreU(hn::Sub(hn::Set(d, 1.0f), hn::Mul(time, time)), d, rest_in_time_ + i);
   }
 }
 
@@ -156,7 +135,7 @@ inline void PreparedImpulses::enter_column(int y, int z) {
         SquaredExcess(wide, list_.position(kY) + i, y_samples[0], y_samples[Column::kY - 1], sum_.scale[kY]);
     const auto in_z =
         SquaredExcess(wide, list_.position(kZ) + i, z_samples[0], z_samples[Column::kZ - 1], sum_.scale[kZ]);
-    const auto in_time = hn::Sub(hn::Set(wide, 0.5f), hn::LoadU(wide, rest_in_time_ + i));
+    const auto in_time = hn::Sub(hn::Set(wide, 1.0f), hn::LoadU(wide, rest_in_time_ + i));
     hn::StoreU(hn::Add(hn::Add(in_y, in_z), in_time), wide, column_excess_ + i);
   }
 
@@ -225,12 +204,11 @@ struct Unit {
 
 // Sums a pair of planes of the entered column: lanes are samples, impulses are the loop.
 template <class Polynomial, Derivatives kDerivatives>
-HWY_INLINE void SumUnit(const RadialPolynomial& polynomials, const PreparedImpulses& prepared,
-                        const Unit& unit, BrickSums& sums) {
+HWY_INLINE void SumUnit(const RadialPolynomial& kernel, const PreparedImpulses& prepared, const Unit& unit,
+                        BrickSums& sums) {
   const hn::CappedTag<float, Column::kSamples> d;
   using V = hn::Vec<decltype(d)>;
-  const BoundKernel<decltype(d), Polynomial> kernel(d, polynomials);
-  const V lowest = hn::Set(d, -0.5f);
+  const typename Polynomial::template Bound<decltype(d)> polynomial(d, kernel);
   const float* const weight = prepared.weight();
   const float* const x_squared[kPair] = {prepared.x_squared(unit.x), prepared.x_squared(unit.x + 1)};
   const float* const x_offset[kPair] = {prepared.x_offset(unit.x), prepared.x_offset(unit.x + 1)};
@@ -244,11 +222,11 @@ HWY_INLINE void SumUnit(const RadialPolynomial& polynomials, const PreparedImpul
         const std::size_t i = from + static_cast<std::size_t>(std::countr_zero(bits));
         const V rest = hn::LoadU(d, prepared.rest(i) + piece);
         const auto add = [&](int k, V& value, V& gx, V& gy, V& gz, V& gt) HWY_ATTR {
-          const V v = hn::Max(hn::Sub(rest, hn::Set(d, x_squared[k][i])), lowest);
-          const RadialTerm<decltype(d), decltype(kernel)> term(d, kernel, v, hn::Set(d, weight[i]));
-          value = hn::MulAdd(term.weighted_t2, term.polynomial, value);
+          const V t = PositivePart(d, hn::Sub(rest, hn::Set(d, x_squared[k][i])));
+          const RadialTerm<decltype(d), decltype(polynomial)> term(d, polynomial, t, hn::Set(d, weight[i]));
+          value = term.add_to(value);
           if constexpr (kDerivatives == Derivatives::gradient) {
-            const V slope = term.derivative(d, kernel, v);
+            const V slope = term.derivative();
             gx = hn::MulAdd(slope, hn::Set(d, x_offset[k][i]), gx);
             gy = hn::MulAdd(slope, hn::LoadU(d, prepared.y_offset(i) + piece), gy);
             gz = hn::MulAdd(slope, hn::LoadU(d, prepared.z_offset(i) + piece), gz);
@@ -269,10 +247,10 @@ HWY_INLINE void SumUnit(const RadialPolynomial& polynomials, const PreparedImpul
         to[((unit.x + k) * SampleBrick::kSide + y) * SampleBrick::kSide + z] = lanes[lane];
       }
     };
-    store(0, value0, sums.value);
-    store(1, value1, sums.value);
+    store(0, hn::Mul(polynomial.leading, value0), sums.value);
+    store(1, hn::Mul(polynomial.leading, value1), sums.value);
     if constexpr (kDerivatives == Derivatives::gradient) {
-      const V chain = hn::Set(d, -2.0f);  // d v / d offset = -2 offset
+      const V chain = hn::Mul(hn::Set(d, -2.0f), polynomial.leading);  // d t / d offset = -2 offset
       const V* const gradients[kPair][kRoles] = {{&gx0, &gy0, &gz0, &gt0}, {&gx1, &gy1, &gz1, &gt1}};
       for (int k = 0; k < kPair; ++k) {
         for (int role = 0; role < kRoles; ++role)
@@ -302,9 +280,8 @@ void SumRadialCluster(const RadialSum& sum, const ImpulseList& list, const Sampl
                       ClusterSums& sums) {
   const hn::CappedTag<float, SampleCluster::kSamples> d;
   using V = hn::Vec<decltype(d)>;
-  const BoundKernel<decltype(d), Polynomial> kernel(d, sum.kernel);
-  const V half = hn::Set(d, 0.5f);
-  const V lowest = hn::Set(d, -0.5f);
+  const typename Polynomial::template Bound<decltype(d)> polynomial(d, sum.kernel);
+  const V one = hn::Set(d, 1.0f);
 
   for (int piece = 0; piece < cluster.count; piece += static_cast<int>(hn::Lanes(d))) {
     V value = hn::Zero(d);
@@ -314,24 +291,24 @@ void SumRadialCluster(const RadialSum& sum, const ImpulseList& list, const Sampl
         const V sample = hn::Load(d, cluster.coordinate[role] + piece);
         return hn::Mul(hn::Sub(sample, hn::Set(d, list.position(role)[i])), hn::Set(d, sum.scale[role]));
       };
-      const V x = offset(kX), y = offset(kY), z = offset(kZ), t = offset(kT);
+      const V x = offset(kX), y = offset(kY), z = offset(kZ), time = offset(kT);
       const V plane_squared = hn::MulAdd(z, z, hn::Mul(y, y));
-      const V rest = hn::Sub(hn::Sub(half, hn::Mul(t, t)), plane_squared);
-      const V v = hn::Max(hn::Sub(rest, hn::Mul(x, x)), lowest);
+      const V rest = hn::Sub(hn::Sub(one, hn::Mul(time, time)), plane_squared);
+      const V t = PositivePart(d, hn::Sub(rest, hn::Mul(x, x)));
       const V weight = hn::Set(d, list.attribute(0)[i]);
-      const RadialTerm<decltype(d), decltype(kernel)> term(d, kernel, v, weight);
-      value = hn::MulAdd(term.weighted_t2, term.polynomial, value);
+      const RadialTerm<decltype(d), decltype(polynomial)> term(d, polynomial, t, weight);
+      value = term.add_to(value);
       if constexpr (kDerivatives == Derivatives::gradient) {
-        const V slope = term.derivative(d, kernel, v);
+        const V slope = term.derivative();
         gx = hn::MulAdd(slope, x, gx);
         gy = hn::MulAdd(slope, y, gy);
         gz = hn::MulAdd(slope, z, gz);
-        gt = hn::MulAdd(slope, t, gt);
+        gt = hn::MulAdd(slope, time, gt);
       }
     }
-    hn::Store(value, d, sums.value + piece);
+    hn::Store(hn::Mul(polynomial.leading, value), d, sums.value + piece);
     if constexpr (kDerivatives == Derivatives::gradient) {
-      const V chain = hn::Set(d, -2.0f);  // d v / d offset = -2 offset
+      const V chain = hn::Mul(hn::Set(d, -2.0f), polynomial.leading);  // d t / d offset = -2 offset
       hn::Store(hn::Mul(chain, gx), d, sums.gradient[kX] + piece);
       hn::Store(hn::Mul(chain, gy), d, sums.gradient[kY] + piece);
       hn::Store(hn::Mul(chain, gz), d, sums.gradient[kZ] + piece);
@@ -342,7 +319,7 @@ void SumRadialCluster(const RadialSum& sum, const ImpulseList& list, const Sampl
 
 inline void SumRadial(const RadialSum& sum, const ImpulseList& list, const SampleBrick& brick,
                       Derivatives derivatives, BrickSums& sums) {
-  WithPolynomial(sum.kernel, [&](const auto& polynomial) {
+  WithPolynomial<RadialSum::kFactored.degree>(sum.kernel, [&](const auto& polynomial) {
     using Polynomial = std::decay_t<decltype(polynomial)>;
     if (derivatives == Derivatives::none) {
       SumRadialBrick<Polynomial, Derivatives::none>(sum, list, brick, sums);
@@ -354,7 +331,7 @@ inline void SumRadial(const RadialSum& sum, const ImpulseList& list, const Sampl
 
 inline void SumRadialScattered(const RadialSum& sum, const ImpulseList& list, const SampleCluster& cluster,
                                Derivatives derivatives, ClusterSums& sums) {
-  WithPolynomial(sum.kernel, [&](const auto& polynomial) {
+  WithPolynomial<RadialSum::kFactored.degree>(sum.kernel, [&](const auto& polynomial) {
     using Polynomial = std::decay_t<decltype(polynomial)>;
     if (derivatives == Derivatives::none) {
       SumRadialCluster<Polynomial, Derivatives::none>(sum, list, cluster, sums);

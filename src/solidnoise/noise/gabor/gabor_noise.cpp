@@ -106,9 +106,9 @@ GaborNoise<Dim>::GaborNoise(const GaborNoiseOptions& options)
     variance_ = compact_.energy() / unfiltered_energy_;
     excess_kurtosis_ =
         noise_excess_kurtosis(density_, {compact_.energy(), compact_.fourth_moment()}, weights);
-    kernel = std::make_shared<WeightedKernel>(
-        RadialSum{support_scale<Dim>(cells.in_cells(compact_.radius())), to_single_precision(compact_)},
-        WeightDraw(options.weights, options.evolution));
+    kernel = std::make_shared<WeightedKernel>(RadialSum{support_scale<Dim>(cells.in_cells(compact_.radius())),
+                                                        to_single_precision(compact_, RadialSum::kFactored)},
+                                              WeightDraw(options.weights, options.evolution));
   }
   convolution_ = std::make_shared<SparseConvolution<Dim>>(
       ImpulseProcess<Dim>(cells.axes, density_ * cells.volume, derive_seed(options.seed, kImpulseStream)),

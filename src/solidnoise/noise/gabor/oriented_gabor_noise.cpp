@@ -113,7 +113,8 @@ OrientedGaborNoise<Dim>::OrientedGaborNoise(const OrientedGaborNoiseOptions& opt
     variance_ = std::pow(kernel_.amplitude(), 2) * filtered.second / moments.second;
     excess_kurtosis_ = noise_excess_kurtosis(density_, filtered);
     kernel = std::make_shared<WaveKernel<Dim, WaveDraw<Dim>>>(
-        OrientedSum{support_scale<Dim>(cells.in_cells(envelope_.radius())), to_single_precision(envelope_)},
+        OrientedSum{support_scale<Dim>(cells.in_cells(envelope_.radius())),
+                    to_single_precision(envelope_, OrientedSum::kFactored)},
         WaveDraw<Dim>(directions_, frequency_, options.evolution, phase_shift), cells.axes);
   }
   convolution_ = std::make_shared<SparseConvolution<Dim>>(

@@ -60,7 +60,8 @@ class BandNoise final : public Noise<Dim> {
     const double reach = envelope.radius();
     const auto cells = make_kernel_cells<Dim>(reach, options.period);
     auto kernel = std::make_shared<WaveKernel<Dim, SpectrumWaveDraw<Dim>>>(
-        OrientedSum{support_scale<Dim>(cells.in_cells(reach)), to_single_precision(envelope)},
+        OrientedSum{support_scale<Dim>(cells.in_cells(reach)),
+                    to_single_precision(envelope, OrientedSum::kFactored)},
         SpectrumWaveDraw<Dim>(spectrum_.bands.front(), spectrum_.isotropic, options.evolution), cells.axes);
     convolution_ = std::make_unique<SparseConvolution<Dim>>(
         ImpulseProcess<Dim>(cells.axes, density * cells.volume, derive_seed(seed, kImpulseStream)), kernel,

@@ -112,16 +112,22 @@ double CompactKernel::horner_rounding_error() const {
   for (const double c : power_) {
     if (std::abs(c) > std::numeric_limits<float>::max()) return std::numeric_limits<double>::infinity();
   }
+  return rounding_error([this](float t) {
+    float polynomial = 0.0f;
+    for (std::size_t k = power_.size(); k > 0; --k) {
+      polynomial = polynomial * (t - 0.5f) + static_cast<float>(power_[k - 1]);
+    }
+    return polynomial;
+  });
+}
+
+double CompactKernel::rounding_error(const std::function<float(float)>& polynomial) const {
   double squared_error = 0.0;
   for (std::size_t i = 0; i < shells_.radii.size(); ++i) {
     const double g = value(shells_.radii[i]);
     if (g == 0.0) continue;
     const auto t = static_cast<float>(1.0 - std::pow(shells_.radii[i] / radius_, 2));
-    float polynomial = 0.0f;
-    for (std::size_t k = power_.size(); k > 0; --k) {
-      polynomial = polynomial * (t - 0.5f) + static_cast<float>(power_[k - 1]);
-    }
-    squared_error += shells_.integrals[i] / g * std::pow(static_cast<double>(t * t * polynomial) - g, 2);
+    squared_error += shells_.integrals[i] / g * std::pow(static_cast<double>(t * t * polynomial(t)) - g, 2);
   }
   return std::sqrt(squared_error / energy_);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -34,6 +35,9 @@ class CompactKernel {
   // precision adds less than 1e-4 for bandwidths from 0.1 octaves and 1e-3 at 0.05 octaves.
   bool well_conditioned() const { return well_conditioned_; }
 
+  // RMS error, relative to the kernel, of t^2 polynomial(t) in single precision; `polynomial` evaluates P.
+  double rounding_error(const std::function<float(float)>& polynomial) const;
+
   double value(double r) const;
   double derivative(double r) const;  // d g_t / dr
 
@@ -54,7 +58,7 @@ class CompactKernel {
     std::vector<double> integrals;
   };
   Shells make_shells(int count) const;
-  double horner_rounding_error() const;  // root mean square, relative to the kernel's
+  double horner_rounding_error() const;
   double transform(const Shells& shells, double f) const;
 
   int dimensions_;

@@ -8,8 +8,8 @@
 #include "solidnoise/core/check.h"
 #include "solidnoise/core/quadrature.h"
 #include "solidnoise/core/special_functions.h"
-#include "solidnoise/noise/convolution/kernel_cells.h"
 #include "solidnoise/noise/kernel/bandwidth.h"
+#include "solidnoise/noise/point/point_cluster.h"
 
 namespace solidnoise {
 namespace {
@@ -105,7 +105,7 @@ std::unique_ptr<const KernelFamily::Tabulated> KernelFamily::make(int step) cons
   CompactKernel kernel =
       reference ? *reference_
                 : on_unit_ball(fit_isotropic(dimensions_, radius_times_a_ / cycles, cycles, error_));
-  const bool power = to_single_precision(kernel).basis == RadialPolynomial::Basis::power;
+  const bool power = kernel.well_conditioned() && kernel.degree() <= PointCluster::kMaxHornerDegree;
   auto made = std::make_unique<Tabulated>(Tabulated{std::move(kernel), cycles, power, {}, {}});
   for (const double c : made->kernel.power_coefficients())
     made->coefficients.push_back(static_cast<float>(c));
