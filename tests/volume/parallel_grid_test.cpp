@@ -19,7 +19,7 @@ std::string written(const openvdb::GridBase& grid, std::uint32_t compression) {
   return std::move(stream).str();
 }
 
-// Of 343 leaves, some of them nearly empty, and a tile.
+// Of 343 leaves, some of them nearly empty and one full, and a tile.
 template <typename Grid>
 typename Grid::Ptr some_grid(const typename Grid::ValueType& background) {
   openvdb::initialize();
@@ -31,6 +31,8 @@ typename Grid::Ptr some_grid(const typename Grid::ValueType& background) {
     if (++count % 3 == 0)
       accessor.setValue(*voxel, typename Grid::ValueType(0.001f * float(count * 37 % 1009)));
   }
+  for (auto voxel = openvdb::CoordBBox::createCube(openvdb::Coord(8), 8).begin(); voxel; ++voxel)
+    accessor.setValue(*voxel, typename Grid::ValueType(0.001f * float(++count % 1009)));
   grid->tree().addTile(1, openvdb::Coord(64), typename Grid::ValueType(2.0f), true);
   return grid;
 }

@@ -1,6 +1,7 @@
 #include "solidnoise/mesh/jet_fit.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -66,6 +67,23 @@ struct RoundCoordinates {
   }
 };
 
+// What neighbours add to the sums of a fit.
+template <int Size>
+struct WeightedRow {
+  Eigen::Matrix<double, Size, 1> row;
+  Eigen::Matrix<double, Size, 1> weighted;
+};
+
+// Adds weighted row^T for each row to the lower triangle, whose columns stay in registers meanwhile.
+template <int Size, int Column = 0>
+void add_products(std::span<const WeightedRow<Size>> rows, Eigen::Matrix<double, Size, Size>& sums) {
+  constexpr int kCount = Size - Column / 2 * 2;  // from an even row on, so that they load in pairs
+  Eigen::Matrix<double, kCount, 1> sum = sums.col(Column).template tail<kCount>();
+  for (const auto& [row, weighted] : rows) sum += row[Column] * weighted.template tail<kCount>();
+  sums.col(Column).template tail<kCount>() = sum;
+  if constexpr (Column + 1 < Size) add_products<Size, Column + 1>(rows, sums);
+}
+
 // No value if the neighbours do not determine the polynomial.
 template <int Size>
 std::optional<Jet> fit_polynomial(std::span<const Neighbour> neighbours, const RoundCoordinates& round) {
@@ -73,15 +91,21 @@ std::optional<Jet> fit_polynomial(std::span<const Neighbour> neighbours, const R
   Eigen::Matrix<double, Size, Size> normal_matrix = Eigen::Matrix<double, Size, Size>::Zero();
   Eigen::Matrix<double, Size, 1> right = Eigen::Matrix<double, Size, 1>::Zero();
   normal_matrix(0, 0) = 1.0;
-  for (const Neighbour& neighbour : neighbours) {
-    const Eigen::Vector2d p = round(neighbour.offset);
-    const auto row = monomials<Size>(p[0], p[1]);
-    const Eigen::Matrix<double, Size, 1> weighted = neighbour.weight * row;
-    // The lower triangle, from which the factors are made.
-    for (int column = 0; column < Size; ++column) {
-      for (int i = column; i < Size; ++i) normal_matrix(i, column) += weighted[i] * row[column];
+  constexpr std::size_t kAtOnce = 32;
+  std::array<WeightedRow<Size>, kAtOnce> rows;
+  for (std::size_t first = 0; first < neighbours.size(); first += kAtOnce) {
+    const std::size_t count = std::min(kAtOnce, neighbours.size() - first);
+    for (std::size_t i = 0; i < count; ++i) {
+      const Eigen::Vector2d p = round(neighbours[first + i].offset);
+      rows[i].row = monomials<Size>(p[0], p[1]);
     }
-    right += neighbour.offset.z * weighted;
+    // Apart: the processor waits where it reads in pairs what it has just written one by one.
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto& [offset, weight] = neighbours[first + i];
+      rows[i].weighted = weight * rows[i].row;
+      right += offset.z * rows[i].weighted;
+    }
+    add_products<Size>(std::span(rows).first(count), normal_matrix);
   }
   const Eigen::LDLT<Eigen::Matrix<double, Size, Size>> factors(normal_matrix);
   constexpr double kSingular = 1e-7;

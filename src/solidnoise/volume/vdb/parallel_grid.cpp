@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <ostream>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include <openvdb/io/Compression.h>
 #include <tbb/parallel_pipeline.h>
 
 namespace solidnoise {
@@ -37,7 +39,7 @@ class ParallelGrid final : public Grid {
       std::ostringstream chunk;
       chunk.copyfmt(stream);  // what OpenVDB knows of the stream: codec, background
       const std::size_t end = std::min(first + kLeavesAtOnce, leaves_.size());
-      for (std::size_t i = first; i < end; ++i) leaves_[i]->writeBuffers(chunk, half_);
+      for (std::size_t i = first; i < end; ++i) write_leaf(chunk, *leaves_[i]);
       return std::move(chunk).str();
     };
     const auto write = [&](const std::string& bytes) {
@@ -51,8 +53,21 @@ class ParallelGrid final : public Grid {
   }
 
  private:
+  using Leaf = typename Grid::TreeType::LeafNodeType;
+
+  // OpenVDB looks for values of inactive voxels in each leaf and copies the others; where all are active,
+  // there is nothing to look for.
+  void write_leaf(std::ostream& stream, const Leaf& leaf) const {
+    const std::uint32_t compression = openvdb::io::getDataCompression(stream);
+    const bool masked = (compression & openvdb::io::COMPRESS_ACTIVE_MASK) != 0;
+    if (half_ || !masked || !leaf.isValueMaskOn()) return leaf.writeBuffers(stream, half_);
+    leaf.valueMask().save(stream);
+    stream.put(openvdb::io::NO_MASK_OR_INACTIVE_VALS);
+    openvdb::io::writeData(stream, leaf.buffer().data(), Leaf::SIZE, compression);
+  }
+
   bool half_;
-  std::vector<const typename Grid::TreeType::LeafNodeType*> leaves_;
+  std::vector<const Leaf*> leaves_;
 };
 
 }  // namespace
