@@ -1,6 +1,6 @@
 """programs.py TOOLS DATA: times whole runs of the programs, into DATA/programs.csv: wall and processor seconds, medians, MB at most
 and MB of the result in memory; and their stages, into DATA/stages.csv. Files are in memory where there is room: disks differ.
-programs.py sphere FILE.ply: writes a sphere of a million vertices, in a process of its own: what a parent holds counts as its children's."""
+programs.py pebble FILE.ply: writes a mesh of a million vertices, in a process of its own: what a parent holds counts as its children's."""
 
 import csv
 import os
@@ -21,11 +21,12 @@ COMMANDS = [  # what, its command, MB of the result: 4 bytes a voxel; positions 
     *((f"the same, uncompressed, {side}^3", f"vdbnoise --raw --codec none --dim {side} --out out.vdb", 4 * side**3 / 2**20)
       for side in (256, 512)),
     ("vdbnoise, the default cloud", "vdbnoise --out out.vdb", 0.0),
-    ("meshnoise, 1 M vertices", "meshnoise bake sphere.ply --out out.ply", (24 + 2 * 3 * 4) * 1e6 / 2**20),
+    ("meshnoise, 1 M vertices", "meshnoise bake pebble.ply --out out.ply", (24 + 2 * 3 * 4) * 1e6 / 2**20),
 ]
 
 
-def write_sphere(path, rings=708, segments=1412):
+def write_pebble(path, rings=708, segments=1412):
+    """A sphere with dents. On a perfect one, the noise would follow the digits in which curvatures differ."""
     import numpy as np
 
     theta = np.linspace(0.0, np.pi, rings + 2)[1:-1]
@@ -43,6 +44,8 @@ def write_sphere(path, rings=708, segments=1412):
     faces = np.concatenate([part.reshape(-1, 3) for part in quads + caps])
     rows = np.empty(len(faces), dtype=[("n", "u1"), ("v", "<i4", 3)])
     rows["n"], rows["v"] = 3, faces
+    dents = np.prod(np.sin(points * (7.0, 6.0, 8.0) + (0.0, 1.0, 2.0)), axis=1, keepdims=True)
+    points = (points * (1.0 + 0.08 * dents)).astype("<f4")
     with open(path, "wb") as file:
         file.write((f"ply\nformat binary_little_endian 1.0\nelement vertex {len(points)}\nproperty float x\nproperty float y\n"
                     f"property float z\nelement face {len(faces)}\nproperty list uchar int vertex_indices\nend_header\n").encode())
@@ -84,7 +87,7 @@ def main():
     with (tempfile.TemporaryDirectory(dir=roomy_folder()) as folder,
           open(os.path.join(data, "programs.csv"), "w", encoding="utf-8") as runs_file,
           open(os.path.join(data, "stages.csv"), "w", encoding="utf-8") as stages_file):
-        subprocess.run([sys.executable, __file__, "sphere", os.path.join(folder, "sphere.ply")], check=True)
+        subprocess.run([sys.executable, __file__, "pebble", os.path.join(folder, "pebble.ply")], check=True)
         runs, of_runs = csv.writer(runs_file), csv.writer(stages_file)
         runs.writerow(["what", "threads", "wall", "processor", "memory", "result", "command"])
         of_runs.writerow(["what", "threads", "stage", "wall", "processor"])
@@ -98,7 +101,7 @@ def main():
                 print(f"{what}, {threads} threads: {wall:.3f} s")
 
 
-if sys.argv[1] == "sphere":
-    write_sphere(sys.argv[2])
+if sys.argv[1] == "pebble":
+    write_pebble(sys.argv[2])
 else:
     main()

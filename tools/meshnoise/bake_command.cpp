@@ -3,6 +3,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -164,10 +165,10 @@ void bake_file(const std::string& in, const BakeOptions& options) {
   check_outputs(options);
   catch_interrupts();
   options.times->begin("reading");
-  const MeshReading reading = read_mesh_to_bake(in, options);
+  MeshReading reading = read_mesh_to_bake(in, options);
   if (options.out.empty() && options.preview.empty()) return write_recipe(options);
   options.times->begin("plan");
-  const BakePlan plan = plan_bake(reading.mesh, options.recipe);
+  const BakePlan plan = plan_bake(std::move(reading.mesh), options.recipe);
   if (!options.quiet) print_plan(plan, steering_name(options.recipe.by));
 
   TaskProgress progress(options.quiet ? ProgressBar::Visibility::hidden

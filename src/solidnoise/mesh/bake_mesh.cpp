@@ -206,14 +206,15 @@ std::vector<Color> exemplar_colors(const BakePlan& plan, const BakeRecipe& recip
 
 }  // namespace
 
-BakePlan plan_bake(const PolygonMesh& mesh, const BakeRecipe& recipe) {
+BakePlan plan_bake(PolygonMesh mesh, const BakeRecipe& recipe) {
   recipe.validate();
-  const SurfaceMesh surface(mesh);
   BakePlan plan;
-  plan.mesh = mesh;
   plan.original_vertices = mesh.positions.size();
-  plan.mean_edge = surface.mean_edge_length();
-  plan.guides = measure_guides(mesh, surface, recipe);
+  {
+    const SurfaceMesh surface(mesh);
+    plan.mean_edge = surface.mean_edge_length();
+    plan.guides = measure_guides(mesh, surface, recipe);
+  }
   // The band is in proportion to the frequency.
   const double highest = surface_band(recipe.noise, 1.0, recipe.bandwidth.from).upper;
   const ParameterRange frequency = frequencies_for(mesh, plan.mean_edge, recipe, highest);
@@ -221,10 +222,11 @@ BakePlan plan_bake(const PolygonMesh& mesh, const BakeRecipe& recipe) {
   if (recipe.refine.mode != RefineRecipe::Mode::off) {
     RefinedMesh refined = refine_mesh(mesh, recipe.refine, plan.parameters.frequency, highest);
     plan.guides = carry(refined, std::move(plan.guides));
-    plan.mesh = std::move(refined.mesh);
-    plan.mean_edge = SurfaceMesh(plan.mesh).mean_edge_length();
+    mesh = std::move(refined.mesh);
+    plan.mean_edge = SurfaceMesh(mesh).mean_edge_length();
     plan.parameters = make_parameters(recipe, frequency, plan.guides.steering.weights);
   }
+  plan.mesh = std::move(mesh);
   plan.highest_frequency = highest * std::max(frequency.from, frequency.to);
   plan.mean_cycles_per_edge = mean_cycles_per_edge(plan.mesh, plan.parameters.frequency, highest);
   return plan;

@@ -28,7 +28,7 @@ struct BakePlan {
 
 // Measures, refines and steers. Throws std::invalid_argument: recipe.validate(), a mesh whose positions are
 // not finite, an attribute that is not there.
-BakePlan plan_bake(const PolygonMesh& mesh, const BakeRecipe& recipe);
+BakePlan plan_bake(PolygonMesh mesh, const BakeRecipe& recipe);
 
 // A mesh with its noise.
 struct BakedMesh {
