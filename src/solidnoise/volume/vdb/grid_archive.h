@@ -8,10 +8,10 @@ namespace solidnoise {
 
 // Writes what OpenVDB's own archives do, with two differences. Its File writes grid offsets, which let a
 // reader take one grid or the metadata alone, but does not notice a full disk; its Stream writes to a stream
-// of the caller's, but no offsets: this does both. And it compresses all values once. OpenVDB up to version
-// 12 compresses them twice, the first time for the sizes alone (`file_delayed_load` in the metadata), from
-// which a reader that loads leaves when they are first asked for knows where they are; without it such a
-// reader looks the sizes up leaf by leaf. OpenVDB 13 neither writes nor reads it.
+// of the caller's, but no offsets: this does both. And it compresses all values once. OpenVDB compresses them
+// twice before version 13.2, the first time for the sizes alone (`file_delayed_load` in the metadata), from
+// which a reader that loads leaves when they are asked for knows where they are; without it such a reader
+// looks the sizes up in the file. Since 13.2 there is no such loading.
 class GridArchive final : public openvdb::io::Archive {
  public:
   enum class Offsets { write, none };
