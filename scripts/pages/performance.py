@@ -98,7 +98,7 @@ than those that have the whole error for themselves.
     draw_curves(times, page)
     page.write("""
 ## Whole runs
-Start, noise, tree, statistics, compression and file; medians of five. The noise is of one octave, 8 cycles per unit in a box of 2 units, as
+Start, noise, tree, statistics, compression and file; the quickest of five. The noise is of one octave, 8 cycles per unit in a box of 2 units, as
 `--raw` makes it. The memory of the result is that of the voxels' values, or of the mesh's positions and corners; the rest is what a
 grid has beside values (5 %), the mask of its voxels (5 %), some MB per thread, and 36 MB of libraries (OpenVDB's); or a mesh's
 connectivity, curvature and attributes.
@@ -108,7 +108,7 @@ connectivity, curvature and attributes.
                        f"`{r['command']}`"] for r in rows(data, "programs.csv")]))
     page.write("""
 ## Where the time of a run goes
-Seconds of the stages that `--timings` prints, of the run that took the median time. *Noise* has making and measuring the leaves in it;
+Seconds of the stages that `--timings` prints, of the same runs. *Noise* has making and measuring the leaves in it;
 *tree* joins them (of meshes: colours and displacement); *writing* compresses and writes. The file is in memory: a disk adds its own time.
 *Outside* is all that is not noise. *One thread* is the share of the time in which only one of two works, and in which stage most of it.
 """)
