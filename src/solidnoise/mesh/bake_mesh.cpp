@@ -10,6 +10,9 @@
 #include <fmt/ranges.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
 
 #include "solidnoise/image/color_ramp.h"
 #include "solidnoise/mesh/displace.h"
@@ -50,16 +53,21 @@ ParameterRange frequencies_for(const PolygonMesh& mesh, double mean_edge, const 
 
 // Cycles per edge of the highest frequency, mean over all edges.
 double mean_cycles_per_edge(const PolygonMesh& mesh, const VertexNumber& frequency, double highest) {
-  double sum = 0.0;
-  for (std::size_t index = 0; index < mesh.face_count(); ++index) {
-    const auto face = mesh.face(index);
-    for (std::size_t i = 0; i < face.size(); ++i) {
-      const std::uint32_t a = face[i];
-      const std::uint32_t b = face[(i + 1) % face.size()];
-      const double length = glm::length(mesh.positions[a] - mesh.positions[b]);
-      sum += 0.5 * length * highest * (at(frequency, a) + at(frequency, b));
+  const auto add_faces = [&](const tbb::blocked_range<std::size_t>& faces, double sum) {
+    for (std::size_t index = faces.begin(); index < faces.end(); ++index) {
+      const auto face = mesh.face(index);
+      for (std::size_t i = 0; i < face.size(); ++i) {
+        const std::uint32_t a = face[i];
+        const std::uint32_t b = face[(i + 1) % face.size()];
+        const double length = glm::length(mesh.positions[a] - mesh.positions[b]);
+        sum += 0.5 * length * highest * (at(frequency, a) + at(frequency, b));
+      }
     }
-  }
+    return sum;
+  };
+  constexpr std::size_t kGrain = 4096;
+  const double sum = tbb::parallel_deterministic_reduce(
+      tbb::blocked_range<std::size_t>(0, mesh.face_count(), kGrain), 0.0, add_faces, std::plus<>());
   return mesh.corners.empty() ? 0.0 : sum / static_cast<double>(mesh.corners.size());
 }
 
@@ -179,9 +187,9 @@ std::vector<float> bake_values(const BakePlan& plan, const SurfaceNoiseRecipe& n
 std::vector<Color> ramp_colors(const BakeRecipe& recipe, const std::vector<float>& values) {
   const ColorRamp ramp = parse_color_ramp(recipe.ramp);
   std::vector<Color> colors(values.size());
-  for (std::size_t i = 0; i < values.size(); ++i) {
+  tbb::parallel_for(std::size_t{0}, values.size(), [&](std::size_t i) {
     colors[i] = ramp.linear(place_on_ramp(values[i], recipe.contrast));
-  }
+  });
   return colors;
 }
 

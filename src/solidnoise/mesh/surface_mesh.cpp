@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <memory>
 #include <numeric>
 #include <stdexcept>
 
@@ -118,7 +119,9 @@ struct Corner {
 SurfaceMesh::SurfaceMesh(const PolygonMesh& mesh) {
   check(mesh);
   gather_points(mesh.positions);
-  for (Triangle triangle : triangulate(mesh)) {
+  const std::vector<Triangle> all = triangulate(mesh);
+  triangles_.reserve(all.size());
+  for (Triangle triangle : all) {
     for (std::uint32_t& corner : triangle) corner = point_of_[corner];
     if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0]) continue;
     triangles_.push_back(triangle);
@@ -132,6 +135,8 @@ SurfaceMesh::SurfaceMesh(const PolygonMesh& mesh) {
 void SurfaceMesh::gather_points(const std::vector<Vec<3>>& positions) {
   const std::vector<std::uint32_t> first = first_at_position(positions);
   point_of_.resize(positions.size());
+  positions_.reserve(positions.size());
+  first_vertex_.reserve(positions.size());
   for (std::uint32_t v = 0; v < positions.size(); ++v) {
     if (first[v] == v) {
       point_of_[v] = static_cast<std::uint32_t>(positions_.size());
@@ -176,20 +181,20 @@ void SurfaceMesh::drop_duplicates() {
 
 void SurfaceMesh::connect() {
   // Each triangle brings two neighbours to each corner, each of them as often as their edge has triangles.
-  std::vector<std::uint32_t> found(2 * triangles_at_.items.size());
+  const auto found = std::make_unique_for_overwrite<std::uint32_t[]>(2 * triangles_at_.items.size());
   std::vector<std::uint32_t> counts(point_count());
   on_boundary_.assign(point_count(), 0);
   tbb::parallel_for(std::size_t{0}, point_count(), [&](std::size_t point) {
-    const auto begin = found.begin() + 2 * std::ptrdiff_t{triangles_at_.starts[point]};
-    auto end = begin;
+    std::uint32_t* const begin = found.get() + 2 * std::size_t{triangles_at_.starts[point]};
+    std::uint32_t* end = begin;
     for (const std::uint32_t t : triangles_at_[point]) {
       for (const std::uint32_t other : others(triangles_[t], static_cast<std::uint32_t>(point)))
         *end++ = other;
     }
     std::sort(begin, end);
-    auto last = begin;
-    for (auto run = begin; run != end;) {
-      const auto next = std::upper_bound(run, end, *run);
+    std::uint32_t* last = begin;
+    for (std::uint32_t* run = begin; run != end;) {
+      std::uint32_t* const next = std::upper_bound(run, end, *run);
       if (next - run == 1) on_boundary_[point] = 1;
       *last++ = *run;
       run = next;
@@ -200,7 +205,7 @@ void SurfaceMesh::connect() {
   std::partial_sum(counts.begin(), counts.end(), neighbours_.starts.begin() + 1);
   neighbours_.items.resize(neighbours_.starts.back());
   tbb::parallel_for(std::size_t{0}, point_count(), [&](std::size_t point) {
-    std::copy_n(found.begin() + 2 * std::ptrdiff_t{triangles_at_.starts[point]}, counts[point],
+    std::copy_n(found.get() + 2 * std::size_t{triangles_at_.starts[point]}, counts[point],
                 neighbours_.items.begin() + neighbours_.starts[point]);
   });
 }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <memory>
 
 #include <glm/common.hpp>
 #include <tbb/parallel_for.h>
@@ -23,7 +23,8 @@ std::vector<VertexBatch> make_batches(std::span<const Vec<3>> positions, double 
     Vec<3> part;
     std::uint32_t vertex;
   };
-  std::vector<Place> places(positions.size());
+  const auto memory = std::make_unique_for_overwrite<Place[]>(positions.size());
+  const std::span places(memory.get(), positions.size());
   tbb::parallel_for(std::size_t{0}, positions.size(), [&](std::size_t i) {
     const Vec<3> scaled = positions[i] / cube;
     const Vec<3> corner = glm::floor(scaled);
@@ -38,15 +39,18 @@ std::vector<VertexBatch> make_batches(std::span<const Vec<3>> positions, double 
     return a.vertex < b.vertex;
   });
 
-  std::vector<VertexBatch> batches;
-  const Place* last = nullptr;
-  for (const Place& place : places) {
-    if (!last || last->cube != place.cube || batches.back().vertices.size() == kLargest) {
-      batches.push_back({place.cube * cube, {}});
-    }
-    batches.back().vertices.push_back(place.vertex);
-    last = &place;
+  std::vector<std::size_t> starts;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (i == 0 || places[i].cube != places[i - 1].cube || i - starts.back() == kLargest) starts.push_back(i);
   }
+  std::vector<VertexBatch> batches(starts.size());
+  starts.push_back(places.size());
+  tbb::parallel_for(std::size_t{0}, batches.size(), [&](std::size_t k) {
+    const auto batch = places.subspan(starts[k], starts[k + 1] - starts[k]);
+    batches[k].origin = batch.front().cube * cube;
+    batches[k].vertices.reserve(batch.size());
+    for (const Place& place : batch) batches[k].vertices.push_back(place.vertex);
+  });
   return batches;
 }
 

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include <tbb/parallel_for.h>
+
 namespace solidnoise {
 
 void set_vertex_colors(PolygonMesh& mesh, std::span<const Color> colors) {
@@ -14,9 +16,9 @@ void set_vertex_colors(PolygonMesh& mesh, std::span<const Color> colors) {
     VertexProperty property{std::string(kColorNames[channel]), ScalarType::uint8,
                             std::vector<double>(colors.size(), kWhole)};
     if (channel < 3) {
-      std::transform(colors.begin(), colors.end(), property.values.begin(), [&](const Color& color) {
-        const double encoded = srgb_from_linear(color[static_cast<int>(channel)]);
-        return std::round(kWhole * std::clamp(encoded, 0.0, 1.0));
+      tbb::parallel_for(std::size_t{0}, colors.size(), [&](std::size_t i) {
+        const double encoded = srgb_from_linear(colors[i][static_cast<int>(channel)]);
+        property.values[i] = std::round(kWhole * std::clamp(encoded, 0.0, 1.0));
       });
     }
     mesh.set_property(std::move(property));
