@@ -99,9 +99,9 @@ than those that have the whole error for themselves.
     page.write("""
 ## Whole runs
 Start, noise, tree, statistics, compression and file; the quickest of five. The noise is of one octave, 8 cycles per unit in a box of 2 units, as
-`--raw` makes it. The memory of the result is that of the voxels' values, or of the mesh's positions and corners; the rest is what a
-grid has beside values (5 %), the mask of its voxels (5 %), some MB per thread, and 36 MB of libraries (OpenVDB's); or a mesh's
-connectivity, curvature and attributes.
+`--raw` makes it. The memory of the result is that of the voxels' values, or of the mesh's positions and corners. The rest is, of volumes,
+what a grid has beside values (5 %), the mask of its voxels and lists of its leaves (10 %), samples to interpolate from, and 36 MB of
+OpenVDB's libraries; of meshes, connectivity and curvature, some 350 bytes per vertex while it is measured.
 """)
     page.write(table(["", "threads", "seconds", "of processor", "MB at most", "of the result", "command"],
                      [[r["what"], r["threads"], r["wall"], r["processor"], r["memory"], r["result"] if r["result"] != "0" else "",
@@ -110,7 +110,8 @@ connectivity, curvature and attributes.
 ## Where the time of a run goes
 Seconds of the stages that `--timings` prints, of the same runs. *Noise* has making and measuring the leaves in it;
 *tree* joins them (of meshes: colours and displacement); *writing* compresses and writes. The file is in memory: a disk adds its own time.
-*Outside* is all that is not noise. *One thread* is the share of the time in which only one of two works, and in which stage most of it.
+*Outside* is all that is not noise. *One thread* is the share of the time in which only one of two works, or none, and in which stage most
+of it: what else runs on the machine adds to it. The start, 40 ms, is loading OpenVDB's library, whose references are resolved by name.
 """)
     page.write(table(["", "threads", "start", "plan", "noise", "tree", "writing", "end", "outside", "one thread", "most of it"], stages(data)))
     page.write("""

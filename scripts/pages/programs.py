@@ -16,8 +16,8 @@ REPETITIONS = 5
 
 COMMANDS = [  # what, its command, MB of the result: 4 bytes a voxel; positions and corners in double precision and 32 bits
     *((f"vdbnoise, {side}^3", f"vdbnoise --raw --dim {side} --out out.vdb", 4 * side**3 / 2**20) for side in (64, 128, 256, 512)),
-    *((f"the same, --exact, {side}^3", f"vdbnoise --raw --exact --dim {side} --out out.vdb", 4 * side**3 / 2**20) for side in (256, 512)),
-    *((f"the same, uncompressed, {side}^3", f"vdbnoise --raw --codec none --dim {side} --out out.vdb", 4 * side**3 / 2**20)
+    *((f"vdbnoise --exact, {side}^3", f"vdbnoise --raw --exact --dim {side} --out out.vdb", 4 * side**3 / 2**20) for side in (256, 512)),
+    *((f"vdbnoise --codec none, {side}^3", f"vdbnoise --raw --codec none --dim {side} --out out.vdb", 4 * side**3 / 2**20)
       for side in (256, 512)),
     ("vdbnoise, the default cloud", "vdbnoise --out out.vdb", 0.0),
     ("meshnoise, 1 M vertices", "meshnoise bake pebble.ply --out out.ply", (24 + 2 * 3 * 4) * 1e6 / 2**20),
