@@ -202,60 +202,103 @@ struct Unit {
   int x, y, z;
 };
 
-// Sums a pair of planes of the entered column: lanes are samples, impulses are the loop.
+// Sums of one vector of samples: of a plane of the entered column, those from `piece` on.
+template <class D, Derivatives kDerivatives>
+class VectorSum {
+ public:
+  using V = hn::Vec<D>;
+
+  HWY_INLINE VectorSum(const PreparedImpulses& prepared, int x, int piece)
+      : prepared_(prepared),
+        weight_(prepared.weight()),
+        x_squared_(prepared.x_squared(x)),
+        x_offset_(prepared.x_offset(x)),
+        piece_(piece) {}
+
+  template <class Bound>
+  HWY_INLINE void add(const Bound& polynomial, std::size_t i) {
+    const D d;
+    const V rest = hn::LoadU(d, prepared_.rest(i) + piece_);
+    const V t = PositivePart(d, hn::Sub(rest, hn::Set(d, x_squared_[i])));
+    const RadialTerm<D, Bound> term(d, polynomial, t, hn::Set(d, weight_[i]));
+    value_ = term.add_to(value_);
+    if constexpr (kDerivatives == Derivatives::gradient) {
+      const V slope = term.derivative();
+      gx_ = hn::MulAdd(slope, hn::Set(d, x_offset_[i]), gx_);
+      gy_ = hn::MulAdd(slope, hn::LoadU(d, prepared_.y_offset(i) + piece_), gy_);
+      gz_ = hn::MulAdd(slope, hn::LoadU(d, prepared_.z_offset(i) + piece_), gz_);
+      gt_ = hn::MulAdd(slope, hn::Set(d, prepared_.time_offset()[i]), gt_);
+    }
+  }
+
+  // `start`: where the plane of the column is in its brick.
+  HWY_INLINE void store(V leading, const Unit& start, BrickSums& sums) const {
+    const D d;
+    store_in(hn::Mul(leading, value_), start, sums.value);
+    if constexpr (kDerivatives == Derivatives::gradient) {
+      const V chain = hn::Mul(hn::Set(d, -2.0f), leading);  // d t / d offset = -2 offset
+      store_in(hn::Mul(chain, gx_), start, sums.gradient[kX]);
+      store_in(hn::Mul(chain, gy_), start, sums.gradient[kY]);
+      store_in(hn::Mul(chain, gz_), start, sums.gradient[kZ]);
+      store_in(hn::Mul(chain, gt_), start, sums.gradient[kT]);
+    }
+  }
+
+ private:
+  HWY_INLINE void store_in(V sum, const Unit& start, float* to) const {
+    const D d;
+    alignas(64) float lanes[Column::kSamples];
+    hn::Store(sum, d, lanes);
+    for (int lane = 0; lane < static_cast<int>(hn::Lanes(d)); ++lane) {
+      const int y = start.y + (piece_ + lane) / Column::kZ;
+      const int z = start.z + (piece_ + lane) % Column::kZ;
+      to[(start.x * SampleBrick::kSide + y) * SampleBrick::kSide + z] = lanes[lane];
+    }
+  }
+
+  const PreparedImpulses& prepared_;
+  const float* weight_;
+  const float* x_squared_;
+  const float* x_offset_;
+  int piece_;
+  V value_ = hn::Zero(D());
+  V gx_ = hn::Zero(D());
+  V gy_ = hn::Zero(D());
+  V gz_ = hn::Zero(D());
+  V gt_ = hn::Zero(D());
+};
+
+// Sums a pair of planes of the entered column: lanes are samples, impulses are the loop. Where a plane is
+// more than one vector, two of its vectors are summed at once, so that they share the loop.
 template <class Polynomial, Derivatives kDerivatives>
 HWY_INLINE void SumUnit(const RadialPolynomial& kernel, const PreparedImpulses& prepared, const Unit& unit,
                         BrickSums& sums) {
-  const hn::CappedTag<float, Column::kSamples> d;
-  using V = hn::Vec<decltype(d)>;
-  const typename Polynomial::template Bound<decltype(d)> polynomial(d, kernel);
-  const float* const weight = prepared.weight();
-  const float* const x_squared[kPair] = {prepared.x_squared(unit.x), prepared.x_squared(unit.x + 1)};
-  const float* const x_offset[kPair] = {prepared.x_offset(unit.x), prepared.x_offset(unit.x + 1)};
-
-  for (int piece = 0; piece < Column::kSamples; piece += static_cast<int>(hn::Lanes(d))) {
-    V value0 = hn::Zero(d), value1 = hn::Zero(d);
-    V gx0 = hn::Zero(d), gy0 = hn::Zero(d), gz0 = hn::Zero(d), gt0 = hn::Zero(d);
-    V gx1 = hn::Zero(d), gy1 = hn::Zero(d), gz1 = hn::Zero(d), gt1 = hn::Zero(d);
+  using Tag = hn::CappedTag<float, Column::kSamples>;
+  using Sum = VectorSum<Tag, kDerivatives>;
+  constexpr int kLanes = static_cast<int>(hn::MaxLanes(Tag()));
+  // Gradients take all registers that there are.
+  constexpr bool kTwo = 2 * kLanes <= Column::kSamples && kDerivatives == Derivatives::none;
+  const typename Polynomial::template Bound<Tag> polynomial(Tag(), kernel);
+  const Unit next{unit.x + 1, unit.y, unit.z};
+  for (int piece = 0; piece < Column::kSamples; piece += kTwo ? 2 * kLanes : kLanes) {
+    Sum low0(prepared, unit.x, piece), low1(prepared, next.x, piece);
+    Sum high0(prepared, unit.x, piece + kLanes), high1(prepared, next.x, piece + kLanes);
     for (std::size_t from = 0; from < prepared.size(); from += 64) {
       for (std::uint64_t bits = prepared.reaching_pair(from, unit.x / kPair); bits != 0; bits &= bits - 1) {
         const std::size_t i = from + static_cast<std::size_t>(std::countr_zero(bits));
-        const V rest = hn::LoadU(d, prepared.rest(i) + piece);
-        const auto add = [&](int k, V& value, V& gx, V& gy, V& gz, V& gt) HWY_ATTR {
-          const V t = PositivePart(d, hn::Sub(rest, hn::Set(d, x_squared[k][i])));
-          const RadialTerm<decltype(d), decltype(polynomial)> term(d, polynomial, t, hn::Set(d, weight[i]));
-          value = term.add_to(value);
-          if constexpr (kDerivatives == Derivatives::gradient) {
-            const V slope = term.derivative();
-            gx = hn::MulAdd(slope, hn::Set(d, x_offset[k][i]), gx);
-            gy = hn::MulAdd(slope, hn::LoadU(d, prepared.y_offset(i) + piece), gy);
-            gz = hn::MulAdd(slope, hn::LoadU(d, prepared.z_offset(i) + piece), gz);
-            gt = hn::MulAdd(slope, hn::Set(d, prepared.time_offset()[i]), gt);
-          }
-        };
-        add(0, value0, gx0, gy0, gz0, gt0);
-        add(1, value1, gx1, gy1, gz1, gt1);
+        low0.add(polynomial, i);
+        low1.add(polynomial, i);
+        if constexpr (kTwo) {
+          high0.add(polynomial, i);
+          high1.add(polynomial, i);
+        }
       }
     }
-
-    const auto store = [&](int k, V sum, float* to) HWY_ATTR {
-      alignas(64) float lanes[Column::kSamples];
-      hn::Store(sum, d, lanes);
-      for (int lane = 0; lane < static_cast<int>(hn::Lanes(d)); ++lane) {
-        const int y = unit.y + (piece + lane) / Column::kZ;
-        const int z = unit.z + (piece + lane) % Column::kZ;
-        to[((unit.x + k) * SampleBrick::kSide + y) * SampleBrick::kSide + z] = lanes[lane];
-      }
-    };
-    store(0, hn::Mul(polynomial.leading, value0), sums.value);
-    store(1, hn::Mul(polynomial.leading, value1), sums.value);
-    if constexpr (kDerivatives == Derivatives::gradient) {
-      const V chain = hn::Mul(hn::Set(d, -2.0f), polynomial.leading);  // d t / d offset = -2 offset
-      const V* const gradients[kPair][kRoles] = {{&gx0, &gy0, &gz0, &gt0}, {&gx1, &gy1, &gz1, &gt1}};
-      for (int k = 0; k < kPair; ++k) {
-        for (int role = 0; role < kRoles; ++role)
-          store(k, hn::Mul(chain, *gradients[k][role]), sums.gradient[role]);
-      }
+    low0.store(polynomial.leading, unit, sums);
+    low1.store(polynomial.leading, next, sums);
+    if constexpr (kTwo) {
+      high0.store(polynomial.leading, unit, sums);
+      high1.store(polynomial.leading, next, sums);
     }
   }
 }
