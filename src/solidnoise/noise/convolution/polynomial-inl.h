@@ -48,7 +48,9 @@ struct Factored {
       for (int k = 0; k < kDegree; ++k) a_[k] = hn::Set(d, polynomial.value[static_cast<std::size_t>(k)]);
     }
 
-    HWY_INLINE Jet<V> operator()(D d, V x) const {
+    HWY_INLINE V value(D d, V x) const { return jet(d, x).value; }
+
+    HWY_INLINE Jet<V> jet(D d, V x) const {
       constexpr FactoredPolynomial::Shape kShape(kDegree);
       Jet<V> product;
       bool first = true;
@@ -109,15 +111,15 @@ struct Clenshaw {
     HWY_INLINE Bound(D d, const RadialPolynomial& polynomial)
         : leading(hn::Set(d, polynomial.leading)), polynomial_(polynomial) {}
 
-    HWY_INLINE Jet<V> operator()(D d, V x) const {
-      const V v = hn::Sub(x, hn::Set(d, 0.5f));
-      return {sum(d, v, polynomial_.value), sum(d, v, polynomial_.derivative)};
-    }
+    HWY_INLINE V value(D d, V x) const { return sum(d, x, polynomial_.value); }
+
+    HWY_INLINE Jet<V> jet(D d, V x) const { return {value(d, x), sum(d, x, polynomial_.derivative)}; }
 
     V leading;
 
    private:
-    static HWY_INLINE V sum(D d, V v, const std::vector<float>& coefficients) {
+    static HWY_INLINE V sum(D d, V x, const std::vector<float>& coefficients) {
+      const V v = hn::Sub(x, hn::Set(d, 0.5f));
       const V u = hn::Add(v, v);
       const V twice_u = hn::Add(u, u);
       V next = hn::Zero(d);
@@ -136,10 +138,16 @@ struct Clenshaw {
 
 // w t^2 P(t) and, where wanted, its derivative by t, of one vector of samples and one impulse; but for the
 // leading coefficient of P.
-template <class D, class Polynomial, class V = hn::Vec<D>>
+template <Derivatives kDerivatives, class D, class Polynomial, class V = hn::Vec<D>>
 struct RadialTerm {
   HWY_INLINE RadialTerm(D d, const Polynomial& polynomial, V t, V weight)
-      : weighted_t(hn::Mul(t, weight)), weighted_t2(hn::Mul(weighted_t, t)), factor(polynomial(d, t)) {}
+      : weighted_t(hn::Mul(t, weight)), weighted_t2(hn::Mul(weighted_t, t)) {
+    if constexpr (kDerivatives == Derivatives::none) {
+      factor = {polynomial.value(d, t), hn::Zero(d)};
+    } else {
+      factor = polynomial.jet(d, t);
+    }
+  }
 
   HWY_INLINE V value() const { return hn::Mul(weighted_t2, factor.value); }
   HWY_INLINE V add_to(V sum) const { return hn::MulAdd(weighted_t2, factor.value, sum); }

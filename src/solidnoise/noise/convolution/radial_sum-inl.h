@@ -220,7 +220,7 @@ class VectorSum {
     const D d;
     const V rest = hn::LoadU(d, prepared_.rest(i) + piece_);
     const V t = PositivePart(d, hn::Sub(rest, hn::Set(d, x_squared_[i])));
-    const RadialTerm<D, Bound> term(d, polynomial, t, hn::Set(d, weight_[i]));
+    const RadialTerm<kDerivatives, D, Bound> term(d, polynomial, t, hn::Set(d, weight_[i]));
     value_ = term.add_to(value_);
     if constexpr (kDerivatives == Derivatives::gradient) {
       const V slope = term.derivative();
@@ -339,7 +339,7 @@ void SumRadialCluster(const RadialSum& sum, const ImpulseList& list, const Sampl
       const V rest = hn::Sub(hn::Sub(one, hn::Mul(time, time)), plane_squared);
       const V t = PositivePart(d, hn::Sub(rest, hn::Mul(x, x)));
       const V weight = hn::Set(d, list.attribute(0)[i]);
-      const RadialTerm<decltype(d), decltype(polynomial)> term(d, polynomial, t, weight);
+      const RadialTerm<kDerivatives, decltype(d), decltype(polynomial)> term(d, polynomial, t, weight);
       value = term.add_to(value);
       if constexpr (kDerivatives == Derivatives::gradient) {
         const V slope = term.derivative();
