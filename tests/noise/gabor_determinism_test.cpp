@@ -1,4 +1,5 @@
 // The same bits for the same position, however it is asked for.
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -204,6 +205,36 @@ TEST(GaborDeterminism, ABlockOfAnyBoxGivesTheSameBits) {
       Evaluated<Dim> result(lattice.size());
       noise.evaluate(lattice, result.samples());
       EXPECT_EQ(result, expected);
+    });
+  });
+}
+
+// A block keeps where the last lattice's samples are.
+TEST(GaborDeterminism, WhatABlockKeepsOfEarlierBricksDoesNotShow) {
+  for_each_dimension([]<int Dim>() {
+    for_each_gabor_noise<Dim>([](const auto& noise) {
+      constexpr int kSide = 8;
+      Lattice<Dim> brick;
+      brick.step = Vec<Dim>(support_of(noise) / 11.3);
+      for (int axis = 0; axis < std::min(Dim, 3); ++axis) brick.count[axis] = kSide;
+      Lattice<Dim> all = brick;
+      all.count[0] = 20 * kSide;
+      if (Dim > 1) all.count[Dim - 1] = 2 * kSide;
+      const auto block = noise.block(all.bounds());
+      for (const bool gradient : {false, true}) {
+        for (int k = 0; k < 40; ++k) {
+          brick.first[0] = kSide * (k % 20);
+          if (Dim > 1) brick.first[Dim - 1] = (Dim == 4 ? 1 : kSide) * (k / 20);
+          Evaluated<Dim> result(brick.size());
+          Evaluated<Dim> expected(brick.size());
+          const auto wanted = [&](Evaluated<Dim>& to) {
+            return gradient ? to.samples() : Samples<Dim>{to.values, {}};
+          };
+          block->evaluate(brick, wanted(result));
+          noise.block(brick.bounds())->evaluate(brick, wanted(expected));
+          ASSERT_EQ(result, expected) << "brick " << k << (gradient ? " with gradient" : "");
+        }
+      }
     });
   });
 }

@@ -3,6 +3,9 @@
 //
 // An oriented kernel is the real part of a product of one complex factor per axis: envelope times wave. On a
 // lattice each factor is a small table per impulse, and a sample costs two multiply-adds an impulse.
+//
+// The leaves of a layer have factors in common. Tables of them for a whole block were tried: they are slower
+// than making factors anew as soon as they leave the nearest caches, in blocks of 64^3 voxels.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -28,7 +31,7 @@ namespace solidnoise {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Impulses are taken 64 at a time: their tables and products fit the nearest cache.
+// Impulses are taken 64 at a time: their tables fit the nearest cache.
 constexpr std::size_t kChunk = 64;
 
 // Factors of a chunk's impulses at the eight coordinates of one axis, coordinate by coordinate.
@@ -53,19 +56,66 @@ struct ChunkDerivatives : ChunkFactors {
   FactorRows time;  // derivative by time, times the x factors
 };
 
-// A brick is summed in tiles, a product of matrices each: two vectors of (y, z) samples, all z of a few y, by
-// four x. Where two vectors are less than all z of one y, a tile is several times two vectors.
-struct ProductTile {
-  static constexpr int kX = 4;
-  static constexpr int kMaxLanes = 16;
-  static constexpr int kMaxSamples = 2 * kMaxLanes;
+// A vector of (y, z) samples: of two planes of constant y where vectors have 16 lanes, else of one or a part
+// of one. Lines of factors are made likewise, of two impulses or of one.
+struct PlaneVector {
+  static constexpr int kSide = SampleBrick::kSide;
+#if HWY_TARGET <= HWY_AVX3
+  using Tag = hn::CappedTag<float, 2 * kSide>;
+  using V = hn::Vec<Tag>;
 
-  // Of constant y in a tile.
-  static HWY_INLINE int planes() {
-    return std::max(1,
-                    static_cast<int>(2 * hn::Lanes(hn::CappedTag<float, kMaxLanes>())) / SampleBrick::kSide);
+  static constexpr int kPlanes = 2;
+
+  // One value for each plane.
+  static HWY_INLINE V spread(const float* first, const float* second) {
+    return hn::IfThenElse(hn::FirstN(Tag(), kSide), hn::Set(Tag(), *first), hn::Set(Tag(), *second));
+  }
+
+  // A line's values in each plane.
+  static HWY_INLINE V repeat(const float* line, int) {
+    const auto all = hn::Load(hn::Half<Tag>(), line);
+    return hn::Combine(Tag(), all, all);
+  }
+
+  static HWY_INLINE void store(V values, float (*lines)[kSide], int) {
+    const hn::Half<Tag> half;
+    hn::Store(hn::LowerHalf(half, values), half, lines[0]);
+    hn::Store(hn::UpperHalf(half, values), half, lines[1]);
+  }
+#else
+  using Tag = hn::CappedTag<float, kSide>;
+  using V = hn::Vec<Tag>;
+
+  static constexpr int kPlanes = 1;
+
+  static HWY_INLINE V spread(const float* first, const float*) {
+    return hn::Set(Tag(), *first);
+  }
+
+  // A line's values from `piece` on.
+  static HWY_INLINE V repeat(const float* line, int piece) {
+    return hn::Load(Tag(), line + piece);
+  }
+
+  static HWY_INLINE void store(V values, float (*lines)[kSide], int piece) {
+    hn::Store(values, Tag(), lines[0] + piece);
+  }
+#endif
+
+  static HWY_INLINE int lanes() {
+    return static_cast<int>(hn::Lanes(Tag()));
   }
 };
+
+// A brick is summed in tiles: a vector of (y, z) samples, by this many x. The fewer x, the more often the
+// products of y and z factors are made, but the fewer samples out of an impulse's reach are summed with those
+// within it: as long as the brick is narrow beside the kernel, all are best.
+HWY_INLINE int TileSide(const OrientedSum& sum, const SampleBrick& brick) {
+  constexpr float kWide = 0.8f;  // half-widths of the support; from equal counts of multiply-adds
+  if (brick.count[kX] == 1) return 1;
+  const float width = brick.coordinate[kX][brick.count[kX] - 1] - brick.coordinate[kX][0];
+  return brick.count[kX] <= 4 || width * sum.scale[kX] > kWide ? 4 : SampleBrick::kSide;
+}
 
 // Calls store(value, sample, impulse) for each of the first `samples` coordinates of an axis, lanes being the
 // impulses of the chunk from `from` on.
@@ -101,21 +151,23 @@ HWY_INLINE void StoreRow(const Complex<hn::Vec<hn::CappedTag<float, 16>>>& value
 template <Derivatives kDerivatives, class Polynomial>
 HWY_INLINE void MakeLines(const OrientedSum& sum, const ImpulseList& list, std::size_t from,
                           const float* coordinates, ChunkFactors& factors, ChunkDerivatives& derivatives) {
-  const hn::CappedTag<float, SampleBrick::kSide> d;
-  const typename Polynomial::template Bound<decltype(d)> envelope(d, sum.envelope);
+  const PlaneVector::Tag d;
+  const typename Polynomial::template Bound<PlaneVector::Tag> envelope(d, sum.envelope);
   const std::size_t count = std::min(kChunk, list.size() - from);
-  for (std::size_t k = 0; k < count; ++k) {
-    const std::size_t i = from + k;
-    for (int piece = 0; piece < SampleBrick::kSide; piece += static_cast<int>(hn::Lanes(d))) {
-      const auto offset = hn::Sub(hn::Load(d, coordinates + piece), hn::Set(d, list.position(kZ)[i]));
-      const auto along = FactorAlongAxis<kDerivatives>(
-          d, envelope, offset, hn::Set(d, list.attribute(OrientedSum::wave(kZ))[i]),
-          hn::Set(d, list.attribute(OrientedSum::kPhase)[i]), sum.scale[kZ]);
-      hn::Store(along.value.re, d, factors.z.re[k] + piece);
-      hn::Store(along.value.im, d, factors.z.im[k] + piece);
+  const auto of_impulses = [&](const float* values)
+                               HWY_ATTR { return PlaneVector::spread(values, values + 1); };
+  for (std::size_t k = 0; k < count; k += PlaneVector::kPlanes) {
+    const auto position = of_impulses(list.position(kZ) + from + k);
+    const auto wave = of_impulses(list.attribute(OrientedSum::wave(kZ)) + from + k);
+    const auto phase = of_impulses(list.attribute(OrientedSum::kPhase) + from + k);
+    for (int piece = 0; piece < SampleBrick::kSide; piece += PlaneVector::lanes()) {
+      const auto offset = hn::Sub(PlaneVector::repeat(coordinates, piece), position);
+      const auto along = FactorAlongAxis<kDerivatives>(d, envelope, offset, wave, phase, sum.scale[kZ]);
+      PlaneVector::store(along.value.re, factors.z.re + k, piece);
+      PlaneVector::store(along.value.im, factors.z.im + k, piece);
       if constexpr (kDerivatives == Derivatives::gradient) {
-        hn::Store(along.derivative.re, d, derivatives.z.re[k] + piece);
-        hn::Store(along.derivative.im, d, derivatives.z.im[k] + piece);
+        PlaneVector::store(along.derivative.re, derivatives.z.re + k, piece);
+        PlaneVector::store(along.derivative.im, derivatives.z.im + k, piece);
       }
     }
   }
@@ -130,6 +182,7 @@ HWY_INLINE void MakeFactors(const OrientedSum& sum, const ImpulseList& list, std
   using V = hn::Vec<decltype(d)>;
   // Whole tiles are summed.
   const auto in_tiles = [](int count, int side) { return (count + side - 1) / side * side; };
+  const int x_side = TileSide(sum, brick);
 
   FactorRows time;
   FactorRows time_derivative;
@@ -145,7 +198,7 @@ HWY_INLINE void MakeFactors(const OrientedSum& sum, const ImpulseList& list, std
     return Complex<V>{hn::Load(d, rows.re[0] + k), hn::Load(d, rows.im[0] + k)};
   };
   ForEachRow<kDerivatives, Polynomial>(
-      sum, list, from, kX, brick.coordinate[kX], in_tiles(brick.count[kX], ProductTile::kX),
+      sum, list, from, kX, brick.coordinate[kX], in_tiles(brick.count[kX], x_side),
       [&](AxisFactor<V> along, int sample, std::size_t k) HWY_ATTR {
         if (sum.scale[kT] != 0.0f) {
           if constexpr (kGradient) {
@@ -158,7 +211,7 @@ HWY_INLINE void MakeFactors(const OrientedSum& sum, const ImpulseList& list, std
         if constexpr (kGradient) StoreRow(along.derivative, derivatives.x, sample, k);
       });
   ForEachRow<kDerivatives, Polynomial>(sum, list, from, kY, brick.coordinate[kY],
-                                       in_tiles(brick.count[kY], ProductTile::planes()),
+                                       in_tiles(brick.count[kY], PlaneVector::kPlanes),
                                        [&](const AxisFactor<V>& along, int sample, std::size_t k) HWY_ATTR {
                                          StoreRow(along.value, factors.y, sample, k);
                                          if constexpr (kGradient)
@@ -167,26 +220,30 @@ HWY_INLINE void MakeFactors(const OrientedSum& sum, const ImpulseList& list, std
   MakeLines<kDerivatives, Polynomial>(sum, list, from, brick.coordinate[kZ], factors, derivatives);
 }
 
-// Which impulses of a chunk reach which tiles of a brick: bit k is impulse from + k.
+// Bit k: whether impulse from + k reaches the samples from `start` to `start + side - 1` of an axis.
+HWY_INLINE std::uint64_t Reaching(const OrientedSum& sum, const ImpulseList& list, std::size_t from,
+                                  Role role, const SampleBrick& brick, int start, int side) {
+  const float lower = brick.coordinate[role][start];
+  const float upper = brick.coordinate[role][std::min(start + side, brick.count[role]) - 1];
+  return SupportBits(from, list.size(), [&](auto d, std::size_t i) HWY_ATTR {
+    return SquaredExcess(d, list.position(role) + i, lower, upper, sum.scale[role]);
+  });
+}
+
+// Which impulses of a chunk reach the tiles of a brick, by their first sample along each axis.
 struct ReachingTiles {
-  ReachingTiles(const OrientedSum& sum, const ImpulseList& list, std::size_t from, const SampleBrick& brick) {
-    const auto reaching = [&](Role role, int start, int side) HWY_ATTR {
-      const float lower = brick.coordinate[role][start];
-      const float upper = brick.coordinate[role][std::min(start + side, brick.count[role]) - 1];
-      return SupportBits(from, list.size(), [&](auto d, std::size_t i) HWY_ATTR {
-        return SquaredExcess(d, list.position(role) + i, lower, upper, sum.scale[role]);
-      });
-    };
-    for (int start = 0; start < brick.count[kX]; start += ProductTile::kX) {
-      x[start / ProductTile::kX] = reaching(kX, start, ProductTile::kX);
+  ReachingTiles(const OrientedSum& sum, const ImpulseList& list, std::size_t from, const SampleBrick& brick)
+      : x_side(TileSide(sum, brick)) {
+    for (int start = 0; start < brick.count[kX]; start += x_side) {
+      x[start] = Reaching(sum, list, from, kX, brick, start, x_side);
     }
-    const int planes = ProductTile::planes();
-    for (int start = 0; start < brick.count[kY]; start += planes) {
-      y[start / planes] = reaching(kY, start, planes);
+    for (int start = 0; start < brick.count[kY]; start += PlaneVector::kPlanes) {
+      y[start] = Reaching(sum, list, from, kY, brick, start, PlaneVector::kPlanes);
     }
   }
 
-  std::array<std::uint64_t, SampleBrick::kSide / ProductTile::kX> x;
+  int x_side;
+  std::array<std::uint64_t, SampleBrick::kSide> x;
   std::array<std::uint64_t, SampleBrick::kSide> y;
 };
 
@@ -196,87 +253,74 @@ HWY_INLINE void ForEachBit(std::uint64_t bits, const Visit& visit) {
   for (; bits != 0; bits &= bits - 1) visit(static_cast<std::size_t>(std::countr_zero(bits)));
 }
 
-// The products of the y and z factors of a chunk, at the (y, z) samples of one tile.
-struct PlaneProducts {
-  alignas(64) float re[kChunk][ProductTile::kMaxSamples];
-  alignas(64) float im[kChunk][ProductTile::kMaxSamples];
+// Where a tile starts in its brick.
+struct Tile {
+  int x, y, z;
 };
 
-HWY_INLINE void MultiplyPlanes(const FactorRows& y, const FactorLines& z, std::uint64_t impulses,
-                               int first_plane, PlaneProducts& products) {
-  constexpr int kSide = SampleBrick::kSide;
-  const hn::CappedTag<float, kSide> d;
-  using V = hn::Vec<decltype(d)>;
-  const int planes = ProductTile::planes();
+// Adds to a tile of kSide samples along x, at `sums` and for each following x a plane further, the sum over a
+// chunk's impulses of Re(x y z).
+template <int kSide>
+HWY_INLINE void AddTile(const FactorRows& x, const FactorRows& y, const FactorLines& z,
+                        std::uint64_t impulses, const Tile& tile, float* sums) {
+  static_assert(kSide == 1 || kSide == 4 || kSide == 8);
+  constexpr int kPlane = SampleBrick::kSide * SampleBrick::kSide;
+  const PlaneVector::Tag d;
+  using V = PlaneVector::V;
+  const auto load = [&](int k) HWY_ATTR { return k < kSide ? hn::Load(d, sums + k * kPlane) : hn::Zero(d); };
+  V sum0 = load(0), sum1 = load(1), sum2 = load(2), sum3 = load(3);
+  V sum4 = load(4), sum5 = load(5), sum6 = load(6), sum7 = load(7);
+  const int last = tile.y + PlaneVector::kPlanes - 1;
   ForEachBit(impulses, [&](std::size_t i) HWY_ATTR {
-    for (int piece = 0; piece < kSide; piece += static_cast<int>(hn::Lanes(d))) {
-      const Complex<V> line{hn::Load(d, z.re[i] + piece), hn::Load(d, z.im[i] + piece)};
-      for (int plane = 0; plane < planes; ++plane) {
-        const Complex<V> row{hn::Set(d, y.re[first_plane + plane][i]),
-                             hn::Set(d, y.im[first_plane + plane][i])};
-        const Complex<V> product = Multiply(row, line);
-        hn::Store(product.re, d, products.re[i] + plane * kSide + piece);
-        hn::Store(product.im, d, products.im[i] + plane * kSide + piece);
-      }
+    const Complex<V> row{PlaneVector::spread(y.re[tile.y] + i, y.re[last] + i),
+                         PlaneVector::spread(y.im[tile.y] + i, y.im[last] + i)};
+    const Complex<V> line{PlaneVector::repeat(z.re[i], tile.z), PlaneVector::repeat(z.im[i], tile.z)};
+    const Complex<V> product = Multiply(row, line);
+    const auto add = [&](int k, V& sum) HWY_ATTR {
+      sum = AddRealProduct(product, {hn::Set(d, x.re[tile.x + k][i]), hn::Set(d, x.im[tile.x + k][i])}, sum);
+    };
+    add(0, sum0);
+    if constexpr (kSide > 1) {
+      add(1, sum1);
+      add(2, sum2);
+      add(3, sum3);
+    }
+    if constexpr (kSide > 4) {
+      add(4, sum4);
+      add(5, sum5);
+      add(6, sum6);
+      add(7, sum7);
     }
   });
-}
-
-// Adds to two vectors of a tile's (y, z) samples, at `sums` and, for each following x, a plane further.
-HWY_INLINE void AddVectors(const PlaneProducts& products, std::size_t first, const FactorRows& x, int first_x,
-                           std::uint64_t impulses, float* sums) {
-  constexpr int kPlane = SampleBrick::kSide * SampleBrick::kSide;
-  const hn::CappedTag<float, ProductTile::kMaxLanes> d;
-  using V = hn::Vec<decltype(d)>;
-  const std::size_t lanes = hn::Lanes(d);
-  const auto load = [&](int k, V& low, V& high) HWY_ATTR {
-    low = hn::Load(d, sums + k * kPlane);
-    high = hn::Load(d, sums + k * kPlane + lanes);
+  const auto store = [&](int k, V sum) HWY_ATTR {
+    if (k < kSide) hn::Store(sum, d, sums + k * kPlane);
   };
-  V low0, low1, low2, low3, high0, high1, high2, high3;
-  load(0, low0, high0);
-  load(1, low1, high1);
-  load(2, low2, high2);
-  load(3, low3, high3);
-  ForEachBit(impulses, [&](std::size_t i) HWY_ATTR {
-    const float* const re = products.re[i] + first;
-    const float* const im = products.im[i] + first;
-    const Complex<V> low{hn::Load(d, re), hn::Load(d, im)};
-    const Complex<V> high{hn::Load(d, re + lanes), hn::Load(d, im + lanes)};
-    const auto add = [&](int k, V& low_sum, V& high_sum) HWY_ATTR {
-      const Complex<V> factor{hn::Set(d, x.re[first_x + k][i]), hn::Set(d, x.im[first_x + k][i])};
-      low_sum = AddRealProduct(low, factor, low_sum);
-      high_sum = AddRealProduct(high, factor, high_sum);
-    };
-    add(0, low0, high0);
-    add(1, low1, high1);
-    add(2, low2, high2);
-    add(3, low3, high3);
-  });
-  const auto store = [&](int k, V low, V high) HWY_ATTR {
-    hn::Store(low, d, sums + k * kPlane);
-    hn::Store(high, d, sums + k * kPlane + lanes);
-  };
-  store(0, low0, high0);
-  store(1, low1, high1);
-  store(2, low2, high2);
-  store(3, low3, high3);
+  store(0, sum0);
+  store(1, sum1);
+  store(2, sum2);
+  store(3, sum3);
+  store(4, sum4);
+  store(5, sum5);
+  store(6, sum6);
+  store(7, sum7);
 }
 
 // sums += sum over a chunk's impulses of Re(x y z) at every sample of the brick.
 HWY_INLINE void AddProducts(const ReachingTiles& reaching, const SampleBrick& brick, const FactorRows& x,
                             const FactorRows& y, const FactorLines& z, float* sums) {
   constexpr int kSide = SampleBrick::kSide;
-  const std::size_t two_vectors = 2 * hn::Lanes(hn::CappedTag<float, ProductTile::kMaxLanes>());
-  const int planes = ProductTile::planes();
-  PlaneProducts products;
-  for (int first_y = 0; first_y < brick.count[kY]; first_y += planes) {
-    const std::uint64_t impulses = reaching.y[first_y / planes];
-    MultiplyPlanes(y, z, impulses, first_y, products);
-    for (int first_x = 0; first_x < brick.count[kX]; first_x += ProductTile::kX) {
-      for (std::size_t first = 0; first < static_cast<std::size_t>(planes * kSide); first += two_vectors) {
-        AddVectors(products, first, x, first_x, impulses & reaching.x[first_x / ProductTile::kX],
-                   sums + (first_x * kSide + first_y) * kSide + first);
+  for (Tile tile{0, 0, 0}; tile.y < brick.count[kY]; tile.y += PlaneVector::kPlanes) {
+    for (tile.x = 0; tile.x < brick.count[kX]; tile.x += reaching.x_side) {
+      const std::uint64_t impulses = reaching.x[tile.x] & reaching.y[tile.y];
+      for (tile.z = 0; tile.z < kSide; tile.z += PlaneVector::lanes()) {
+        float* const to = sums + (tile.x * kSide + tile.y) * kSide + tile.z;
+        if (reaching.x_side == 1) {
+          AddTile<1>(x, y, z, impulses, tile, to);
+        } else if (reaching.x_side == 4) {
+          AddTile<4>(x, y, z, impulses, tile, to);
+        } else {
+          AddTile<kSide>(x, y, z, impulses, tile, to);
+        }
       }
     }
   }

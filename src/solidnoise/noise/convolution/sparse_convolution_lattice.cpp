@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -12,20 +13,39 @@ namespace {
 constexpr double kMaxCellsInBlock = 1 << 18;
 
 // One axis of a lattice, located in the cells.
-struct LocatedAxis {
-  std::vector<CellPosition> positions;
-  int brick_side = 1;  // samples of one brick
-
-  // Impulses reach `reach` cells.
+class LocatedAxis {
+ public:
+  // Of the axis' samples. Impulses reach `reach` cells.
   template <int Dim>
-  LocatedAxis(const Lattice<Dim>& lattice, const CellAxis& cells, int axis, std::int64_t reach) {
-    positions.reserve(static_cast<std::size_t>(lattice.count[axis]));
-    for (int i = 0; i < lattice.count[axis]; ++i)
-      positions.push_back(cells.locate(lattice.coordinate(axis, i)));
+  void locate(const Lattice<Dim>& lattice, const CellAxis& cells, int axis, std::int64_t reach) {
+    const Key key{lattice.origin[axis], lattice.step[axis], lattice.first[axis], lattice.count[axis]};
+    if (key == key_) return;
+    key_ = key;
+    positions_.clear();
+    for (int i = 0; i < lattice.count[axis]; ++i) {
+      positions_.push_back(cells.locate(lattice.coordinate(axis, i)));
+    }
     const double span = std::min(CellAxis::kMaxSpan, CellAxis::kExact - static_cast<double>(reach));
-    const double samples = span * cells.size() / lattice.step[axis];
-    brick_side = samples >= SampleBrick::kSide ? SampleBrick::kSide : std::max(1, static_cast<int>(samples));
+    const double most = span * cells.size() / lattice.step[axis];
+    brick_side_ = most >= SampleBrick::kSide ? SampleBrick::kSide : std::max(1, static_cast<int>(most));
   }
+
+  const CellPosition* positions() const { return positions_.data(); }
+  int brick_side() const { return brick_side_; }  // samples of one brick
+
+ private:
+  struct Key {
+    double origin = 0.0;
+    double step = 0.0;
+    std::int64_t first = 0;
+    int count = 0;
+
+    bool operator==(const Key&) const = default;
+  };
+
+  Key key_;  // of what is located
+  std::vector<CellPosition> positions_;
+  int brick_side_ = 1;
 };
 
 }  // namespace
@@ -43,36 +63,30 @@ class SparseConvolution<Dim>::Block final : public NoiseBlock<Dim> {
   }
 
   void evaluate(const Lattice<Dim>& lattice, const Samples<Dim>& samples) const override {
-    std::vector<LocatedAxis> axes;
-    axes.reserve(Dim);
     for (int axis = 0; axis < Dim; ++axis) {
-      axes.emplace_back(lattice, noise_.process_.axes()[axis], axis, noise_.reach_[axis]);
+      axes_[axis].locate(lattice, noise_.process_.axes()[axis], axis, noise_.reach_[axis]);
     }
-
-    ImpulseList list(Dim);
     glm::vec<Dim, int> start(0);
     while (true) {
-      evaluate_brick(lattice, axes, start, list, samples);
+      evaluate_brick(lattice, start, samples);
       int axis = Dim - 1;
-      while (axis >= 0 && (start[axis] += side(axes, axis)) >= lattice.count[axis]) start[axis--] = 0;
+      while (axis >= 0 && (start[axis] += side(axis)) >= lattice.count[axis]) start[axis--] = 0;
       if (axis < 0) return;
     }
   }
 
  private:
   // A brick has one sample in time.
-  static int side(const std::vector<LocatedAxis>& axes, int axis) {
-    return role_of_axis<Dim>(axis) == kT ? 1 : axes[axis].brick_side;
-  }
+  int side(int axis) const { return role_of_axis<Dim>(axis) == kT ? 1 : axes_[axis].brick_side(); }
 
-  void evaluate_brick(const Lattice<Dim>& lattice, const std::vector<LocatedAxis>& axes,
-                      const glm::vec<Dim, int>& start, ImpulseList& list, const Samples<Dim>& samples) const {
+  void evaluate_brick(const Lattice<Dim>& lattice, const glm::vec<Dim, int>& start,
+                      const Samples<Dim>& samples) const {
     SampleBrick brick;
     Neighborhood neighborhood;
     for (int axis = 0; axis < Dim; ++axis) {
       const Role role = role_of_axis<Dim>(axis);
-      const CellPosition* positions = axes[axis].positions.data() + start[axis];
-      const int count = std::min(side(axes, axis), lattice.count[axis] - start[axis]);
+      const CellPosition* positions = axes_[axis].positions() + start[axis];
+      const int count = std::min(side(axis), lattice.count[axis] - start[axis]);
       neighborhood.first[axis] = positions[0].cell;
       neighborhood.last[axis] = positions[count - 1].cell;
       neighborhood.lower[role] = from_anchor(positions[0], positions[0].cell);
@@ -94,11 +108,11 @@ class SparseConvolution<Dim>::Block final : public NoiseBlock<Dim> {
       reach.into_last.fill(1.0f);
       local.emplace(noise_.process_, *noise_.kernel_, reach);
     }
-    noise_.gather(source_ ? *source_ : *local, neighborhood, list);
+    noise_.gather(source_ ? *source_ : *local, neighborhood, list_);
 
     BrickSums sums;
     const bool gradient = samples.wants_gradient();
-    noise_.kernel_->sum(list, brick, gradient ? Derivatives::gradient : Derivatives::none, sums);
+    noise_.kernel_->sum(list_, brick, gradient ? Derivatives::gradient : Derivatives::none, sums);
     scatter(lattice, start, brick, sums.value, static_cast<float>(noise_.amplitude_), samples.values);
     for (int axis = 0; gradient && axis < Dim; ++axis) {
       scatter(lattice, start, brick, sums.gradient[role_of_axis<Dim>(axis)], noise_.slope_[axis],
@@ -118,17 +132,25 @@ class SparseConvolution<Dim>::Block final : public NoiseBlock<Dim> {
       axis_stride *= lattice.count[axis];
     }
     constexpr int kSide = SampleBrick::kSide;
+    const bool in_lines = brick.count[kZ] == kSide && stride[kZ] == 1;
     for (int x = 0; x < brick.count[kX]; ++x) {
       for (int y = 0; y < brick.count[kY]; ++y) {
         float* const row = values.data() + offset + x * stride[kX] + y * stride[kY];
         const float* const sum = sums + (x * kSide + y) * kSide;
-        for (int z = 0; z < brick.count[kZ]; ++z) row[z * stride[kZ]] = factor * sum[z];
+        if (in_lines) {
+          for (int z = 0; z < kSide; ++z) row[z] = factor * sum[z];
+        } else {
+          for (int z = 0; z < brick.count[kZ]; ++z) row[z * stride[kZ]] = factor * sum[z];
+        }
       }
     }
   }
 
   SparseConvolution noise_;
   std::optional<Source> source_;
+  // Used again and again; a block belongs to one thread.
+  mutable std::array<LocatedAxis, Dim> axes_;
+  mutable ImpulseList list_{Dim};
 };
 
 // Of a noise that is 0.
