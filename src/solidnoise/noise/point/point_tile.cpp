@@ -88,7 +88,7 @@ PointTile<Dim>::PointTile(std::span<LocatedPoint<Dim>>& rest) : anchor(rest.fron
       const auto a = static_cast<std::size_t>(axis);
       lower[axis] = std::min(lower[axis], point.cell[axis]);
       upper[axis] = std::max(upper[axis], point.cell[axis]);
-      near = near && upper[axis] - lower[axis] < kTileCells;
+      near = near && upper[axis] - lower[axis] < kTileCells<Dim>;
       point.at[a] = static_cast<float>(point.cell[axis] - anchor[axis]) + point.fraction[a];
     }
     if (!near) break;

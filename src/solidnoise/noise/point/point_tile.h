@@ -33,7 +33,10 @@ CellPosition locate_point(const CellAxis& axis, double coordinate, std::size_t p
 // A tile is a run of points that are near each other, for which impulses are gathered together.
 inline constexpr std::size_t kTilePoints = 512;
 inline constexpr std::size_t kPatchPoints = 64;  // of a tile, for a first culling
-inline constexpr std::int64_t kTileCells = 6;    // most cells along an axis that the points of a tile lie in
+// Most cells along an axis that the points of a tile lie in. Few points in many cells are gathered for
+// together, as far as ImpulseCells can keep all cells around them.
+template <int Dim>
+inline constexpr std::int64_t kTileCells = Dim == 4 ? 3 : 6;
 
 // Takes a tile from the front of `points`: relates its points to a cell near them, its anchor. Differences
 // between positions relative to the anchor are exact.
