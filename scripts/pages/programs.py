@@ -11,7 +11,7 @@ import sys
 import tempfile
 import time
 
-REPETITIONS = 5
+REPETITIONS = 10
 
 
 COMMANDS = [  # what, its command, MB of the result: 4 bytes a voxel; positions and corners in double precision and 32 bits
