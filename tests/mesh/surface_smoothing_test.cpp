@@ -24,7 +24,7 @@ constexpr double kPi = std::numbers::pi;
 // of time r^2 / 8.
 TEST(SurfaceSmoothing, DiffusesAsTheHeatEquationDoes) {
   const SurfaceMesh square(graph_mesh(1.0, {.n = 60}, [](double, double) { return 0.0; }));
-  const auto frames = make_frames(square.normals());
+  const TangentFrames frames(square.normals());
   SurfaceSmoothing smoothing(square, frames);
   for (const double radius : {0.0, 0.3, 1.0}) {
     const auto before = [&](std::size_t p) { return std::cos(kPi * (square.positions()[p].x + 1.0)); };
@@ -39,7 +39,7 @@ TEST(SurfaceSmoothing, DiffusesAsTheHeatEquationDoes) {
 
 TEST(SurfaceSmoothing, KeepsConstantsAndParallelLines) {
   const SurfaceMesh cylinder(cylinder_mesh(0.7, 2.0, {.n = 20, .jitter = 0.3}));
-  const auto frames = make_frames(cylinder.normals());
+  const TangentFrames frames(cylinder.normals());
   SurfaceSmoothing smoothing(cylinder, frames);
   std::vector<ShapeOperator> shapes(cylinder.point_count());
   for (std::size_t p = 0; p < shapes.size(); ++p) {
@@ -58,7 +58,7 @@ TEST(SurfaceSmoothing, KeepsConstantsAndParallelLines) {
 // What leaves a place arrives elsewhere; nothing overshoots.
 TEST(SurfaceSmoothing, KeepsTheIntegralAndTheRange) {
   const SurfaceMesh torus(torus_mesh(2.0, 0.7, {.n = 24, .jitter = 0.35}));
-  const auto frames = make_frames(torus.normals());
+  const TangentFrames frames(torus.normals());
   SurfaceSmoothing smoothing(torus, frames);
   std::vector<ShapeOperator> shapes(torus.point_count());
   shapes[100].mean = 1.0;
@@ -74,7 +74,7 @@ TEST(SurfaceSmoothing, KeepsTheIntegralAndTheRange) {
 
 TEST(Transport, IsUndoneByTheWayBackAndKeepsAngles) {
   const SurfaceMesh sphere(sphere_mesh(1.0, {.n = 6, .jitter = 0.3}));
-  const auto frames = make_frames(sphere.normals());
+  const TangentFrames frames(sphere.normals());
   for (std::size_t a = 0; a < frames.size(); a += 7) {
     EXPECT_NEAR(glm::length(frames[a].first), 1.0, 1e-14);
     EXPECT_LT(glm::length(glm::cross(frames[a].first, frames[a].second) - frames[a].normal), 1e-14);

@@ -36,7 +36,7 @@ void gather(const SurfaceMesh& surface, const TangentFrame& frame, std::uint32_t
   }
 }
 
-std::vector<ShapeOperator> fit_shapes(const SurfaceMesh& surface, const std::vector<TangentFrame>& frames) {
+std::vector<ShapeOperator> fit_shapes(const SurfaceMesh& surface, const TangentFrames& frames) {
   constexpr std::size_t kNeighbours = 16;
   std::vector<ShapeOperator> shapes(surface.point_count());
   tbb::enumerable_thread_specific<RingSearch> searches([&] { return RingSearch(surface.neighbours()); });
@@ -62,7 +62,7 @@ void CurvatureOptions::validate() const {
 
 Curvature measure_curvature(const SurfaceMesh& surface, const CurvatureOptions& options) {
   options.validate();
-  const std::vector<TangentFrame> frames = make_frames(surface.normals());
+  const TangentFrames frames(surface.normals());
   std::vector<ShapeOperator> shapes = fit_shapes(surface, frames);
   if (options.rounds > 0 || options.radius > 0.0) {
     SurfaceSmoothing smoothing(surface, frames);
@@ -76,7 +76,7 @@ Curvature measure_curvature(const SurfaceMesh& surface, const CurvatureOptions& 
   Curvature curvature{std::vector<double>(count), std::vector<double>(count), std::vector<Vec<3>>(count),
                       std::vector<Vec<3>>(count)};
   tbb::parallel_for(std::size_t{0}, count, [&](std::size_t v) {
-    const TangentFrame& frame = frames[surface.point_of(v)];
+    const TangentFrame frame = frames[surface.point_of(v)];
     const ShapeOperator& shape = shapes[surface.point_of(v)];
     const double half_difference = std::abs(shape.line);
     curvature.k1[v] = shape.mean + half_difference;

@@ -23,7 +23,7 @@ Line axis_line(const TangentFrame& frame, const Vec<3>& axis) {
   return tangent == 0.0 ? 1.0 : line_at(tangent / std::abs(tangent));
 }
 
-std::vector<Vec<3>> to_directions(const SurfaceMesh& surface, const std::vector<TangentFrame>& frames,
+std::vector<Vec<3>> to_directions(const SurfaceMesh& surface, const TangentFrames& frames,
                                   const std::vector<Line>& lines) {
   std::vector<Vec<3>> directions(surface.vertex_count());
   for (std::size_t v = 0; v < directions.size(); ++v) {
@@ -35,7 +35,7 @@ std::vector<Vec<3>> to_directions(const SurfaceMesh& surface, const std::vector<
 
 // The line of larger curvature, of a length that tells how much larger: continuous where the two are the
 // same.
-std::vector<Line> lines_of(const SurfaceMesh& surface, const std::vector<TangentFrame>& frames,
+std::vector<Line> lines_of(const SurfaceMesh& surface, const TangentFrames& frames,
                            const Curvature& curvature) {
   std::vector<Line> lines(surface.point_count());
   for (std::size_t p = 0; p < lines.size(); ++p) {
@@ -65,8 +65,8 @@ double shortest_line(const SurfaceMesh& surface, const Curvature& curvature) {
 
 // Continues the lines that are longer than `shortest`, ring by ring: each point takes the mean of what its
 // neighbours of the rings before have. Returns whether a point was reached.
-std::vector<char> continue_lines(const SurfaceMesh& surface, const std::vector<TangentFrame>& frames,
-                                 double shortest, std::vector<Line>& lines) {
+std::vector<char> continue_lines(const SurfaceMesh& surface, const TangentFrames& frames, double shortest,
+                                 std::vector<Line>& lines) {
   std::vector<char> known(lines.size());
   std::vector<std::uint32_t> front;
   for (std::size_t p = 0; p < lines.size(); ++p) {
@@ -108,7 +108,7 @@ std::vector<Vec<3>> axis_directions(const SurfaceMesh& surface, const Vec<3>& ax
     throw std::invalid_argument(
         fmt::format("the axis is {} {} {}; it must be finite and not 0", axis.x, axis.y, axis.z));
   }
-  const std::vector<TangentFrame> frames = make_frames(surface.normals());
+  const TangentFrames frames(surface.normals());
   std::vector<Line> lines(surface.point_count());
   for (std::size_t p = 0; p < lines.size(); ++p) lines[p] = axis_line(frames[p], axis / length);
   return to_directions(surface, frames, lines);
@@ -121,7 +121,7 @@ std::vector<Vec<3>> curvature_directions(const SurfaceMesh& surface, const Curva
     throw std::invalid_argument(
         fmt::format("there are {} curvatures for {} vertices", curvature.size(), surface.vertex_count()));
   }
-  const std::vector<TangentFrame> frames = make_frames(surface.normals());
+  const TangentFrames frames(surface.normals());
   std::vector<Line> lines = lines_of(surface, frames, curvature);
   const double shortest = shortest_line(surface, curvature);
   const SurfaceSmoothing smoothing(surface, frames);

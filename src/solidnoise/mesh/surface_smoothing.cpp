@@ -166,12 +166,13 @@ double cotangent(const Vec<3>& a, const Vec<3>& b, const Vec<3>& c) {
 
 }  // namespace
 
-SurfaceSmoothing::SurfaceSmoothing(const SurfaceMesh& surface, const std::vector<TangentFrame>& frames)
+SurfaceSmoothing::SurfaceSmoothing(const SurfaceMesh& surface, const TangentFrames& frames)
     : surface_(surface), turns_(surface.neighbours().items.size()) {
   const Adjacency& neighbours = surface.neighbours();
   tbb::parallel_for(std::size_t{0}, surface.point_count(), [&](std::size_t p) {
+    const TangentFrame frame = frames[p];
     for (std::size_t k = neighbours.starts[p]; k < neighbours.starts[p + 1]; ++k) {
-      turns_[k] = std::complex<float>(line_at(transport(frames[neighbours.items[k]], frames[p])));
+      turns_[k] = std::complex<float>(line_at(transport(frames[neighbours.items[k]], frame)));
     }
   });
 }

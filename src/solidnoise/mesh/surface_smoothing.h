@@ -15,7 +15,7 @@ namespace solidnoise {
 class SurfaceSmoothing {
  public:
   // Keeps a reference to the surface.
-  SurfaceSmoothing(const SurfaceMesh& surface, const std::vector<TangentFrame>& frames);
+  SurfaceSmoothing(const SurfaceMesh& surface, const TangentFrames& frames);
 
   // One round: at each point the mean of its value and its neighbours', weighted by `weights` (>= 0, one per
   // point). Where all of these are 0, the value stays.

@@ -3,29 +3,11 @@
 #include <cmath>
 
 #include <glm/geometric.hpp>
-#include <tbb/parallel_for.h>
 
 namespace solidnoise {
 
 std::complex<double> TangentFrame::in_frame(const Vec<3>& tangent) const {
   return {glm::dot(tangent, first), glm::dot(tangent, second)};
-}
-
-// Duff et al. 2017, "Building an orthonormal basis, revisited": no branch and no loss of digits.
-TangentFrame make_frame(const Vec<3>& normal) {
-  const double sign = std::copysign(1.0, normal.z);
-  const double a = -1.0 / (sign + normal.z);
-  const double b = normal.x * normal.y * a;
-  return {{1.0 + sign * normal.x * normal.x * a, sign * b, -sign * normal.x},
-          {b, sign + normal.y * normal.y * a, -normal.y},
-          normal};
-}
-
-std::vector<TangentFrame> make_frames(const std::vector<Vec<3>>& normals) {
-  std::vector<TangentFrame> frames(normals.size());
-  tbb::parallel_for(std::size_t{0}, normals.size(),
-                    [&](std::size_t i) { frames[i] = make_frame(normals[i]); });
-  return frames;
 }
 
 std::complex<double> transport(const TangentFrame& from, const TangentFrame& to) {

@@ -1,8 +1,9 @@
 #pragma once
 
+#include <cmath>
 #include <complex>
 #include <cstddef>
-#include <vector>
+#include <span>
 
 #include "solidnoise/core/vec.h"
 
@@ -21,9 +22,29 @@ struct TangentFrame {
   }
 };
 
-// An arbitrary frame, the same for equal normals. `normal` is of length 1.
-TangentFrame make_frame(const Vec<3>& normal);
-std::vector<TangentFrame> make_frames(const std::vector<Vec<3>>& normals);
+// An arbitrary frame, the same for equal normals. `normal` is of length 1. Duff et al. 2017, "Building an
+// orthonormal basis, revisited": no branch and no loss of digits.
+inline TangentFrame make_frame(const Vec<3>& normal) {
+  const double sign = std::copysign(1.0, normal.z);
+  const double a = -1.0 / (sign + normal.z);
+  const double b = normal.x * normal.y * a;
+  return {{1.0 + sign * normal.x * normal.x * a, sign * b, -sign * normal.x},
+          {b, sign + normal.y * normal.y * a, -normal.y},
+          normal};
+}
+
+// The frames of many normals, each made when it is asked for: that is quicker than reading it.
+class TangentFrames {
+ public:
+  // Keeps a reference to the normals.
+  explicit TangentFrames(std::span<const Vec<3>> normals) : normals_(normals) {}
+
+  std::size_t size() const { return normals_.size(); }
+  TangentFrame operator[](std::size_t i) const { return make_frame(normals_[i]); }
+
+ private:
+  std::span<const Vec<3>> normals_;
+};
 
 // What a tangent vector at `from` is to be multiplied with to become one at `to`, carried by the smallest
 // rotation that takes one normal to the other (on a fine mesh, parallel transport). Of length 1.
