@@ -121,9 +121,9 @@ void describe_error(const VolumeRecipe& recipe, const Noise<3>& noise, const Vec
   double truncation = 0.0;
   double interpolation = 0.0;
   Json parts = Json::array();
-  for (const auto& part : plan_interpolation<3>(noise, voxel, allowed)) {
-    truncation += part.truncation / noise.variance();
-    interpolation += part.squared_error / noise.variance();
+  for (const auto& part : InterpolationPlanner<3>(noise, voxel).plan(allowed)) {
+    truncation += part.error.truncation / noise.variance();
+    interpolation += part.error.interpolation / noise.variance();
     Json evaluated = Json::object();
     for (const AxisStep& axis : part.axes) {
       if (part.direct()) continue;

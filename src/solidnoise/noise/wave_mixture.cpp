@@ -1,6 +1,7 @@
 #include "solidnoise/noise/wave_mixture.h"
 
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <numbers>
 
@@ -56,24 +57,43 @@ double WaveMixture<Dim>::covariance(const Vec<Dim>& x) const {
 }
 
 template <int Dim>
-std::vector<double> WaveMixture<Dim>::along(int axis, double step, int count) const {
-  std::vector<double> result(static_cast<std::size_t>(count), 0.0);
+double WaveMixture<Dim>::slope_variance(const Wave& wave, int axis) const {
+  const double turns = kTurn * wave.frequency[axis];
+  return turns * turns + std::numbers::pi * a * a;
+}
+
+template <int Dim>
+AxisCovariance WaveMixture<Dim>::along(int axis, double step, int count) const {
+  const auto size = static_cast<std::size_t>(count);
+  AxisCovariance sums;
+  for (auto* of : {&sums.value, &sums.value_to_slope, &sums.slope, &sums.lateral}) of->resize(size);
   for (const Wave& wave : waves) {
-    // cos(k t) by the recurrence cos((k + 1) t) = 2 cos t cos(k t) - cos((k - 1) t).
-    const double cosine = std::cos(kTurn * wave.frequency[axis] * step);
-    double before = cosine;
-    double current = 1.0;
-    for (double& covariance : result) {
-      covariance += wave.variance * current;
-      const double next = 2.0 * cosine * current - before;
-      before = current;
-      current = next;
+    double lateral = 0.0;
+    for (int other = 0; other < Dim; ++other) {
+      if (other != axis) lateral += wave.variance * slope_variance(wave, other);
+    }
+    const double turns = kTurn * wave.frequency[axis];
+    const std::complex<double> turn = std::polar(1.0, turns * step);
+    std::complex<double> phasor(1.0);
+    for (std::size_t k = 0; k < size; ++k, phasor *= turn) {
+      sums.value[k] += wave.variance * phasor.real();
+      sums.lateral[k] += lateral * phasor.real();
+      sums.value_to_slope[k] -= wave.variance * turns * phasor.imag();
+      sums.slope[k] += wave.variance * turns * turns * phasor.real();
     }
   }
-  for (std::size_t k = 0; a > 0.0 && k < result.size(); ++k) {
-    result[k] *= envelope_correlation(static_cast<double>(k) * step);
+  // The derivatives of the product of these and rho, for which rho' = -b x rho.
+  const double b = std::numbers::pi * a * a;
+  for (std::size_t k = 0; a > 0.0 && k < size; ++k) {
+    const double x = static_cast<double>(k) * step;
+    const double envelope = envelope_correlation(x);
+    sums.slope[k] = envelope * (sums.slope[k] + b * (1.0 - b * x * x) * sums.value[k] +
+                                2.0 * b * x * sums.value_to_slope[k]);
+    sums.value_to_slope[k] = envelope * (sums.value_to_slope[k] - b * x * sums.value[k]);
+    sums.value[k] *= envelope;
+    sums.lateral[k] *= envelope;
   }
-  return result;
+  return sums;
 }
 
 template <int Dim>

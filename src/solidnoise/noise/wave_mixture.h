@@ -6,6 +6,15 @@
 
 namespace solidnoise {
 
+// What the mean products of a field n and of its derivatives are, at distances 0, step, 2 step, ... along an
+// axis x.
+struct AxisCovariance {
+  std::vector<double> value;           // E n(0) n(x) = C
+  std::vector<double> value_to_slope;  // E n(0) dn/dx(x) = dC/dx
+  std::vector<double> slope;           // E dn/dx(0) dn/dx(x) = -d^2 C/dx^2
+  std::vector<double> lateral;         // E dn/dy(0) dn/dy(x), the sum over all other axes y
+};
+
 // The covariance of a stationary noise at places x apart, as a mixture of waves under one envelope:
 //   C(x) = product over axes of rho(x_i)  times  sum over waves k of v_k wave(2 pi w_k, x).
 // Every stationary noise here has that form: the waves are those that oriented kernels carry, under the
@@ -45,8 +54,11 @@ struct WaveMixture {
   // rho(x), 1 at 0.
   double envelope_correlation(double x) const;
 
-  // C at the distances 0, step, 2 step, ... along an axis, `count` of them.
-  std::vector<double> along(int axis, double step, int count) const;
+  // At `count` distances.
+  AxisCovariance along(int axis, double step, int count) const;
+
+  // The mean square of the derivative along an axis of a wave of unit variance.
+  double slope_variance(const Wave& wave, int axis) const;
 };
 
 // Directions that represent all directions of Dim dimensions together with their mirror images, all weights

@@ -3,12 +3,17 @@
 #include <span>
 #include <vector>
 
+#include "solidnoise/noise/wave_mixture.h"
+
 namespace solidnoise {
 
 // How one axis of a lattice is interpolated: from every `step`-th sample, `taps` of them for each sample.
 struct AxisStep {
   int step = 1;  // 1: not at all
   int taps = 1;  // even, where the step is above 1
+
+  // Distances of samples that weights reach over, 0 among them.
+  int distances() const { return step * taps + 1; }
 
   friend bool operator==(const AxisStep&, const AxisStep&) = default;
 };
@@ -17,11 +22,14 @@ struct AxisStep {
 // lies at the phase p = i mod step between coarse samples, they minimise the mean square error
 //   E (n(i) - sum over t of w_p[t] n(step (floor(i / step) - taps / 2 + 1 + t)))^2,
 // that is, they solve the normal equations in the field's own covariance (simple kriging, Wiener's
-// interpolation). At phase 0 they are 1 and 0: coarse samples stay as they are.
+// interpolation). At phase 0 they are 1 and 0: coarse samples stay as they are. Or, in the same way, the
+// weights that make the field's derivative along the axis, per world unit, from its values.
 class AxisWeights {
  public:
-  // `covariance` of the field at distances 0, 1, 2, ... samples, up to step * taps of them.
-  AxisWeights(AxisStep shape, std::span<const double> covariance);
+  enum class Of { values, slopes };
+
+  // `covariance` at the shape's distances, at least. Slopes need taps: steps of 1 are for values.
+  AxisWeights(AxisStep shape, const AxisCovariance& covariance, Of of = Of::values);
 
   const AxisStep& shape() const { return shape_; }
   std::span<const double> of_phase(int phase) const {
@@ -29,18 +37,15 @@ class AxisWeights {
                                        static_cast<std::size_t>(shape_.taps));
   }
 
-  // Mean square error, over all phases, of a field of this covariance (as the constructor's) that varies
-  // along this axis alone.
-  double squared_error(std::span<const double> covariance) const;
-
-  // What interpolation makes of a wave cos(k t) of sample k under an envelope: with H_p the response at phase
-  // p, relative to the wave, the means over the phases of H_p, which is real, and of |H_p|^2.
+  // Means over the phases: of the product of what is wanted and what the weights make of a field, and of the
+  // square of the latter. The mean square error is the variance of what is wanted - 2 product + square.
   struct Response {
-    double mean = 1.0;
-    double mean_square = 1.0;
+    double product = 1.0;
+    double square = 1.0;
   };
-  // `cosine` of t; `envelope` at distances as the constructor's covariance, empty for 1.
-  Response response(double cosine, std::span<const double> envelope) const;
+  // At the shape's distances: the field's covariance, and its covariance with what is wanted, which is the
+  // same for values.
+  Response response(std::span<const double> covariance, std::span<const double> wanted) const;
 
   // The mean over the phases of the sum of squared weights: the response to white noise.
   double white_response() const { return autocorrelation_[0]; }

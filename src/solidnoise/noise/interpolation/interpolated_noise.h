@@ -3,30 +3,22 @@
 #include <memory>
 #include <vector>
 
-#include "solidnoise/core/vec.h"
-#include "solidnoise/noise/interpolation/interpolation_plan.h"
+#include "solidnoise/noise/interpolation/lattice_interpolation.h"
 #include "solidnoise/noise/noise.h"
 
 namespace solidnoise {
 
-// The lattice that a noise is to be evaluated on: sample i of an axis is at origin + step * i, world units.
-// Blocks of it have other first samples and counts.
-template <int Dim>
-struct LatticeFrame {
-  Vec<Dim> origin{0.0};
-  Vec<Dim> step{1.0};  // > 0
-};
-
 // The noise as it is quickest on one lattice: a band-limited field is known from few samples. On blocks of
 // that lattice, each of the noise's parts is evaluated at every m-th sample of an axis and interpolated from
 // these by the weights that are best for its own covariance (AxisWeights), as plan_interpolation() chooses
-// within a root mean square error of `error` times the standard deviation. On other lattices, at scattered
-// points, and where gradients are wanted, it is the noise itself.
+// within a root mean square error of `error` times the standard deviation; the gradient from values at every
+// so many samples of its own, within `error` times the root mean square of its length. On other lattices and
+// at scattered points it is the noise itself.
 //
 // Coarse samples are those whose index is a multiple of m, counted from the frame's origin, so that a
 // sample's value does not depend on the block or lattice that it is asked for in. They are evaluated once, in
-// bricks, as far as samples that are asked for need them, and shared by all blocks: the noise keeps those used
-// last, up to 64 MB for each part. It may nevertheless be shared between threads.
+// bricks, as far as samples that are asked for need them, and shared by all blocks: the noise keeps those
+// used last, up to 64 MB for each part. It may nevertheless be shared between threads.
 //
 // Statistics are those of the noise. Returns the noise itself where nothing is to be gained.
 template <int Dim>

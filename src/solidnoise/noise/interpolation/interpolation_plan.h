@@ -1,10 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <vector>
 
 #include "solidnoise/core/vec.h"
-#include "solidnoise/noise/interpolation/axis_weights.h"
+#include "solidnoise/noise/interpolation/interpolation_error.h"
 #include "solidnoise/noise/noise.h"
 
 namespace solidnoise {
@@ -13,16 +15,10 @@ namespace solidnoise {
 template <int Dim>
 struct InterpolationPlan {
   std::array<AxisStep, Dim> axes{};
-  // Mean square error of the interpolation over all samples of the lattice, the part's amplitude included.
-  double squared_error = 0.0;
-  // That of the kernels, which are compact, as it is in the result: coarse lattices smooth it.
-  double truncation = 0.0;
+  LatticeError error;  // the part's amplitude included
 
   bool direct() const {
-    for (const AxisStep& axis : axes) {
-      if (axis.step > 1) return false;
-    }
-    return true;
+    return std::all_of(axes.begin(), axes.end(), [](const AxisStep& axis) { return axis == AxisStep{}; });
   }
 };
 
@@ -32,25 +28,46 @@ struct InterpolationPlan {
 // not split evenly: all parts pay the same price in time for the last bit of accuracy, so that low octaves,
 // which need few samples however accurate they are, leave it to the high ones.
 //
-// The error is in closed form, for the separable weights that are used: of a wave w under an envelope
-// (WaveMixture) it is v (1 - 2 prod A_i + prod B_i), with A_i and B_i the means over an axis' phases of the
-// response and of its square. It is the mean over all phases of the lattice, as the error that is measured
-// over a volume is, and as that of the kernel is a mean over space. The phase farthest from all samples has
-// up to sqrt(2) times as much where one sample of two is interpolated along each axis, and less else.
+// The error is in closed form (predict_error). It is the mean over all phases of the lattice, as the error
+// that is measured over a volume is, and as that of the kernel is a mean over space. The phase farthest from
+// all samples has up to sqrt(2) times as much where one sample of two is interpolated along each axis, and
+// less else.
 //
 // Nor may the differences of neighbouring samples, which shading and surfaces follow, be wrong by more than 5
 // times the error, relative to their own root mean square: where waves are long they are small, and weights
 // that change from one coarse sample to the next would show as lines. Errors of neighbours are taken as
 // independent; they are alike, and what is measured is a third of that.
 //
+// A gradient has a budget and a plan of its own: its error is relative to the root mean square of its length,
+// and it is made from the noise's values, by weights for slopes.
+//
 // What is not stationary is evaluated directly: a plan of steps 1, without error.
 template <int Dim>
-std::vector<InterpolationPlan<Dim>> plan_interpolation(const Noise<Dim>& noise, const Vec<Dim>& step,
-                                                       double error);
+class InterpolationPlanner {
+ public:
+  InterpolationPlanner(const Noise<Dim>& noise, const Vec<Dim>& step);
 
-// The weights along each axis of a part's plan.
-template <int Dim>
-std::vector<AxisWeights> interpolation_weights(const WaveMixture<Dim>& waves, const Vec<Dim>& step,
-                                               const InterpolationPlan<Dim>& plan);
+  // A plan for each part.
+  std::vector<InterpolationPlan<Dim>> plan(double error, Quantity quantity = Quantity::values) const;
+
+  // The weights of a part's plan.
+  LatticeWeights weights(std::size_t part, const InterpolationPlan<Dim>& plan, Quantity quantity) const;
+
+ private:
+  struct Part {
+    WaveMixture<Dim> waves;
+    std::array<AxisCovariance, Dim> along;
+    double power = 1.0;  // squared amplitude
+  };
+
+  double power_of(Quantity quantity) const;
+  LatticeError error_of(std::size_t part, const InterpolationPlan<Dim>& plan, Quantity quantity) const;
+
+  Vec<Dim> step_;
+  std::vector<Part> parts_;
+};
+
+extern template class InterpolationPlanner<2>;
+extern template class InterpolationPlanner<3>;
 
 }  // namespace solidnoise
