@@ -98,7 +98,7 @@ void make_slice(SliceOptions options) {
                                         : ProgressBar::Visibility::if_terminal);
     progress.begin("slice");
     for (const SliceField& of_channel : fields) {
-      channels.push_back(sample_slice(*of_channel.field, options.plane, &progress));
+      channels.push_back(sample_slice(*of_channel.source, options.plane, &progress));
     }
     ends_at_once.reset();
     throw_if_cancelled(&progress);

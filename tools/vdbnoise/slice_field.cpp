@@ -10,7 +10,10 @@
 #include <openvdb/tools/Interpolation.h>
 
 #include "solidnoise/core/points.h"
+#include "solidnoise/noise/error_budget.h"
+#include "solidnoise/noise/interpolation/interpolated_noise.h"
 #include "solidnoise/noise/moved_noise.h"
+#include "solidnoise/noise/plane_noise.h"
 #include "solidnoise/volume/field/shaped_noise_field.h"
 #include "solidnoise/volume/make_volume.h"
 #include "solidnoise/volume/topology/world_bounds.h"
@@ -41,7 +44,7 @@ class GridField final : public PointField {
 template <int Dim>
 class FlatNoiseField final : public PointField {
  public:
-  FlatNoiseField(std::unique_ptr<const Noise<Dim>> noise, RawShaping::Range range)
+  FlatNoiseField(std::shared_ptr<const Noise<Dim>> noise, RawShaping::Range range)
       : noise_(std::move(noise)), range_(range) {}
 
   void evaluate(std::span<const Vec<3>> positions, std::span<float> values) const override {
@@ -63,7 +66,7 @@ class FlatNoiseField final : public PointField {
   }
 
  private:
-  std::unique_ptr<const Noise<Dim>> noise_;
+  std::shared_ptr<const Noise<Dim>> noise_;
   RawShaping::Range range_;
 };
 
@@ -71,15 +74,36 @@ RawShaping::Range range_of(const VolumeRecipe& recipe) {
   return std::get<RawShaping>(recipe.shaping).range;
 }
 
+// The noise of the plane as it is quickest on the pixels, if that is not pixel by pixel.
+std::shared_ptr<const SliceSource> interpolated_source(const SliceOptions& options,
+                                                       const VolumeRecipe& recipe,
+                                                       const std::shared_ptr<const Noise<2>>& noise,
+                                                       const Vec<2>& first_pixel) {
+  if (recipe.exact || options.is_line()) return nullptr;
+  const LatticeFrame<2> frame{first_pixel, Vec<2>(options.plane.pixel)};
+  const auto interpolated = interpolate<2>(noise, frame, ErrorBudget(error_of(recipe.noise)).interpolation);
+  if (interpolated == noise) return nullptr;
+  return make_slice_source(interpolated, frame, range_of(recipe));
+}
+
 template <int Dim>
-SliceField make_flat_field(const VolumeRecipe& recipe) {
+SliceField make_flat_field(const SliceOptions& options, const VolumeRecipe& recipe) {
   Vec<Dim> offset;
   for (int axis = 0; axis < Dim; ++axis) offset[axis] = recipe.offset[axis];
-  auto noise = move_noise<Dim>(make_noise<Dim>(at_time(recipe.noise, recipe.time)), offset);
+  const std::shared_ptr<const Noise<Dim>> noise =
+      move_noise<Dim>(make_noise<Dim>(at_time(recipe.noise, recipe.time)), offset);
   SliceField result;
   result.sigma = std::sqrt(noise->variance());
   result.highest_frequency = noise->band().upper;
-  result.field = std::make_shared<FlatNoiseField<Dim>>(std::move(noise), range_of(recipe));
+  if constexpr (Dim == 2) {
+    const SlicePlane& plane = options.plane;
+    if (plane.right == Vec<3>(1.0, 0.0, 0.0) && plane.up == Vec<3>(0.0, 1.0, 0.0)) {
+      result.source = interpolated_source(options, recipe, noise, Vec<2>(plane.position(0, 0)));
+    }
+  }
+  if (!result.source) {
+    result.source = make_slice_source(std::make_shared<FlatNoiseField<Dim>>(noise, range_of(recipe)));
+  }
   return result;
 }
 
@@ -91,14 +115,22 @@ SliceField make_grid_field(const SliceOptions& options) {
     throw std::runtime_error(error.what());
   }
   if (grid->activeVoxelCount() == 0) throw std::runtime_error(options.file + ": no voxel of it is active");
-  return {std::make_shared<GridField>(grid), 0.0, 0.0, world_bounds(*grid)};
+  return {make_slice_source(std::make_shared<GridField>(grid)), 0.0, 0.0, world_bounds(*grid)};
 }
 
-SliceField make_noise_field(const VolumeRecipe& recipe) {
-  if (recipe.dims == 1) return make_flat_field<1>(recipe);
-  if (recipe.dims == 2) return make_flat_field<2>(recipe);
-  SliceField result{make_volume_points(recipe), 0.0, highest_frequency(recipe, {}), std::nullopt};
-  if (recipe.layers.empty()) result.sigma = std::sqrt(make_volume_noise(recipe)->variance());
+SliceField make_noise_field(const SliceOptions& options, const VolumeRecipe& recipe) {
+  if (recipe.dims == 1) return make_flat_field<1>(options, recipe);
+  if (recipe.dims == 2) return make_flat_field<2>(options, recipe);
+  SliceField result;
+  result.highest_frequency = highest_frequency(recipe, {});
+  if (recipe.layers.empty()) {
+    const std::shared_ptr<const Noise<3>> noise = make_volume_noise(recipe);
+    const SlicePlane& plane = options.plane;
+    result.sigma = std::sqrt(noise->variance());
+    result.source = interpolated_source(
+        options, recipe, on_plane(noise, {plane.position(0, 0), plane.right, plane.up}), Vec<2>(0.0));
+  }
+  if (!result.source) result.source = make_slice_source(make_volume_points(recipe));
   return result;
 }
 
@@ -107,12 +139,12 @@ SliceField make_noise_field(const VolumeRecipe& recipe) {
 std::vector<SliceField> make_slice_fields(const SliceOptions& options) {
   if (!options.file.empty()) return {make_grid_field(options)};
   const VolumeRecipe recipe = at_resolution(options.recipe, Vec<3>(options.plane.pixel));
-  if (!options.color) return {make_noise_field(recipe)};
+  if (!options.color) return {make_noise_field(options, recipe)};
   std::vector<SliceField> channels;
   for (int channel = 0; channel < 3; ++channel) {
     VolumeRecipe of_channel = recipe;
     of_channel.noise = channel_of(recipe.noise, channel);
-    channels.push_back(make_noise_field(of_channel));
+    channels.push_back(make_noise_field(options, of_channel));
   }
   return channels;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
 #include <tbb/parallel_for.h>
 
 #include "solidnoise/analysis/periodogram.h"
@@ -15,26 +16,19 @@
 namespace solidnoise {
 namespace {
 
-constexpr int kTileSide = 32;  // pixels; a value's last bits depend on where its tile begins
-
-// One tile, gathered, evaluated and scattered.
-void sample_tile(const PointField& field, const SlicePlane& plane, const glm::ivec2& first,
+// One tile, evaluated and put in its place.
+void sample_tile(const SliceSource& source, const SlicePlane& plane, const glm::ivec2& first,
                  DenseField<2>& slice) {
-  const glm::ivec2 last(std::min(first.x + kTileSide, plane.columns),
-                        std::min(first.y + kTileSide, plane.rows));
-  std::vector<Vec<3>> positions;
-  for (int column = first.x; column < last.x; ++column) {
-    for (int row = first.y; row < last.y; ++row) positions.push_back(plane.position(column, row));
-  }
-  std::vector<float> values(positions.size());
-  field.evaluate(positions, values);
+  const glm::ivec2 count = glm::min(glm::ivec2(source.tile_side()), slice.count - first);
+  const auto rows = static_cast<std::size_t>(count.y);
+  std::vector<float> values(static_cast<std::size_t>(count.x) * rows);
+  source.evaluate(plane, first, count, values);
   const ArrayShape<2> shape{slice.count};
-  const auto rows = static_cast<std::size_t>(last.y - first.y);
-  for (int column = first.x; column < last.x; ++column) {
-    const auto from =
-        values.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(column - first.x) * rows);
-    std::copy_n(from, rows,
-                slice.values.begin() + static_cast<std::ptrdiff_t>(shape.index({column, first.y})));
+  auto from = values.begin();
+  for (int column = first.x; column < first.x + count.x; ++column) {
+    const auto to = static_cast<std::ptrdiff_t>(shape.index({column, first.y}));
+    std::copy_n(from, rows, slice.values.begin() + to);
+    from += static_cast<std::ptrdiff_t>(rows);
   }
 }
 
@@ -54,14 +48,15 @@ float value_at(const DenseField<2>& slice, int column, int row) {
 
 }  // namespace
 
-DenseField<2> sample_slice(const PointField& field, const SlicePlane& plane, Progress* progress) {
+DenseField<2> sample_slice(const SliceSource& source, const SlicePlane& plane, Progress* progress) {
   DenseField<2> slice({plane.columns, plane.rows}, Vec<2>(plane.pixel));
-  const glm::ivec2 tiles = (slice.count + (kTileSide - 1)) / kTileSide;
+  const int side = source.tile_side();
+  const glm::ivec2 tiles = (slice.count + (side - 1)) / side;
   const int total = tiles.x * tiles.y;
   std::atomic<int> done = 0;
   tbb::parallel_for(0, total, [&](int tile) {
     throw_if_cancelled(progress);
-    sample_tile(field, plane, kTileSide * glm::ivec2(tile / tiles.y, tile % tiles.y), slice);
+    sample_tile(source, plane, side * glm::ivec2(tile / tiles.y, tile % tiles.y), slice);
     const int finished = ++done;
     if (progress) progress->advance(static_cast<std::uint64_t>(finished), static_cast<std::uint64_t>(total));
   });

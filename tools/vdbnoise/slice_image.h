@@ -12,9 +12,9 @@
 
 namespace solidnoise {
 
-// The field's values at the centres of the plane's pixels, in parallel; axis 0 goes to the right, axis 1 up.
+// The source's values at the centres of the plane's pixels, in parallel; axis 0 goes to the right, axis 1 up.
 // They are the same to the last bit for any number of threads. Throws Cancelled.
-DenseField<2> sample_slice(const PointField& field, const SlicePlane& plane, Progress* progress);
+DenseField<2> sample_slice(const SliceSource& source, const SlicePlane& plane, Progress* progress);
 
 // The values that are black and white in a picture of the slice.
 std::pair<double, double> shown_values(const SliceOptions& options, const SliceField& field,

@@ -234,6 +234,11 @@ void declare_slice_flags(FlagSet& flags, SliceOptions& options) {
                 [&](const std::vector<double>& v) { options.recipe.offset = to_vec3(v); });
   flags.toggle("--band-limit", "Gabor noises: filter out what the pixels cannot hold, exactly",
                [&] { options.recipe.band_limit = true; });
+  flags.toggle(
+      "--exact",
+      "Sum impulses at every pixel; without it, waves that pixels resolve well are interpolated from "
+      "fewer samples, within --error",
+      [&] { options.recipe.exact = true; });
   declare_time_flags(flags, options.recipe, "1|2|3|4");
   flags.group("Noise");
   declare_generator_flag(flags, options.recipe.noise, options.recipe.dims);

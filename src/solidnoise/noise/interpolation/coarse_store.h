@@ -20,8 +20,8 @@ namespace solidnoise {
 template <int Dim>
 class CoarseStore {
  public:
-  static constexpr int kBrickSide = 8;                             // samples
-  static constexpr int kTileBricks = Dim == 2 ? 16 : 4;            // along an axis
+  static constexpr int kBrickSide = Dim == 2 ? 32 : 8;             // samples
+  static constexpr int kTileBricks = 4;                            // along an axis
   static constexpr std::size_t kMostBytes = std::size_t{1} << 26;  // of the samples that are kept
 
   static constexpr std::size_t power(int side) {
