@@ -30,16 +30,16 @@ Lattice<Dim> leaf_lattice(const Index<Dim>& corner, int leaves, int leaf) {
   return lattice;
 }
 
-// Calls done() after each leaf.
+// Evaluates leaf by leaf into the same samples; calls done() after each.
 template <int Dim, typename Done>
-void evaluate_block(const Noise<Dim>& noise, const Index<Dim>& corner, int side, std::vector<float>& values,
-                    const Done& done) {
+void evaluate_block(const Noise<Dim>& noise, const Index<Dim>& corner, int side,
+                    const Samples<Dim>& leaf_samples, const Done& done) {
   const int leaves = side / kLeaf;
   Box<Dim> box{Vec<Dim>(corner), Vec<Dim>(corner)};
   for (int axis = 0; axis < 3; ++axis) box.upper[axis] += side - 1;
   const auto block = noise.block(box);
   for (int leaf = 0; leaf < leaves * leaves * leaves; ++leaf) {
-    block->evaluate(leaf_lattice<Dim>(corner, leaves, leaf), {.values = values});
+    block->evaluate(leaf_lattice<Dim>(corner, leaves, leaf), leaf_samples);
     done();
   }
 }

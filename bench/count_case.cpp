@@ -41,7 +41,7 @@ const std::map<std::string, Make, std::less<>>& cases() {
 
 // Instructions are counted in here; a name that a command line can give.
 extern "C" [[gnu::noinline]] void evaluate_case(const Noise<3>& noise, std::vector<float>& values) {
-  evaluate_block<3>(noise, Index<3>(0), kBlock, values, [] {});
+  evaluate_block<3>(noise, Index<3>(0), kBlock, {.values = values}, [] {});
 }
 
 int main(int argc, char** argv) {

@@ -15,9 +15,9 @@
 #include <benchmark/benchmark.h>
 #include <hwy/targets.h>
 
-#include "blocks.h"
-#include "budget_case.h"
+#include "block_bench.h"
 #include "point_bench.h"
+#include "quality_bench.h"
 #include "ratio_reporter.h"
 #include "reference/gabor_reference.h"
 #include "reference/kensler_reference.h"
@@ -28,29 +28,6 @@
 
 namespace solidnoise::bench {
 namespace {
-
-// A different block for each iteration, in the order in which a volume's blocks are filled.
-template <int Dim>
-Index<Dim> block_corner(std::int64_t iteration, int thread, int side = kBlock) {
-  Index<Dim> corner(0);
-  corner[0] = side * (iteration / 64);
-  corner[1] = side * (iteration / 8 % 8);
-  corner[2] = side * (iteration % 8 + 8 * thread);
-  return corner;
-}
-
-template <int Dim>
-void evaluate_blocks(benchmark::State& state, const Noise<Dim>& noise, int side = kBlock) {
-  std::vector<float> values(kLeaf * kLeaf * kLeaf);
-  std::int64_t iteration = 0;
-  for (auto _ : state) {
-    evaluate_block(noise, block_corner<Dim>(iteration++, state.thread_index(), side), side, values, [&] {
-      benchmark::DoNotOptimize(values.data());
-      benchmark::ClobberMemory();
-    });
-  }
-  state.SetItemsProcessed(state.iterations() * side * side * side);
-}
 
 // Point by point through one leaf; `Real` is the procedure's number type, `scale` its units per voxel.
 template <int Dim, typename Real, typename Procedure>
@@ -112,42 +89,6 @@ void add_isotropic(std::vector<Ratio>& ratios) {
       ratios.push_back({"the same, AVX2 only", name + "scalar", name + "avx2", 95.0, 110.0});
     }
   }
-}
-
-// Noise within an error of 2 %, every voxel summed, or split between the kernel and interpolation.
-void add_budget(std::vector<Ratio>& ratios, const BudgetCase& budget) {
-  constexpr int kSide = 64;  // of the blocks that volumes are filled in
-  using Make = std::shared_ptr<const Noise<3>> (BudgetCase::*)() const;
-  const auto add = [&](const std::string& suffix, Make make) {
-    benchmark::RegisterBenchmark((budget.name() + suffix).c_str(), [=](benchmark::State& state) {
-      evaluate_blocks<3>(state, *(budget.*make)(), kSide);  // made anew: it keeps samples
-    });
-  };
-  add("/direct", &BudgetCase::direct);
-  add("/budget", &BudgetCase::interpolated);
-  const bool goal = budget == BudgetCase{};
-  ratios.push_back({budget.name().substr(std::string("gabor/3/").size()) + " within 2 %, over direct",
-                    budget.name() + "/direct", budget.name() + "/budget", goal ? 3.0 : 1.0,
-                    goal ? 4.0 : 1.0});
-}
-
-void add_budgets(std::vector<Ratio>& ratios) {
-  for (const int impulses : {8, 32, 64, 256}) add_budget(ratios, {.impulses = impulses});
-  for (const int radius : {4, 6, 8, 32, 64, 128}) add_budget(ratios, {.radius = radius});
-  for (const int octaves : {2, 4, 8}) add_budget(ratios, {.octaves = octaves});
-}
-
-// Both generators of isotropic noise at the same frequency, excess kurtosis (0.5) and error, from a kernel of
-// 16 voxels' radius: equal in quality, not in the number of impulses.
-void add_equal_quality(std::vector<Ratio>& ratios) {
-  const double frequency = GaborNoise<3>(GaborNoiseOptions{.frequency = 1.0}).radius() / 16.0;
-  const std::string name = "gabor/3/equal-quality/";
-  register_noise<3>(name + "isotropic",
-                    std::make_shared<GaborNoise<3>>(GaborNoiseOptions{.frequency = frequency}));
-  register_noise<3>(name + "directions", std::make_shared<OrientedGaborNoise<3>>(
-                                             OrientedGaborNoiseOptions{.frequency = frequency}));
-  ratios.push_back({"random directions over isotropic kernels, equal kurtosis", name + "isotropic",
-                    name + "directions", 1.0, 4.0});
 }
 
 void add_oriented(std::vector<Ratio>& ratios) {

@@ -156,7 +156,7 @@ void expect_predicted_error(Options options, double samples_in_radius) {
   const ErrorBudget budget(options.error);
   const auto noise = std::make_shared<const Noise<3>>(with_truncation_share(options));
   const LatticeFrame<3> frame = frame_of<3>(support_of(*noise), samples_in_radius);
-  const auto plan = InterpolationPlanner<3>(*noise, frame.step).plan(budget.interpolation).front();
+  const auto plan = InterpolationPlanner<3>(*noise, frame).plan(budget.interpolation).front();
   ASSERT_FALSE(plan.direct());
   const double predicted = std::sqrt(plan.error.truncation + plan.error.interpolation);
   EXPECT_LE(predicted, options.error);
@@ -317,6 +317,30 @@ TEST(Interpolation, ForgottenSamplesComeBack) {
   EXPECT_EQ(at(0), expected);
 }
 
+// A period of 2 x 29 samples allows steps of 2, one of 29 none at all.
+TEST(Interpolation, RepeatsWithTheNoise) {
+  constexpr double kStep = 0.0625;
+  GaborNoiseOptions options{.frequency = 1.0, .impulses = 20.0};
+  options.period = {58 * kStep, 64 * kStep, 29 * 2 * kStep, 0.0};
+  const std::shared_ptr<const Noise<3>> noise = make_noise<3>({options, {}});
+  const LatticeFrame<3> frame{Vec<3>(0.0), Vec<3>(kStep, kStep, 2.0 * kStep), {58, 64, 29}};
+  for (const auto quantity : {Quantity::values, Quantity::gradient}) {
+    const auto plan = InterpolationPlanner<3>(*noise, frame).plan(0.01, quantity).front();
+    if (quantity == Quantity::gradient) {
+      EXPECT_TRUE(plan.direct());
+      continue;
+    }
+    EXPECT_EQ(plan.axes[0].step, 2);
+    EXPECT_EQ(64 % plan.axes[1].step, 0);
+    EXPECT_EQ(plan.axes[2].step, 1);
+  }
+  const auto interpolated = interpolate<3>(noise, frame, 0.01);
+  const auto values = values_of<3>(*interpolated, lattice_of<3>(frame, Index<3>(-3, 1, -11), 19));
+  for (const Index<3> shift : {Index<3>(58, 0, 0), Index<3>(0, -64, 0), Index<3>(58, 64, 29)}) {
+    EXPECT_EQ(values_of<3>(*interpolated, lattice_of<3>(frame, Index<3>(-3, 1, -11) + shift, 19)), values);
+  }
+}
+
 TEST(Interpolation, OtherLatticesAreOfTheNoiseItself) {
   for_each_interpolated([](const MakeAnew& anew, const Noise<3>& itself, const LatticeFrame<3>& frame) {
     const auto noise = anew();
@@ -358,7 +382,7 @@ TEST(Interpolation, ErrorOfTheGradientIsWithinATenthOfThePrediction) {
       SCOPED_TRACE(testing::Message() << "error " << error << ", " << radius << " samples");
       const auto check = [&](const auto& noise) {
         const LatticeFrame<3> frame = frame_of<3>(support_of(*noise), radius);
-        const auto plan = InterpolationPlanner<3>(*noise, frame.step).plan(error, Quantity::gradient).front();
+        const auto plan = InterpolationPlanner<3>(*noise, frame).plan(error, Quantity::gradient).front();
         ASSERT_FALSE(plan.direct());
         const Vec<3> power = noise->gradient_variance();
         const double mean_square = power.x + power.y + power.z;
@@ -470,7 +494,7 @@ TEST(Interpolation, LowOctavesLeaveTheBudgetToTheHighOnes) {
   recipe.fractal.octaves = 4;
   const auto noise = make_noise<3>(recipe);
   const double radius = GaborNoise<3>({.frequency = 1.0}).radius();
-  const auto plans = InterpolationPlanner<3>(*noise, Vec<3>(radius / 128.0)).plan(0.01);
+  const auto plans = InterpolationPlanner<3>(*noise, {Vec<3>(0.0), Vec<3>(radius / 128.0)}).plan(0.01);
   ASSERT_EQ(plans.size(), 4u);
   double total = 0.0;
   for (std::size_t k = 0; k < plans.size(); ++k) {

@@ -112,30 +112,51 @@ void describe_statistics(const Noise& noise, double largest_voxel, Json& json) {
   json["band_cycles_per_voxel"] = {band.lower * largest_voxel, band.upper * largest_voxel};
 }
 
-// Predicted root mean square errors relative to the noise's standard deviation, and how each octave, or band
-// of a noise by example, is evaluated: at every so many voxels along each axis, the others interpolated from
-// so many samples; or directly. Not of noises without an error.
-void describe_error(const VolumeRecipe& recipe, const Noise<3>& noise, const Vec<3>& voxel, Json& json) {
-  if (error_of(recipe.noise) == 0.0 || noise.variance() == 0.0) return;
-  const double allowed = recipe.exact ? 0.0 : ErrorBudget(error_of(recipe.noise)).interpolation;
-  double truncation = 0.0;
-  double interpolation = 0.0;
+// How each octave, or band of a noise by example, is evaluated: at every so many voxels along each axis, the
+// others interpolated from so many samples; or directly.
+Json describe_plans(const std::vector<InterpolationPlan<3>>& plans) {
   Json parts = Json::array();
-  for (const auto& part : InterpolationPlanner<3>(noise, voxel).plan(allowed)) {
-    truncation += part.error.truncation / noise.variance();
-    interpolation += part.error.interpolation / noise.variance();
+  for (const auto& plan : plans) {
     Json evaluated = Json::object();
-    for (const AxisStep& axis : part.axes) {
-      if (part.direct()) continue;
+    for (const AxisStep& axis : plan.axes) {
+      if (plan.direct()) continue;
       evaluated["step_voxels"].push_back(axis.step);
       evaluated["taps"].push_back(axis.taps);
     }
-    parts.push_back(part.direct() ? Json("direct") : evaluated);
+    parts.push_back(plan.direct() ? Json("direct") : evaluated);
+  }
+  return parts;
+}
+
+bool wants_gradient(const VolumeRecipe& recipe) {
+  return std::any_of(recipe.output.begin(), recipe.output.end(),
+                     [](Output output) { return output == Output::gradient || output == Output::curl; });
+}
+
+// Predicted root mean square errors relative to the noise's standard deviation, and to that of its gradient
+// where there is one in the volume. Not of noises without an error.
+void describe_error(const VolumeRecipe& recipe, const Noise<3>& noise, const GridFrame& frame, Json& json) {
+  if (error_of(recipe.noise) == 0.0 || noise.variance() == 0.0) return;
+  const double allowed = recipe.exact ? 0.0 : ErrorBudget(error_of(recipe.noise)).interpolation;
+  const InterpolationPlanner<3> planner(noise, voxel_lattice(recipe, frame));
+  const auto plans = planner.plan(allowed);
+  double truncation = 0.0;
+  double interpolation = 0.0;
+  for (const auto& part : plans) {
+    truncation += part.error.truncation / noise.variance();
+    interpolation += part.error.interpolation / noise.variance();
   }
   json["error"]["truncation"] = std::sqrt(truncation);
   json["error"]["interpolation"] = std::sqrt(interpolation);
   json["error"]["total"] = std::sqrt(truncation + interpolation);
-  json["evaluation"] = parts;
+  json["evaluation"] = describe_plans(plans);
+  if (!wants_gradient(recipe)) return;
+  const auto of_gradient = planner.plan(allowed, Quantity::gradient);
+  const Vec<3> power = noise.gradient_variance();
+  double error = 0.0;
+  for (const auto& part : of_gradient) error += part.error.interpolation / (power.x + power.y + power.z);
+  json["error"]["gradient_interpolation"] = std::sqrt(error);
+  json["gradient_evaluation"] = describe_plans(of_gradient);
 }
 
 // A noise whose kernels vary from place to place.
@@ -167,7 +188,7 @@ Json describe_noise(const VolumeRecipe& recipe, const VolumePlan& plan, double l
   if (plan.parameters) describe_parameters(*plan.parameters, json["from_grids"]);
   const auto noise = make_volume_noise(recipe);
   describe_statistics(*noise, largest_voxel, json);
-  describe_error(recipe, *noise, plan.frame.voxel_size(), json);
+  describe_error(recipe, *noise, plan.frame, json);
   return json;
 }
 

@@ -80,7 +80,10 @@ std::shared_ptr<const SliceSource> interpolated_source(const SliceOptions& optio
                                                        const std::shared_ptr<const Noise<2>>& noise,
                                                        const Vec<2>& first_pixel) {
   if (recipe.exact || options.is_line()) return nullptr;
-  const LatticeFrame<2> frame{first_pixel, Vec<2>(options.plane.pixel)};
+  LatticeFrame<2> frame{first_pixel, Vec<2>(options.plane.pixel)};
+  for (const auto& [axis, direction] : {std::pair(0, options.plane.right), std::pair(1, options.plane.up)}) {
+    frame.period[axis] = whole_period(period_along(direction, recipe.noise), frame.step[axis]);
+  }
   const auto interpolated = interpolate<2>(noise, frame, ErrorBudget(error_of(recipe.noise)).interpolation);
   if (interpolated == noise) return nullptr;
   return make_slice_source(interpolated, frame, range_of(recipe));

@@ -136,15 +136,6 @@ void turn_plane(SliceOptions& options) {
                      options.up.value_or(from_above ? Vec<3>(0.0, 0.0, -1.0) : Vec<3>(0.0, 1.0, 0.0)));
 }
 
-// The period along the direction of an axis; 0 for none.
-double period_along(const Vec<3>& direction, const NoiseRecipe& noise) {
-  const Vec<4> period = std::visit([](const auto& options) { return options.period; }, noise.noise);
-  for (int axis = 0; axis < 3; ++axis) {
-    if (std::abs(direction[axis]) == 1.0) return period[axis];
-  }
-  return 0.0;
-}
-
 // The plane is one period wide unless it is told otherwise, where the noise has one along it.
 void size_plane(SliceOptions& options) {
   SlicePlane& plane = options.plane;
@@ -223,6 +214,14 @@ void check_recipe(const SliceOptions& options) {
 }
 
 }  // namespace
+
+double period_along(const Vec<3>& direction, const NoiseRecipe& noise) {
+  const Vec<4> period = std::visit([](const auto& options) { return options.period; }, noise.noise);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::abs(direction[axis]) == 1.0) return period[axis];
+  }
+  return 0.0;
+}
 
 void declare_slice_flags(FlagSet& flags, SliceOptions& options) {
   flags.optional_argument("FILE.vdb", "A volume whose grid is sliced, instead of a noise", options.file);

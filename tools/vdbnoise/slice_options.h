@@ -42,6 +42,10 @@ struct SliceOptions {
   bool is_line() const { return out.ends_with(".csv"); }
 };
 
+// After how many world units along a direction of the plane the noise repeats; 0 if it does not, or if the
+// direction is none of its axes.
+double period_along(const Vec<3>& direction, const NoiseRecipe& noise);
+
 // Declares all flags. Before they are applied the caller puts the recipe that they override into `options`.
 void declare_slice_flags(FlagSet& flags, SliceOptions& options);
 

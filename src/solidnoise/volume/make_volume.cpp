@@ -180,7 +180,7 @@ std::shared_ptr<const Noise<3>> make_framed(const VolumeRecipe& recipe, const Ma
 std::shared_ptr<const Noise<3>> on_voxels(const VolumeRecipe& recipe, std::shared_ptr<const Noise<3>> noise,
                                           const GridFrame& frame) {
   if (recipe.exact) return noise;
-  return interpolate<3>(std::move(noise), {frame.origin(), frame.voxel_size()},
+  return interpolate<3>(std::move(noise), voxel_lattice(recipe, frame),
                         ErrorBudget(error_of(recipe.noise)).interpolation);
 }
 
@@ -288,6 +288,13 @@ std::unique_ptr<PointField> make_volume_points(const VolumeRecipe& recipe) {
   const auto* const raw = std::get_if<RawShaping>(&recipe.shaping);
   if (!raw) throw std::invalid_argument("a field at points is of raw noise; shaped noise is on voxels only");
   return make_raw_points(recipe, *raw);
+}
+
+LatticeFrame<3> voxel_lattice(const VolumeRecipe& recipe, const GridFrame& frame) {
+  LatticeFrame<3> lattice{frame.origin(), frame.voxel_size()};
+  const Vec<4> period = std::visit([](const auto& options) { return options.period; }, recipe.noise.noise);
+  for (int axis = 0; axis < 3; ++axis) lattice.period[axis] = whole_period(period[axis], lattice.step[axis]);
+  return lattice;
 }
 
 std::shared_ptr<const Noise<3>> make_voxel_noise(const VolumeRecipe& recipe, const GridFrame& frame) {

@@ -8,6 +8,7 @@
 
 #include "solidnoise/core/box.h"
 #include "solidnoise/core/progress.h"
+#include "solidnoise/noise/interpolation/lattice_frame.h"
 #include "solidnoise/volume/field/distance_spline.h"
 #include "solidnoise/volume/field/point_field.h"
 #include "solidnoise/volume/modify/modify_volume.h"
@@ -62,6 +63,9 @@ std::optional<double> measure_density_factor(const VolumeRecipe& recipe, const V
 // dimensions. Parameters are the recipe's own, not those of grids. Of a recipe with band_limit take it
 // at_resolution(); throws std::invalid_argument.
 std::shared_ptr<const Noise<3>> make_volume_noise(const VolumeRecipe& recipe);
+
+// The lattice of a grid's voxels, with the period of the recipe's noise where that is a whole number of them.
+LatticeFrame<3> voxel_lattice(const VolumeRecipe& recipe, const GridFrame& frame);
 
 // The same, evaluated on these voxels by as few samples as the recipe's error allows (interpolate()), unless
 // the recipe is exact.

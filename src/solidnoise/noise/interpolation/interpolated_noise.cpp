@@ -94,7 +94,7 @@ class InterpolatedNoise final : public Noise<Dim> {
 template <int Dim>
 std::shared_ptr<const Noise<Dim>> interpolate(std::shared_ptr<const Noise<Dim>> noise,
                                               const LatticeFrame<Dim>& frame, double error) {
-  const InterpolationPlanner<Dim> planner(*noise, frame.step);
+  const InterpolationPlanner<Dim> planner(*noise, frame);
   const auto of_values = planner.plan(error, Quantity::values);
   const auto of_gradient = planner.plan(error, Quantity::gradient);
   const auto follow = [&](const std::shared_ptr<const Noise<Dim>>& part,

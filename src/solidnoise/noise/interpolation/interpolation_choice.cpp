@@ -32,13 +32,15 @@ double squared_error(AxisStep shape, const AxisCovariance& covariance, Quantity 
          squared_error(values, covariance.lateral);
 }
 
-// Each way that errs by no more than `budget`. Values may do without; slopes have weights at a step of 1,
-// too.
-std::vector<AxisOption> axis_options(const AxisCovariance& covariance, Quantity quantity, double budget) {
+// Each way that errs by no more than `budget` and divides the period (samples; 0 for none). Values may do
+// without; slopes have weights at a step of 1, too.
+std::vector<AxisOption> axis_options(const AxisCovariance& covariance, Quantity quantity, double budget,
+                                     int period) {
   std::vector<AxisOption> options;
   if (quantity == Quantity::values) options.push_back({AxisStep{}, 0.0});
   for (const int taps : kTaps) {
     for (const int step : kSteps) {
+      if (period % step != 0) continue;
       const double error = squared_error({step, taps}, covariance, quantity);
       if (error > budget) break;  // it grows with the step
       options.push_back({{step, taps}, error});
@@ -114,15 +116,17 @@ double choose(const std::vector<PartChoice<Dim>>& parts, double price, std::vect
 
 template <int Dim>
 PartChoice<Dim>::PartChoice(const WaveMixture<Dim>& waves, const std::array<AxisCovariance, Dim>& along,
-                            double power, const Vec<Dim>& step, double budget, Quantity quantity) {
-  options_.push_back({.cost = cost_per_sample<Dim>(waves, step, {}, quantity)});
+                            double power, const LatticeFrame<Dim>& frame, double budget, Quantity quantity) {
+  options_.push_back({.cost = cost_per_sample<Dim>(waves, frame.step, {}, quantity)});
   if (waves.waves.empty() || budget == 0.0) return;
   std::array<std::vector<AxisOption>, Dim> per_axis;
   for (std::size_t axis = 0; axis < Dim; ++axis) {
-    per_axis[axis] = axis_options(along[axis], quantity, budget / power);
+    per_axis[axis] =
+        axis_options(along[axis], quantity, budget / power, frame.period[static_cast<int>(axis)]);
   }
   for_each_combination<Dim>(per_axis, [&](const std::array<AxisStep, Dim>& axes, double squared_error) {
-    options_.push_back({axes, cost_per_sample<Dim>(waves, step, axes, quantity), power * squared_error});
+    options_.push_back(
+        {axes, cost_per_sample<Dim>(waves, frame.step, axes, quantity), power * squared_error});
   });
   // Keep the best.
   std::stable_sort(options_.begin(), options_.end(), [](const Option& a, const Option& b) {

@@ -6,6 +6,7 @@
 
 #include "solidnoise/core/vec.h"
 #include "solidnoise/noise/interpolation/interpolation_error.h"
+#include "solidnoise/noise/interpolation/lattice_frame.h"
 
 namespace solidnoise {
 
@@ -26,7 +27,7 @@ class PartChoice {
   // Of a part of this mean square amplitude, with errors up to `budget`. `along` each axis up to the
   // distances of the widest step; `step` in world units per axis.
   PartChoice(const WaveMixture<Dim>& waves, const std::array<AxisCovariance, Dim>& along, double power,
-             const Vec<Dim>& step, double budget, Quantity quantity);
+             const LatticeFrame<Dim>& frame, double budget, Quantity quantity);
 
   const std::vector<Option>& options() const { return options_; }
 

@@ -16,7 +16,8 @@ constexpr double kDifferenceError = 5.0;
 }  // namespace
 
 template <int Dim>
-InterpolationPlanner<Dim>::InterpolationPlanner(const Noise<Dim>& noise, const Vec<Dim>& step) : step_(step) {
+InterpolationPlanner<Dim>::InterpolationPlanner(const Noise<Dim>& noise, const LatticeFrame<Dim>& frame)
+    : frame_(frame) {
   for (const auto& part : noise.parts()) {
     parts_.push_back({part.noise->waves(), {}, part.amplitude * part.amplitude});
   }
@@ -24,7 +25,7 @@ InterpolationPlanner<Dim>::InterpolationPlanner(const Noise<Dim>& noise, const V
   for (Part& part : parts_) {
     for (int axis = 0; axis < Dim; ++axis) {
       part.along[static_cast<std::size_t>(axis)] =
-          part.waves.along(axis, step[axis], kWidestStep.distances());
+          part.waves.along(axis, frame.step[axis], kWidestStep.distances());
     }
   }
 }
@@ -53,7 +54,7 @@ LatticeError InterpolationPlanner<Dim>::error_of(std::size_t part, const Interpo
   const auto& [waves, along, power] = parts_[part];
   LatticeError error;
   if (!plan.direct()) {
-    error = predict_error<Dim>(waves, step_, weights(part, plan, quantity));
+    error = predict_error<Dim>(waves, frame_.step, weights(part, plan, quantity));
   } else if (quantity == Quantity::values) {
     error.truncation = waves.truncation;
   }
@@ -79,7 +80,7 @@ std::vector<InterpolationPlan<Dim>> InterpolationPlanner<Dim>::plan(double error
   const double budget = error * error * power_of(quantity);
   std::vector<PartChoice<Dim>> choices;
   for (const auto& [waves, along, power] : parts_) {
-    choices.emplace_back(waves, along, power, step_, budget, quantity);
+    choices.emplace_back(waves, along, power, frame_, budget, quantity);
   }
   std::vector<InterpolationPlan<Dim>> plans(parts_.size());
 

@@ -7,6 +7,7 @@
 
 #include "solidnoise/core/vec.h"
 #include "solidnoise/noise/interpolation/interpolation_error.h"
+#include "solidnoise/noise/interpolation/lattice_frame.h"
 #include "solidnoise/noise/noise.h"
 
 namespace solidnoise {
@@ -41,11 +42,13 @@ struct InterpolationPlan {
 // A gradient has a budget and a plan of its own: its error is relative to the root mean square of its length,
 // and it is made from the noise's values, by weights for slopes.
 //
+// Steps divide the lattice's periods, so that the same samples are interpolated after one.
+//
 // What is not stationary is evaluated directly: a plan of steps 1, without error.
 template <int Dim>
 class InterpolationPlanner {
  public:
-  InterpolationPlanner(const Noise<Dim>& noise, const Vec<Dim>& step);
+  InterpolationPlanner(const Noise<Dim>& noise, const LatticeFrame<Dim>& frame);
 
   // A plan for each part.
   std::vector<InterpolationPlan<Dim>> plan(double error, Quantity quantity = Quantity::values) const;
@@ -63,7 +66,7 @@ class InterpolationPlanner {
   double power_of(Quantity quantity) const;
   LatticeError error_of(std::size_t part, const InterpolationPlan<Dim>& plan, Quantity quantity) const;
 
-  Vec<Dim> step_;
+  LatticeFrame<Dim> frame_;
   std::vector<Part> parts_;
 };
 

@@ -9,17 +9,10 @@
 #include "solidnoise/noise/interpolation/coarse_samples.h"
 #include "solidnoise/noise/interpolation/interpolate_axis.h"
 #include "solidnoise/noise/interpolation/interpolation_error.h"
+#include "solidnoise/noise/interpolation/lattice_frame.h"
 #include "solidnoise/noise/noise.h"
 
 namespace solidnoise {
-
-// The lattice that a noise is to be evaluated on: sample i of an axis is at origin + step * i, world units.
-// Blocks of it have other first samples and counts.
-template <int Dim>
-struct LatticeFrame {
-  Vec<Dim> origin{0.0};
-  Vec<Dim> step{1.0};  // > 0
-};
 
 // A noise on one lattice, with the weights that its samples are interpolated by. May be shared between
 // threads.

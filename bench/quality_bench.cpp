@@ -1,0 +1,64 @@
+#include "quality_bench.h"
+
+#include <memory>
+#include <string>
+
+#include "block_bench.h"
+#include "budget_case.h"
+#include "equal_quality.h"
+
+namespace solidnoise::bench {
+namespace {
+
+constexpr int kSide = 64;  // of the blocks that volumes are filled in
+
+// Noise within an error of 2 %, every voxel summed, or split between the kernel and interpolation.
+void add_budget(std::vector<Ratio>& ratios, const BudgetCase& budget, Quantity quantity = Quantity::values) {
+  const bool gradient = quantity == Quantity::gradient;
+  const std::string name = budget.name() + (gradient ? "/gradient" : "");
+  using Make = std::shared_ptr<const Noise<3>> (BudgetCase::*)() const;
+  const auto add = [&](const std::string& suffix, Make make) {
+    benchmark::RegisterBenchmark((name + suffix).c_str(), [=](benchmark::State& state) {
+      evaluate_blocks<3>(state, *(budget.*make)(), kSide, quantity);  // made anew: it keeps samples
+    });
+  };
+  add("/direct", &BudgetCase::direct);
+  add("/budget", &BudgetCase::interpolated);
+  const bool goal = budget == BudgetCase{} && !gradient;
+  ratios.push_back({name.substr(std::string("gabor/3/").size()) + " within 2 %, over direct",
+                    name + "/direct", name + "/budget", goal ? 3.0 : 1.0, goal ? 4.0 : 1.0});
+}
+
+}  // namespace
+
+void add_budgets(std::vector<Ratio>& ratios) {
+  for (const int impulses : {8, 32, 64, 256}) add_budget(ratios, {.impulses = impulses});
+  for (const int radius : {4, 6, 8, 32, 64, 128}) add_budget(ratios, {.radius = radius});
+  for (const int octaves : {2, 4, 8}) add_budget(ratios, {.octaves = octaves});
+  for (const int radius : {16, 32, 64}) add_budget(ratios, {.radius = radius}, Quantity::gradient);
+}
+
+// Generators of the same quality, not of the same number of impulses.
+void add_equal_quality(std::vector<Ratio>& ratios) {
+  const std::string name = "equal-quality/3/";
+  using Make = std::shared_ptr<const Noise<3>> (*)(Generator);
+  const auto add = [&](const std::string& suffix, Make make, Generator generator) {
+    benchmark::RegisterBenchmark((name + suffix).c_str(), [=](benchmark::State& state) {
+      evaluate_blocks<3>(state, *make(generator), kSide);
+    });
+  };
+  add("isotropic/direct", equal_quality_direct, Generator::isotropic);
+  add("directions/direct", equal_quality_direct, Generator::directions);
+  add("isotropic/budget", equal_quality_budget, Generator::isotropic);
+  add("directions/budget", equal_quality_budget, Generator::directions);
+  add("kensler", equal_quality_direct, Generator::kensler);
+  const auto compare = [&](const std::string& title, const std::string& slow, const std::string& fast) {
+    ratios.push_back({"equal quality: " + title, name + slow, name + fast, 1.0, 1.0});
+  };
+  compare("random directions over isotropic kernels", "isotropic/direct", "directions/direct");
+  compare("random directions over isotropic kernels, within 2 %", "isotropic/budget", "directions/budget");
+  compare("Kensler over random directions", "directions/direct", "kensler");
+  compare("Kensler over random directions, within 2 %", "directions/budget", "kensler");
+}
+
+}  // namespace solidnoise::bench

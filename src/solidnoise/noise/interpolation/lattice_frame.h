@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cmath>
+
+#include "solidnoise/core/vec.h"
+
+namespace solidnoise {
+
+// The lattice that a noise is to be evaluated on: sample i of an axis is at origin + step * i, world units.
+// Blocks of it have other first samples and counts.
+template <int Dim>
+struct LatticeFrame {
+  Vec<Dim> origin{0.0};
+  Vec<Dim> step{1.0};  // > 0
+  // Samples after which the noise repeats along each axis, and what is interpolated is to repeat, too; 0 for
+  // never.
+  glm::vec<Dim, int> period{0};
+};
+
+// The samples of a period (world units; 0 for none) where that is a whole number of steps; else 0.
+inline int whole_period(double period, double step) {
+  constexpr double kTolerance = 1e-6;  // of a step
+  const double samples = std::round(period / step);
+  if (samples > 0x1p30 || std::abs(period / step - samples) > kTolerance) return 0;
+  return static_cast<int>(samples);
+}
+
+}  // namespace solidnoise
