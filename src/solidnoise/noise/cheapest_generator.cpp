@@ -13,7 +13,7 @@ namespace {
 
 // The time that one impulse of an oriented kernel takes, over that of one of an isotropic kernel (bench/, in
 // three dimensions at a radius of 16 voxels).
-constexpr double kOrientedImpulse = 0.8;
+constexpr double kOrientedImpulse = 0.96;
 
 template <typename To, typename From>
 To convert(const From& from) {

@@ -55,7 +55,7 @@ template <int Dim>
 double cost_per_sample(const WaveMixture<Dim>& waves, const Vec<Dim>& step,
                        const std::array<AxisStep, Dim>& axes, Quantity quantity) {
   constexpr double kLeaf = 8.0;  // samples along a leaf's side, which needs coarse samples around it, too
-  constexpr double kPerImpulse = 0.195;
+  constexpr double kPerImpulse = 0.155;
   constexpr double kCrowding = 12.0;
   constexpr double kPerTap = 0.04;
   constexpr double kDirectGradient = 2.2;  // times the cost of a value
