@@ -13,7 +13,7 @@ struct Ratio {
   std::string title;
   std::string slow;  // names of the two benchmarks
   std::string fast;
-  double at_least = 0.0;  // what is to be reached
+  double at_least = 0.0;  // what is to be reached; 0: nothing in particular
   double aim = 0.0;       // what is hoped for
 };
 

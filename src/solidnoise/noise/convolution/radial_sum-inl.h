@@ -29,8 +29,8 @@ HWY_INLINE V SquaredExcess(D d, const float* positions, float lower, float upper
   return hn::Mul(excess, excess);
 }
 
-// A brick is summed in columns of 2 x 4 samples in (y, z), and these in pairs of x: small units, for what
-// reaches one of them should reach most of its samples.
+// A brick is summed in columns of 4 x 4 samples in (y, z), and these in pairs of x: small units, for what
+// reaches one of them should reach most of its samples. Smaller ones, of single planes, take 5 % longer.
 struct Column {
   static constexpr int kY = 4;
   static constexpr int kZ = 4;
