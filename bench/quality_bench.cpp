@@ -33,6 +33,7 @@ void add_budget(std::vector<Ratio>& ratios, const BudgetCase& budget, Quantity q
 
 void add_budgets(std::vector<Ratio>& ratios) {
   for (const int impulses : {8, 32, 64, 256}) add_budget(ratios, {.impulses = impulses});
+  for (const int impulses : {8, 64, 256}) add_budget(ratios, {.impulses = impulses, .radius = 64});
   for (const int radius : {4, 6, 8, 32, 64, 128}) add_budget(ratios, {.radius = radius});
   for (const int octaves : {2, 4, 8}) add_budget(ratios, {.octaves = octaves});
   for (const int radius : {16, 32, 64}) add_budget(ratios, {.radius = radius}, Quantity::gradient);

@@ -62,11 +62,12 @@ def stages(data):
 
 def draw_curves(times, page):
     figure, axes = plt.subplots(1, 3, figsize=(13, 3.8), constrained_layout=True)
-    for suffix, label in (("direct", "every voxel summed"), ("budget", "within 2 %, interpolated")):
-        axes[0].plot(*curve(times, rf"gabor/3/isotropic/N(\d+)/R16/{suffix}"), "o-", label=label)
+    for suffix, label, color in (("direct", "every voxel summed", "C0"), ("budget", "within 2 %, interpolated", "C1")):
+        for radius, style in (("16", "o-"), ("64", "o--")):
+            axes[0].plot(*curve(times, rf"gabor/3/isotropic/N(\d+)/R{radius}/{suffix}"), style, color=color, label=f"{label}, R{radius}")
         axes[1].plot(*curve(times, rf"gabor/3/isotropic/N32/R(\d+)/{suffix}"), "o-", label=label)
         axes[2].plot(*curve(times, rf"gabor/3/isotropic/N32/R16(?:x(\d+))?/{suffix}"), "o-", label=label)
-    for axis, title in zip(axes, ("impulses per kernel N, R16", "kernel radius in voxels R, N32", "octaves, the highest R16 N32")):
+    for axis, title in zip(axes, ("impulses per kernel N", "kernel radius in voxels R, N32", "octaves, the highest R16 N32")):
         axis.set_xscale("log", base=2)
         axis.set_xticks(axis.lines[0].get_xdata(), [str(x) for x in axis.lines[0].get_xdata()])
         axis.minorticks_off()
@@ -74,7 +75,7 @@ def draw_curves(times, page):
         axis.yaxis.set_major_formatter("{x:g}")
         axis.set_xlabel(title)
     axes[0].set_ylabel("ns per voxel, one thread")
-    axes[0].legend()
+    axes[0].legend(fontsize=8)
     page.picture(figure, "curves", "Time per voxel against impulses, radius and octaves")
 
 
