@@ -117,6 +117,14 @@ TEST(Interpolation, ValuesDoNotDependOnWhetherTheGradientIsWanted) {
   });
 }
 
+// 11 voxels in a kernel's radius: values are interpolated, gradients are not.
+TEST(Interpolation, LeavesANoiseAloneWhoseGradientIsWantedAndSummed) {
+  const auto noise = std::make_shared<const GaborNoise<3>>(GaborNoiseOptions{.impulses = 20.0});
+  const LatticeFrame<3> frame{Vec<3>(0.0), Vec<3>(noise->radius() / 11.0)};
+  EXPECT_NE(interpolate<3>(noise, frame, 0.01), noise);
+  EXPECT_EQ(interpolate<3>(noise, frame, 0.01, Quantity::gradient), noise);
+}
+
 TEST(Interpolation, ThreadsShareANoise) {
   for_each_interpolated([](const MakeAnew& anew, const Noise<3>&, const LatticeFrame<3>& frame) {
     const Lattice<3> lattice = lattice_of<3>(frame, Index<3>(-3, 1, -11), 19);

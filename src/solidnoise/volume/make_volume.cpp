@@ -180,8 +180,12 @@ std::shared_ptr<const Noise<3>> make_framed(const VolumeRecipe& recipe, const Ma
 std::shared_ptr<const Noise<3>> on_voxels(const VolumeRecipe& recipe, std::shared_ptr<const Noise<3>> noise,
                                           const GridFrame& frame) {
   if (recipe.exact) return noise;
+  const bool slopes = std::all_of(recipe.output.begin(), recipe.output.end(), [](Output output) {
+    return output == Output::gradient || output == Output::curl;
+  });
   return interpolate<3>(std::move(noise), voxel_lattice(recipe, frame),
-                        ErrorBudget(error_of(recipe.noise)).interpolation);
+                        ErrorBudget(error_of(recipe.noise)).interpolation,
+                        slopes ? Quantity::gradient : Quantity::values);
 }
 
 // Reads the surface that a velocity is to stay off, if there is one.

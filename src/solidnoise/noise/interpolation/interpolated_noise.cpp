@@ -93,13 +93,14 @@ class InterpolatedNoise final : public Noise<Dim> {
 
 template <int Dim>
 std::shared_ptr<const Noise<Dim>> interpolate(std::shared_ptr<const Noise<Dim>> noise,
-                                              const LatticeFrame<Dim>& frame, double error) {
+                                              const LatticeFrame<Dim>& frame, double error,
+                                              Quantity quantity) {
   const InterpolationPlanner<Dim> planner(*noise, frame);
   const auto of_values = planner.plan(error, Quantity::values);
   const auto of_gradient = planner.plan(error, Quantity::gradient);
   const auto follow = [&](const std::shared_ptr<const Noise<Dim>>& part,
                           std::size_t i) -> std::shared_ptr<const Noise<Dim>> {
-    if (of_values[i].direct() && of_gradient[i].direct()) return part;
+    if (of_gradient[i].direct() && (of_values[i].direct() || quantity == Quantity::gradient)) return part;
     const auto interpolation = std::make_shared<Interpolation<Dim>>();
     interpolation->noise = part;
     interpolation->frame = frame;
@@ -123,8 +124,8 @@ std::shared_ptr<const Noise<Dim>> interpolate(std::shared_ptr<const Noise<Dim>> 
 }
 
 template std::shared_ptr<const Noise<2>> interpolate<2>(std::shared_ptr<const Noise<2>>,
-                                                        const LatticeFrame<2>&, double);
+                                                        const LatticeFrame<2>&, double, Quantity);
 template std::shared_ptr<const Noise<3>> interpolate<3>(std::shared_ptr<const Noise<3>>,
-                                                        const LatticeFrame<3>&, double);
+                                                        const LatticeFrame<3>&, double, Quantity);
 
 }  // namespace solidnoise

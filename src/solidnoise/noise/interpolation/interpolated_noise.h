@@ -20,9 +20,14 @@ namespace solidnoise {
 // bricks, as far as samples that are asked for need them, and shared by all blocks: the noise keeps those
 // used last, up to 64 MB for each part. It may nevertheless be shared between threads.
 //
+// Values do not depend on whether the gradient is asked for with them. Where it is the gradient that is
+// wanted
+// (`quantity`) and that is quickest summed, its sum gives the values, too.
+//
 // Statistics are those of the noise. Returns the noise itself where nothing is to be gained.
 template <int Dim>
 std::shared_ptr<const Noise<Dim>> interpolate(std::shared_ptr<const Noise<Dim>> noise,
-                                              const LatticeFrame<Dim>& frame, double error);
+                                              const LatticeFrame<Dim>& frame, double error,
+                                              Quantity quantity = Quantity::values);
 
 }  // namespace solidnoise
