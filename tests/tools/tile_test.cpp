@@ -65,5 +65,21 @@ TEST(VdbnoiseTiles, APeriodThatIsNotWholeVoxelsIsWarnedOf) {
   EXPECT_EQ(whole.err.find("warning"), std::string::npos) << whole.err;
 }
 
+// A third has no end of digits.
+TEST(VdbnoiseTiles, TheVoxelThatTheWarningNamesIsNotWarnedOf) {
+  const TemporaryFolder folder;
+  const auto warning = [&](const std::string& voxel, const std::string& file) {
+    return run_vdbnoise({"--raw", "--voxel", voxel, "--frequency", "0.8", "--period", "0", "5", "0", "--out",
+                         folder.file(file)})
+        .err;
+  };
+  const std::string odd = warning("0.34", "a.vdb");
+  const std::size_t named = odd.find("--voxel ");
+  ASSERT_NE(named, std::string::npos) << odd;
+  const std::size_t begin = named + std::string("--voxel ").size();
+  const std::string followed = warning(odd.substr(begin, odd.find_first_of("\n", begin) - begin), "b.vdb");
+  EXPECT_EQ(followed.find("period"), std::string::npos) << followed;
+}
+
 }  // namespace
 }  // namespace solidnoise

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "solidnoise/noise/interpolation/lattice_frame.h"
+
 namespace solidnoise {
 namespace {
 
@@ -29,12 +31,12 @@ void warn_of_aliasing(const VolumeRecipe& recipe, const VolumePlan& plan, std::o
 bool warn_of_tiles(const NoiseRecipe& noise, const Vec<3>& voxel, std::ostream& stream) {
   const Vec<4> period = std::visit([](const auto& options) { return options.period; }, noise.noise);
   for (int axis = 0; axis < 3; ++axis) {
+    if (period[axis] == 0.0 || whole_period(period[axis], voxel[axis]) > 0) continue;
     const double voxels = period[axis] / voxel[axis];
-    if (std::abs(voxels - std::round(voxels)) <= 1e-6 * voxels) continue;
     stream << fmt::format(
         "vdbnoise: warning: the period is {} along {}, {:.6g} voxels; tiles meet where it is a whole number "
         "of "
-        "them: --voxel {:.6g}\n",
+        "them: --voxel {:.9g}\n",
         period[axis], "xyz"[axis], voxels, period[axis] / std::max(1.0, std::round(voxels)));
     return true;
   }

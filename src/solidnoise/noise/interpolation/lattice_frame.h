@@ -17,12 +17,14 @@ struct LatticeFrame {
   glm::vec<Dim, int> period{0};
 };
 
-// The samples of a period (world units; 0 for none) where that is a whole number of steps; else 0.
+// The samples of a period (world units; 0 for none) where that is a whole number of steps, to a millionth of
+// itself, as steps are that were typed in; else 0.
 inline int whole_period(double period, double step) {
-  constexpr double kTolerance = 1e-6;  // of a step
-  const double samples = std::round(period / step);
-  if (samples > 0x1p30 || std::abs(period / step - samples) > kTolerance) return 0;
-  return static_cast<int>(samples);
+  constexpr double kTolerance = 1e-6;
+  const double samples = period / step;
+  const double whole = std::round(samples);
+  if (whole > 0x1p30 || std::abs(samples - whole) > kTolerance * samples) return 0;
+  return static_cast<int>(whole);
 }
 
 }  // namespace solidnoise
