@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <ostream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,6 +26,8 @@ DigestCases mesh_cases();    // meshes.json, presets, examples
 struct DigestGroup {
   std::string_view name;  // what its cases' names begin with, before a slash
   DigestCases (*cases)();
+
+  friend std::ostream& operator<<(std::ostream& out, const DigestGroup& group) { return out << group.name; }
 };
 inline constexpr DigestGroup kDigestGroups[]{
     {"noise", noise_cases}, {"points", point_cases}, {"volume", volume_cases}, {"mesh", mesh_cases}};

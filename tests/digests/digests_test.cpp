@@ -53,7 +53,7 @@ bool is_of_group(const std::string& name, std::string_view group) {
   return name.substr(0, name.find('/')) == group;
 }
 
-// Where there are differences, their names; nothing else is as useful, for digests say nothing by themselves.
+// The names of the cases that differ, in lines; none where all agree.
 std::string differences(const Texts& pinned, const Texts& found) {
   std::string text;
   for (const auto& [name, digest] : pinned) {
@@ -97,8 +97,9 @@ TEST_P(Digests, AreThoseOfTheAlgorithmVersionWithEachInstructionSet) {
   ASSERT_FALSE(HasFailure());
   const Texts& found = by_target.begin()->second;
   for (const auto& [target, texts] : by_target) {
-    EXPECT_EQ(differences(texts, found), "")
-        << hwy::TargetName(target) << " differs from " << hwy::TargetName(by_target.begin()->first);
+    const std::string text = differences(texts, found);
+    EXPECT_TRUE(text.empty()) << hwy::TargetName(target) << " and "
+                              << hwy::TargetName(by_target.begin()->first) << " differ:" << text;
   }
   if (HasFailure()) return;
   if (std::getenv(kRenew) != nullptr) return renew(group, found);
@@ -106,9 +107,9 @@ TEST_P(Digests, AreThoseOfTheAlgorithmVersionWithEachInstructionSet) {
   const Json file = read_json(kFile);
   ASSERT_EQ(file.at("algorithm"), kAlgorithmVersion)
       << kFile << " is of another version of the algorithm; renew it: " << kRenew << "=1 digests_tests";
-  EXPECT_EQ(differences(pinned_of(file, group), found), "")
-      << "values have changed, and kAlgorithmVersion has not; where they are meant to, raise it and renew "
-      << kFile;
+  const std::string text = differences(pinned_of(file, group), found);
+  EXPECT_TRUE(text.empty()) << kFile << " differs, and kAlgorithmVersion has not changed; where values are "
+                            << "meant to change, raise it and renew the file (" << kRenew << "=1):" << text;
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, Digests, testing::ValuesIn(kDigestGroups),
