@@ -29,7 +29,8 @@ constexpr double kImpulses = 32.0;
 // A sphere of radius 1.
 struct Sphere {
   std::array<std::vector<float>, 3> position;
-  std::vector<float> frequency;  // over two octaves from pole to pole, relative to that of the options
+  std::vector<Vec<3>> positions;  // the same
+  std::vector<float> frequency;   // over two octaves from pole to pole, relative to that of the options
   double spacing = std::sqrt(4.0 * std::numbers::pi / kVertices);
 
   Sphere() {
@@ -40,14 +41,10 @@ struct Sphere {
       const float length = std::hypot(v[0], v[1], v[2]);
       for (std::size_t axis = 0; axis < 3; ++axis) position[axis].push_back(v[axis] / length);
       frequency.push_back(std::exp2(position[2].back()));
+      positions.emplace_back(position[0].back(), position[1].back(), position[2].back());
     }
   }
-  Points<3> points() const {
-    Points<3> result;
-    result.count = kVertices;
-    for (std::size_t axis = 0; axis < 3; ++axis) result.offset[axis] = position[axis].data();
-    return result;
-  }
+  Points<3> points() const { return {positions}; }
   SurfacePoints surface() const { return {points(), {position[0], position[1], position[2]}}; }
   std::vector<float> frequencies(double constant) const {
     std::vector<float> result = frequency;

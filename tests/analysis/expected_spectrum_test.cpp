@@ -32,7 +32,7 @@ double band_covariance(double x) {
 class KnownSpectrum : public Noise<2> {
  public:
   explicit KnownSpectrum(double stretch) : stretch_(stretch) {}
-  std::unique_ptr<NoiseBlock<2>> block(const Box<2>&) const override { return nullptr; }
+  std::unique_ptr<FieldBlock<2>> block(const Box<2>&) const override { return nullptr; }
   void evaluate(const Points<2>&, const Samples<2>&) const override {}
   double variance() const override { return 1.0; }
   Vec<2> gradient_variance() const override { return Vec<2>(0.0); }

@@ -61,11 +61,11 @@ Evaluated<Dim> part_of(const Evaluated<Dim>& whole, const Lattice<Dim>& lattice,
   return result;
 }
 
-// A lattice whose coordinates are also a float's distance from 1000, and these distances, in another order.
+// A lattice far from 0, and its positions in another order.
 template <int Dim>
 struct LatticeAndPoints {
   Lattice<Dim> lattice;
-  std::array<std::vector<float>, Dim> offset;
+  std::vector<Vec<Dim>> positions;
   std::vector<std::size_t> sample;  // of each point, in the lattice
   Points<Dim> points;
 
@@ -76,14 +76,9 @@ struct LatticeAndPoints {
     const std::size_t count = lattice.size();
     for (std::size_t i = 0; i < count; ++i) {
       sample.push_back(i * 1009 % count);
-      const Vec<Dim> position = sample_position(lattice, sample[i]);
-      for (int axis = 0; axis < Dim; ++axis) {
-        offset[static_cast<std::size_t>(axis)].push_back(static_cast<float>(position[axis] - 1000.0));
-      }
+      positions.push_back(sample_position(lattice, sample[i]));
     }
-    points.origin = Vec<Dim>(1000.0);
-    points.count = count;
-    for (std::size_t axis = 0; axis < Dim; ++axis) points.offset[axis] = offset[axis].data();
+    points = {positions};
   }
   LatticeAndPoints(const LatticeAndPoints&) = delete;
   LatticeAndPoints& operator=(const LatticeAndPoints&) = delete;
@@ -91,7 +86,7 @@ struct LatticeAndPoints {
 
 template <int Dim>
 Evaluated<Dim> evaluate_points(const Noise<Dim>& noise, const Points<Dim>& points) {
-  Evaluated<Dim> result(points.count);
+  Evaluated<Dim> result(points.size());
   noise.evaluate(points, result.samples());
   return result;
 }
@@ -120,11 +115,8 @@ TEST(GaborDeterminism, APointDoesNotDependOnTheOthersInItsBatch) {
     const LatticeAndPoints<Dim> both;
     for_each_noise<Dim>([&](const Noise<Dim>& noise) {
       const Evaluated<Dim> expected = evaluate_points(noise, both.points);
-      for (const std::size_t i : {std::size_t{0}, both.points.count / 2, both.points.count - 1}) {
-        Points<Dim> one = both.points;
-        one.count = 1;
-        for (auto& offset : one.offset) offset += i;
-        const Evaluated<Dim> result = evaluate_points(noise, one);
+      for (const std::size_t i : {std::size_t{0}, both.points.size() / 2, both.points.size() - 1}) {
+        const Evaluated<Dim> result = evaluate_points(noise, Points<Dim>{{&both.positions[i], 1}});
         EXPECT_EQ(result.values[0], expected.values[i]);
         for (std::size_t axis = 0; axis < Dim; ++axis) {
           EXPECT_EQ(result.gradient[axis][0], expected.gradient[axis][i]);

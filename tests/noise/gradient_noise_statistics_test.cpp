@@ -48,18 +48,13 @@ void expect_within_4_sigma(const Estimate& estimated, double expected, double sl
 template <int Dim>
 std::vector<float> scattered_values(const GradientNoise<Dim>& noise, std::size_t count, std::uint64_t key) {
   RandomStream random(key);
-  std::array<std::vector<float>, Dim> offset;
-  Points<Dim> points;
-  points.count = count;
-  for (std::size_t axis = 0; axis < Dim; ++axis) {
-    const double width = (Dim == 1 ? 100000.0 : 2000.0) * noise.lattice_spacing()[static_cast<int>(axis)];
-    for (std::size_t i = 0; i < count; ++i) {
-      offset[axis].push_back(static_cast<float>((random.next_unit() - 0.5) * width));
-    }
-    points.offset[axis] = offset[axis].data();
+  std::vector<Vec<Dim>> positions(count);
+  for (int axis = 0; axis < Dim; ++axis) {
+    const double width = (Dim == 1 ? 100000.0 : 2000.0) * noise.lattice_spacing()[axis];
+    for (Vec<Dim>& position : positions) position[axis] = (random.next_unit() - 0.5) * width;
   }
   std::vector<float> values(count);
-  noise.evaluate(points, Samples<Dim>{values, {}});
+  noise.evaluate(Points<Dim>{positions}, Samples<Dim>{values, {}});
   return values;
 }
 

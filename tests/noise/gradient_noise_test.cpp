@@ -159,7 +159,7 @@ TEST(GradientNoise, PointsInAnyOrderAreBitIdenticalToTheLattice) {
     for_each_dimension([]<int Dim>() {
       for_each_gradient_noise([](const GradientNoiseOptions& options) {
         const GradientNoise<Dim> noise(options);
-        // Positions that are floats from a double origin: a lattice of step 2^-7 around 1000.
+        // Far from 0.
         Lattice<Dim> lattice = some_lattice(noise);
         lattice.origin = Vec<Dim>(1000.0);
         lattice.step = Vec<Dim>(0x1p-7);
@@ -167,21 +167,14 @@ TEST(GradientNoise, PointsInAnyOrderAreBitIdenticalToTheLattice) {
 
         // Every sample, visited in a stride that scatters them over the cells.
         const std::size_t count = lattice.size();
-        std::array<std::vector<float>, Dim> offset;
+        std::vector<Vec<Dim>> positions;
         std::vector<std::size_t> sample(count);
         for (std::size_t i = 0; i < count; ++i) {
           sample[i] = i * 1009 % count;
-          const Vec<Dim> position = sample_position(lattice, sample[i]);
-          for (int axis = 0; axis < Dim; ++axis) {
-            offset[static_cast<std::size_t>(axis)].push_back(static_cast<float>(position[axis] - 1000.0));
-          }
+          positions.push_back(sample_position(lattice, sample[i]));
         }
-        Points<Dim> points;
-        points.origin = Vec<Dim>(1000.0);
-        points.count = count;
-        for (std::size_t axis = 0; axis < Dim; ++axis) points.offset[axis] = offset[axis].data();
         Evaluated<Dim> result(count);
-        noise.evaluate(points, result.samples());
+        noise.evaluate(Points<Dim>{positions}, result.samples());
         for (std::size_t i = 0; i < count; ++i) {
           ASSERT_EQ(result.values[i], expected.values[sample[i]]);
           for (std::size_t a = 0; a < Dim; ++a)

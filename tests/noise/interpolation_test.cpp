@@ -55,7 +55,7 @@ TEST(Interpolation, ValuesDoNotDependOnTheBlock) {
   for_each_interpolated([](const MakeAnew& anew, const Noise<3>&, const LatticeFrame<3>& frame) {
     const Lattice<3> whole = lattice_of<3>(frame, Index<3>(-21, 5, -3), 37);
     const auto expected = evaluate_in_one_block<3>(*anew(), whole);
-    const auto check = [&](const Lattice<3>& part, const NoiseBlock<3>& block) {
+    const auto check = [&](const Lattice<3>& part, const FieldBlock<3>& block) {
       Evaluated<3> made(part.size());
       block.evaluate(part, made.samples());
       for (std::size_t i = 0; i < part.size(); ++i) {

@@ -30,9 +30,9 @@ TEST(MovedNoise, IsTheSameNoiseElsewhere) {
     EXPECT_EQ(values_of(*moved, at + offset), values_of(*noise, at));
     EXPECT_NE(values_of(*moved, at), values_of(*noise, at));
 
-    const float zero[] = {0.0f};
-    const Points<3> here{at, {zero, zero, zero}, 1};
-    const Points<3> there{at + offset, {zero, zero, zero}, 1};
+    const Vec<3> moved_at = at + offset;
+    const Points<3> here{{&at, 1}};
+    const Points<3> there{{&moved_at, 1}};
     float expected = 0.0f;
     float value = 1.0f;
     noise->evaluate(here, {.values = std::span(&expected, 1)});

@@ -20,24 +20,20 @@ constexpr double kLayer = 0.5;
 
 // Points with their normals and tangents, as noises take them.
 struct Places {
-  std::array<std::vector<float>, 3> offset, normal, tangent;
+  std::vector<Vec<3>> positions;
+  std::array<std::vector<float>, 3> normal, tangent;
 
   void add(const Vec<3>& at, const Vec<3>& n, const Vec<3>& u) {
+    positions.push_back(at);
     for (int axis = 0; axis < 3; ++axis) {
       const auto a = static_cast<std::size_t>(axis);
-      offset[a].push_back(static_cast<float>(at[axis]));
       normal[a].push_back(static_cast<float>(n[axis]));
       tangent[a].push_back(static_cast<float>(u[axis]));
     }
   }
   std::vector<float> values(const SurfaceSpectrumNoise& noise) const {
-    SurfacePoints points;
-    points.positions.count = offset[0].size();
-    for (std::size_t a = 0; a < 3; ++a) {
-      points.positions.offset[a] = offset[a].data();
-      points.normal[a] = normal[a];
-    }
-    std::vector<float> result(points.positions.count);
+    const SurfacePoints points{{positions}, {normal[0], normal[1], normal[2]}};
+    std::vector<float> result(positions.size());
     noise.evaluate(points, {tangent[0], tangent[1], tangent[2]}, result);
     return result;
   }

@@ -339,7 +339,7 @@ TEST(VaryingGaborNoise, RefusesOptionsOutOfRange) {
 
 TEST(VaryingGaborNoise, NoPointsAreNoValues) {
   const VaryingGaborNoise<2> noise({});
-  noise.evaluate({}, {}, {});
+  noise.evaluate(Points<2>{}, {}, {});
 }
 
 }  // namespace

@@ -25,12 +25,13 @@ struct Scattered {
 
   std::size_t size() const { return offset[0].size(); }
 
+  // Of positions that stay where they are until the next call.
   Points<Dim> points() const {
-    Points<Dim> result;
-    result.origin = origin;
-    result.count = size();
-    for (std::size_t axis = 0; axis < Dim; ++axis) result.offset[axis] = offset[axis].data();
-    return result;
+    positions_.assign(size(), origin);
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      for (std::size_t i = 0; i < size(); ++i) positions_[i][static_cast<int>(axis)] += offset[axis][i];
+    }
+    return {positions_};
   }
   SurfacePoints surface() const { return {points(), {normal[0], normal[1], normal[2]}}; }
   VaryingParameters<Dim> parameters() const {
@@ -56,6 +57,9 @@ struct Scattered {
     take(magnitude, result.magnitude);
     return result;
   }
+
+ private:
+  mutable std::vector<Vec<Dim>> positions_;
 };
 
 // Uniform on the unit sphere.

@@ -2,16 +2,14 @@
 
 #include <cmath>
 #include <cstddef>
-#include <memory>
-#include <span>
 
-#include "solidnoise/volume/field/field.h"
+#include "solidnoise/field/pointwise_field.h"
 
 namespace solidnoise {
 
 // A field whose values are known: sin(2 pi f.x). It stands in for noises where a test is about what is done
 // with them.
-class WaveField final : public Field {
+class WaveField final : public PointwiseField {
  public:
   // `frequency` in cycles per world unit.
   explicit WaveField(const Vec<3>& frequency) : frequency_(frequency) {}
@@ -22,29 +20,11 @@ class WaveField final : public Field {
         std::sin(kTwoPi * (frequency_.x * p.x + frequency_.y * p.y + frequency_.z * p.z)));
   }
 
-  std::unique_ptr<FieldBlock> block(const Box<3>&) const override { return std::make_unique<Block>(*this); }
+  void evaluate(const Points<3>& points, const Samples<3>& samples) const override {
+    for (std::size_t i = 0; i < points.size(); ++i) samples.values[i] = at(points.positions[i]);
+  }
 
  private:
-  class Block final : public FieldBlock {
-   public:
-    explicit Block(const WaveField& field) : field_(field) {}
-
-    void evaluate(const Lattice<3>& lattice, std::span<float> values) const override {
-      std::size_t sample = 0;
-      for (int i = 0; i < lattice.count.x; ++i) {
-        for (int j = 0; j < lattice.count.y; ++j) {
-          for (int k = 0; k < lattice.count.z; ++k) {
-            values[sample++] =
-                field_.at({lattice.coordinate(0, i), lattice.coordinate(1, j), lattice.coordinate(2, k)});
-          }
-        }
-      }
-    }
-
-   private:
-    const WaveField& field_;
-  };
-
   Vec<3> frequency_;
 };
 

@@ -1,4 +1,4 @@
-#include "solidnoise/volume/field/cloud_field.h"
+#include "solidnoise/field/cloud_field.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,14 +42,13 @@ bool equal(const openvdb::FloatGrid& a, const openvdb::FloatGrid& b) {
   return true;
 }
 
-std::unique_ptr<Field> field_of(const VolumeRecipe& recipe) {
+FieldPtr field_of(const VolumeRecipe& recipe) {
   CloudParts parts;
   parts.shaping = std::get<CloudShaping>(recipe.shaping);
   parts.wavelength = 1.0 / 2.8;
   parts.box = recipe.box;
   for (int k = 0; k < recipe.noise.fractal.octaves; ++k) {
-    parts.octaves.push_back(
-        {std::make_shared<NoiseField>(make_noise<3>(octave_of(recipe.noise, k))), std::pow(0.48, k)});
+    parts.octaves.push_back({FieldPtr(make_noise<3>(octave_of(recipe.noise, k))), std::pow(0.48, k)});
   }
   return make_cloud_field(parts);
 }
@@ -76,7 +75,7 @@ TEST(CloudField, IsEmptyOnlyWhereItIsZero) {
     }
     ++empty;
     std::vector<float> values(512);
-    field->block(box.frame.bounds(voxels))->evaluate(box.frame.lattice(voxels), values);
+    field->block(box.frame.bounds(voxels))->evaluate(box.frame.lattice(voxels), {values, {}});
     EXPECT_EQ(std::count(values.begin(), values.end(), 0.0f), 512);
   }
   EXPECT_GT(empty, full / 2);  // it is no use if it never says so
@@ -93,8 +92,8 @@ TEST(CloudField, DoesNotDependOnTheBlock) {
       const openvdb::CoordBBox voxels({i, j, 0}, {i + 7, j + 7, 7});
       std::vector<float> alone(512);
       std::vector<float> together(512);
-      field->block(frame.bounds(voxels))->evaluate(frame.lattice(voxels), alone);
-      whole->evaluate(frame.lattice(voxels), together);
+      field->block(frame.bounds(voxels))->evaluate(frame.lattice(voxels), {alone, {}});
+      whole->evaluate(frame.lattice(voxels), {together, {}});
       differ += alone != together;
     }
   }

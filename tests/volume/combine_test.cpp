@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <openvdb/tools/LevelSetSphere.h>
 
+#include "solidnoise/field/pointwise_field.h"
 #include "support/message_of.h"
 
 namespace solidnoise {
@@ -160,10 +161,11 @@ TEST(RestPositions, InterpolatesBetweenActiveVoxelsOnly) {
   EXPECT_THROW(RestPositions(*cube(1.0f, kFog), "rest"), std::invalid_argument);
 }
 
-class Coordinates final : public PointField {
-  void evaluate(std::span<const Vec<3>> positions, std::span<float> values) const override {
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-      values[i] = static_cast<float>(positions[i].x + 10.0 * positions[i].y + 100.0 * positions[i].z);
+class Coordinates final : public PointwiseField {
+  void evaluate(const Points<3>& points, const Samples<3>& samples) const override {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Vec<3>& p = points.positions[i];
+      samples.values[i] = static_cast<float>(p.x + 10.0 * p.y + 100.0 * p.z);
     }
   }
 };

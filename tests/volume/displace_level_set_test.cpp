@@ -16,6 +16,7 @@
 #include <openvdb/tools/LevelSetUtil.h>
 #include <tbb/global_control.h>
 
+#include "solidnoise/field/pointwise_field.h"
 #include "solidnoise/noise/noise_recipe.h"
 #include "support/message_of.h"
 
@@ -26,7 +27,7 @@ using openvdb::FloatGrid;
 using openvdb::Vec3d;
 
 // A product of waves, between -1 and 1.
-class Waves final : public PointField {
+class Waves final : public PointwiseField {
  public:
   explicit Waves(double frequency) : frequency_(frequency) {}
 
@@ -34,8 +35,10 @@ class Waves final : public PointField {
     const double k = 2.0 * std::numbers::pi * frequency_;
     return std::sin(k * p.x) * std::sin(k * p.y + 1.0) * std::sin(k * p.z + 2.0);
   }
-  void evaluate(std::span<const Vec<3>> positions, std::span<float> values) const override {
-    for (std::size_t i = 0; i < positions.size(); ++i) values[i] = static_cast<float>(at(positions[i]));
+  void evaluate(const Points<3>& points, const Samples<3>& samples) const override {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      samples.values[i] = static_cast<float>(at(points.positions[i]));
+    }
   }
 
  private:
@@ -43,10 +46,12 @@ class Waves final : public PointField {
 };
 
 // The same everywhere but where x is negative, where it is 0.
-class OneSide final : public PointField {
+class OneSide final : public PointwiseField {
  public:
-  void evaluate(std::span<const Vec<3>> positions, std::span<float> values) const override {
-    for (std::size_t i = 0; i < positions.size(); ++i) values[i] = positions[i].x > 0.0 ? 1.0f : 0.0f;
+  void evaluate(const Points<3>& points, const Samples<3>& samples) const override {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      samples.values[i] = points.positions[i].x > 0.0 ? 1.0f : 0.0f;
+    }
   }
 };
 
@@ -175,7 +180,7 @@ TEST(DisplaceLevelSet, WorksWithNoiseOfSeveralOctaves) {
   NoiseRecipe recipe;
   recipe.noise = GaborNoiseOptions{.frequency = 1.5, .seed = 3};
   recipe.fractal.octaves = 3;
-  const auto moved = displace_level_set(*sphere(), *make_point_field(make_noise<3>(recipe), {}), kVoxel);
+  const auto moved = displace_level_set(*sphere(), *make_noise<3>(recipe), kVoxel);
   EXPECT_EQ(diagnosis(*moved), "");
   EXPECT_EQ(parts_of(*moved), 1u);
 }
@@ -185,9 +190,9 @@ TEST(DisplaceLevelSet, WorksWithNoiseOfSeveralOctaves) {
 // rest is for points that are found to 0.05 voxels along the surface and for three steps of normalization,
 // whose differences of fifth order see a kink at the end of the band.
 TEST(DisplaceLevelSet, ReachesFarBeyondTheBand) {
-  class Constant final : public PointField {
-    void evaluate(std::span<const Vec<3>>, std::span<float> values) const override {
-      std::fill(values.begin(), values.end(), 1.0f);
+  class Constant final : public PointwiseField {
+    void evaluate(const Points<3>&, const Samples<3>& samples) const override {
+      std::ranges::fill(samples.values, 1.0f);
     }
   };
   for (const double amount : {20.0 * kVoxel, -20.0 * kVoxel}) {
@@ -244,7 +249,7 @@ TEST(DisplaceLevelSet, KeepsTheBandsWidthAndTakesTilesForOutsideOfIt) {
 TEST(DisplaceLevelSet, IsTheSameForAnyNumberOfThreads) {
   NoiseRecipe recipe;
   recipe.noise = GaborNoiseOptions{.frequency = 2.0};
-  const auto noise = make_point_field(make_noise<3>(recipe), {});
+  const auto noise = make_noise<3>(recipe);
   const auto moved = displace_level_set(*sphere(), *noise, 2.0 * kVoxel);
   const tbb::global_control serial(tbb::global_control::max_allowed_parallelism, 1);
   EXPECT_TRUE(same_values(*displace_level_set(*sphere(), *noise, 2.0 * kVoxel), *moved));
@@ -313,7 +318,7 @@ TEST(DisplaceLevelSet, SteepSpikesDoNotTear) {
   NoiseRecipe recipe;
   recipe.noise = GaborNoiseOptions{.frequency = 1.5, .bandwidth = 1.5, .seed = 2};
   recipe.fractal = {.octaves = 4, .gain = 0.45};
-  const auto noise = make_point_field(make_noise<3>(recipe), {});
+  const auto noise = make_noise<3>(recipe);
   const auto moved = displace_level_set(*ball, *noise, 0.06);
   EXPECT_EQ(parts_of(*moved), 1u);
 }

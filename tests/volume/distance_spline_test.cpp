@@ -1,4 +1,4 @@
-#include "solidnoise/volume/field/distance_spline.h"
+#include "solidnoise/volume/modify/distance_spline.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -29,16 +29,21 @@ Vec<3> random_position(RandomStream& stream, double lowest, double highest) {
   }
 }
 
+SmoothDistance::Jet jet_at(const SmoothDistance& distance, const Vec<3>& position) {
+  SmoothDistance::Jet jet;
+  distance.evaluate({&position, 1}, {&jet, 1});
+  return jet;
+}
+
 // Of a grid with exact distances in a band that is wide enough: the distance and h^2/6 times its Laplacian,
 // 2 / r, but for terms of fourth order.
 TEST(DistanceSpline, OfASphereIsTheDistanceAndASixthOfTheLaplacian) {
   const DistanceSpline spline(sphere(9.0f), 0.4);
-  const DistanceSpline::Sampler sampler(spline);
   RandomStream stream(1);
   for (int i = 0; i < 200; ++i) {
     const Vec<3> p = random_position(stream, 0.65, 1.35);
     const double r = glm::length(p);
-    const auto jet = sampler.at(p);
+    const auto jet = jet_at(spline, p);
     EXPECT_NEAR(jet.distance, r - kRadius + kVoxel * kVoxel / (3.0 * r), 2e-4);
     EXPECT_LT(glm::length(jet.gradient - (1.0 - kVoxel * kVoxel / (3.0 * r * r)) * p / r), 2e-3);
   }
@@ -46,17 +51,16 @@ TEST(DistanceSpline, OfASphereIsTheDistanceAndASixthOfTheLaplacian) {
 
 TEST(DistanceSpline, DerivativesAreThoseOfTheDistance) {
   const DistanceSpline spline(sphere(), 0.4);  // rebuilt
-  const DistanceSpline::Sampler sampler(spline);
   constexpr double kStep = 1e-4;
   RandomStream stream(1);
   for (int i = 0; i < 100; ++i) {
     const Vec<3> p = random_position(stream, 0.65, 1.35);
-    const auto jet = sampler.at(p);
+    const auto jet = jet_at(spline, p);
     for (int axis = 0; axis < 3; ++axis) {
       Vec<3> shift(0.0);
       shift[axis] = kStep;
-      const auto above = sampler.at(p + shift);
-      const auto below = sampler.at(p - shift);
+      const auto above = jet_at(spline, p + shift);
+      const auto below = jet_at(spline, p - shift);
       EXPECT_NEAR(jet.gradient[axis], (above.distance - below.distance) / (2.0 * kStep), 1e-5);
       for (int other = 0; other < 3; ++other) {
         // Third derivatives have steps where a voxel begins: of first order there.
@@ -69,14 +73,14 @@ TEST(DistanceSpline, DerivativesAreThoseOfTheDistance) {
 
 TEST(DistanceSpline, KnowsDistancesBeyondTheLevelSetsOwnBand) {
   const DistanceSpline spline(sphere(), 0.8);
-  const DistanceSpline::Sampler sampler(spline);
   for (const double r : {0.25, 0.5, 1.5, 1.75}) {
     // Rebuilt from the surface's polygons, which lie inside the sphere by about half of h^2 / R.
-    EXPECT_NEAR(sampler.at({0.0, r * 0.6, r * 0.8}).distance, r - kRadius + 0.01 / (3.0 * r) + 0.004, 0.002)
+    EXPECT_NEAR(jet_at(spline, {0.0, r * 0.6, r * 0.8}).distance, r - kRadius + 0.01 / (3.0 * r) + 0.004,
+                0.002)
         << r;
   }
-  EXPECT_GE(sampler.at({3.0, 0.0, 0.0}).distance, 0.8);
-  EXPECT_GE(sampler.at({1.0e6, 0.0, 0.0}).distance, 0.8);
+  EXPECT_GE(jet_at(spline, {3.0, 0.0, 0.0}).distance, 0.8);
+  EXPECT_GE(jet_at(spline, {1.0e6, 0.0, 0.0}).distance, 0.8);
 }
 
 TEST(DistanceSpline, RefusesWhatIsNoLevelSet) {

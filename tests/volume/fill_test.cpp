@@ -42,15 +42,16 @@ bool identical(const Moments& a, const Moments& b) {
 }
 
 // The positive part of a field; certainly 0 where x < 0, and there it must not be asked.
-class PositiveHalf final : public Field {
+class PositiveHalf final : public Field<3> {
  public:
-  std::unique_ptr<FieldBlock> block(const Box<3>& box) const override {
+  std::unique_ptr<FieldBlock<3>> block(const Box<3>& box) const override {
     EXPECT_GE(box.lower.x, -0.8);  // a block begins with a leaf that reaches past x = 0
-    class Block final : public FieldBlock {
+    class Block final : public FieldBlock<3> {
      public:
-      explicit Block(std::unique_ptr<FieldBlock> inner) : inner_(std::move(inner)) {}
-      void evaluate(const Lattice<3>& lattice, std::span<float> values) const override {
-        inner_->evaluate(lattice, values);
+      explicit Block(std::unique_ptr<FieldBlock<3>> inner) : inner_(std::move(inner)) {}
+      void evaluate(const Lattice<3>& lattice, const Samples<3>& samples) const override {
+        inner_->evaluate(lattice, samples);
+        const std::span<float> values = samples.values;
         for (std::size_t i = 0; i < values.size(); ++i) {
           const double x = lattice.coordinate(0, static_cast<std::int64_t>(i) / 64);
           values[i] = x < 0.0 || values[i] < 0.0f ? 0.0f : values[i];
@@ -58,11 +59,12 @@ class PositiveHalf final : public Field {
       }
 
      private:
-      std::unique_ptr<FieldBlock> inner_;
+      std::unique_ptr<FieldBlock<3>> inner_;
     };
     return std::make_unique<Block>(wave_.block(box));
   }
 
+  void evaluate(const Points<3>&, const Samples<3>&) const override { FAIL() << "grids are lattices"; }
   bool empty(const Box<3>& box) const override { return box.upper.x < 0.0; }
 
  private:
@@ -70,33 +72,20 @@ class PositiveHalf final : public Field {
 };
 
 // Four waves as the channels of one field, each the positive part of a wave.
-class FourWaves final : public Field {
+class FourWaves final : public PointwiseField {
  public:
   int channels() const override { return 4; }
 
-  std::unique_ptr<FieldBlock> block(const Box<3>&) const override { return std::make_unique<Block>(*this); }
-
   float at(int channel, const Vec<3>& p) const { return std::max(0.0f, waves_[channel].at(p)); }
 
- private:
-  class Block final : public FieldBlock {
-   public:
-    explicit Block(const FourWaves& field) : field_(field) {}
-
-    void evaluate(const Lattice<3>& lattice, std::span<float> values) const override {
-      const std::size_t size = lattice.size();
-      ASSERT_EQ(values.size(), 4 * size);
-      for (std::size_t channel = 0; channel < 4; ++channel) {
-        const auto part = values.subspan(channel * size, size);
-        field_.waves_[channel].block({})->evaluate(lattice, part);
-        for (float& value : part) value = std::max(0.0f, value);
-      }
+  void evaluate(const Points<3>& points, const Samples<3>& samples) const override {
+    ASSERT_EQ(samples.values.size(), 4 * points.size());
+    for (std::size_t i = 0; i < samples.values.size(); ++i) {
+      samples.values[i] = at(static_cast<int>(i / points.size()), points.positions[i % points.size()]);
     }
+  }
 
-   private:
-    const FourWaves& field_;
-  };
-
+ private:
   std::array<WaveField, 4> waves_{WaveField(kFrequency), WaveField({1, 0, 0}), WaveField({0, 1, 0}),
                                   WaveField({0.3, 0.2, 0.1})};
 };
@@ -213,8 +202,8 @@ TEST(FillGrid, StopsSoonAfterItIsAskedTo) {
 }
 
 TEST(FillGrid, LetsTheFieldsExceptionThrough) {
-  class Failing final : public Field {
-    std::unique_ptr<FieldBlock> block(const Box<3>&) const override { throw std::runtime_error("no"); }
+  class Failing final : public PointwiseField {
+    void evaluate(const Points<3>&, const Samples<3>&) const override { throw std::runtime_error("no"); }
   };
   const Topology topology = box_topology(GridFrame(0.1), {{-3, -3, -3}, {3, 3, 3}});
   EXPECT_THROW(fill_grid(topology, Failing(), Sparsity::keep), std::runtime_error);
@@ -223,7 +212,7 @@ TEST(FillGrid, LetsTheFieldsExceptionThrough) {
 TEST(FillGrids, GivesEachGridItsChannelsAndTheirMoments) {
   const Topology topology = sphere_topology(GridFrame(0.1), {0.3, 0.1, -0.2}, 1.0);
   const FourWaves field;
-  const auto filled = fill_grids(topology, field, {1, 3}, Sparsity::keep);
+  const auto filled = fill_grids(topology, field, {{0, 1}, {1, 3}});
   ASSERT_EQ(filled.size(), 2u);
   const auto floats = openvdb::gridPtrCast<openvdb::FloatGrid>(filled[0].grid);
   const auto vectors = openvdb::gridPtrCast<openvdb::Vec3SGrid>(filled[1].grid);
@@ -246,7 +235,7 @@ TEST(FillGrids, GivesEachGridItsChannelsAndTheirMoments) {
 TEST(FillGrids, DropsAVectorOnlyWhereAllOfItIsZero) {
   const Topology topology = box_topology(GridFrame(0.1), {{-1, -1, -1}, {1, 1, 1}});
   const FourWaves field;
-  const auto filled = fill_grids(topology, field, {3, 1}, Sparsity::drop);
+  const auto filled = fill_grids(topology, field, {{0, 3, Sparsity::drop}, {3, 1, Sparsity::drop}});
   std::uint64_t vectors = 0;
   std::uint64_t floats = 0;
   for (auto voxel = openvdb::CoordBBox::createCube(openvdb::Coord(-10), 20).begin(); voxel; ++voxel) {
@@ -263,8 +252,8 @@ TEST(FillGrids, DropsAVectorOnlyWhereAllOfItIsZero) {
 
 TEST(FillGrids, RefusesGridsThatDoNotFitTheField) {
   const Topology topology = box_topology(GridFrame(0.1), {{-1, -1, -1}, {1, 1, 1}});
-  for (const std::vector<int>& components : {std::vector<int>{1}, {3}, {1, 1, 1}, {2, 2}, {}}) {
-    EXPECT_THROW(fill_grids(topology, FourWaves(), components, Sparsity::keep), std::invalid_argument);
+  for (const GridChannels& channels : {GridChannels{4, 1}, {2, 3}, {-1, 1}, {0, 2}}) {
+    EXPECT_THROW(fill_grids(topology, FourWaves(), {channels}), std::invalid_argument) << channels.first;
   }
   EXPECT_THROW(fill_grid(topology, FourWaves(), Sparsity::keep), std::invalid_argument);
 }

@@ -1,4 +1,4 @@
-#include "solidnoise/volume/field/layer_json.h"
+#include "solidnoise/volume/layer_json.h"
 
 #include <stdexcept>
 #include <string>

@@ -1,5 +1,5 @@
 // Noise with parameters from grids: variance, covariance, and that values depend on nothing but the place.
-#include "solidnoise/volume/parameters/varying_field.h"
+#include "solidnoise/field/varying_field.h"
 
 #include <array>
 #include <cmath>
@@ -10,9 +10,10 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include "solidnoise/field/combined_field.h"
 #include "solidnoise/noise/gabor/varying_gabor_noise.h"
 #include "solidnoise/volume/fill.h"
-#include "solidnoise/volume/parameters/magnified_field.h"
+#include "solidnoise/volume/parameters/parameter_fields.h"
 #include "solidnoise/volume/topology/volume_part.h"
 #include "support/independent_values.h"
 #include "support/parameter_grids.h"
@@ -27,6 +28,10 @@ ParameterGrid grid_in(const std::string& file, const std::string& name) {
   ParameterGrid grid;
   grid.source = {file, name};
   return grid;
+}
+
+KernelFields kernel_of(const ParameterGrids& grids) {
+  return ParameterFields(grids).kernel();
 }
 
 std::shared_ptr<const ParameterFields> read(const ParameterGrids& grids) {
@@ -97,15 +102,15 @@ TEST_F(Bands, BandFollowsTheGridsOfBandwidthAndFrequency) {
   grids.bandwidth = grid_in(file_, "bandwidth");
   const auto wide_band = [&] {
     NoiseRecipe recipe = recipe_of(1.0);
-    std::get<GaborNoiseOptions>(recipe.noise).bandwidth = read(grids)->bandwidth()->greatest();
+    std::get<GaborNoiseOptions>(recipe.noise).bandwidth = kernel_of(grids).bandwidth.greatest;
     return make_noise<3>(recipe)->band();
   }();
-  const auto band = make_varying_field(recipe_of(1.0), {}, read(grids))->band();
+  const auto band = make_varying_field(recipe_of(1.0), {}, kernel_of(grids))->statistics()->band;
   EXPECT_DOUBLE_EQ(band.lower, wide_band.lower);
   EXPECT_DOUBLE_EQ(band.upper, wide_band.upper);
   EXPECT_GT(band.upper, make_noise<3>(recipe_of(1.0))->band().upper);  // of bandwidth 1
   grids.frequency = grid_in(file_, "frequency");
-  const auto both = make_varying_field(recipe_of(1.0), {}, read(grids))->band();
+  const auto both = make_varying_field(recipe_of(1.0), {}, kernel_of(grids))->statistics()->band;
   EXPECT_NEAR(both.lower, wide_band.lower * frequency_of(0), 1e-6);
   EXPECT_NEAR(both.upper, wide_band.upper * frequency_of(kBands - 1), 1e-6 * both.upper);
 }
@@ -115,20 +120,20 @@ TEST_F(Bands, VarianceIsOneInEachBandOfFrequency) {
   ParameterGrids grids;
   grids.frequency = grid_in(file_, "frequency");
   grids.bandwidth = grid_in(file_, "bandwidth");
-  const auto fields = read(grids);
+  const KernelFields fields = kernel_of(grids);
   NoiseView in_time;
   in_time.dims = 4;
   in_time.time = 0.4;
   const auto plain = make_varying_field(recipe_of(1.0), {}, fields);
   const auto octaves = make_varying_field(recipe_of(1.0, 3), {}, fields);
   const auto frame = make_varying_field(recipe_of(1.0), in_time, fields);
-  for (const auto& field : {plain, octaves, frame}) EXPECT_DOUBLE_EQ(field->variance(), 1.0);
+  for (const auto& field : {plain, octaves, frame}) EXPECT_DOUBLE_EQ(field->statistics()->variance, 1.0);
   for (int band = 0; band < kBands; ++band) {
     SCOPED_TRACE(testing::Message() << "band " << band);
-    const auto measure = [&](const VaryingField& field, double reach, int side) {
+    const auto measure = [&](const Field<3>& field, double reach, int side) {
       const std::vector<Vec<3>> positions = places(band, 2.05 * reach / frequency_of(band), side);
       std::vector<float> values(positions.size());
-      field.evaluate(positions, values);
+      field.evaluate({positions}, {values, {}});
       expect_within_4_sigma(estimate_mean(values, [](double x) { return x * x; }), 1.0);
     };
     // Kernels reach farthest where the bandwidth is least, 0.6 octaves.
@@ -141,24 +146,19 @@ TEST_F(Bands, VarianceIsOneInEachBandOfFrequency) {
 void expect_same(const NoiseRecipe& recipe, const ParameterGrids& grids, const VaryingGaborOptions& options,
                  double frequency, double bandwidth) {
   std::vector<Vec<3>> positions;
-  std::array<std::vector<float>, 3> offset;
   for (int i = 0; i < 300; ++i) {
     positions.emplace_back(0.015625 * i - 2.0, 0.0078125 * i, 0.5 - 0.00390625 * i);
-    for (int axis = 0; axis < 3; ++axis) {
-      offset[static_cast<std::size_t>(axis)].push_back(static_cast<float>(positions.back()[axis]));
-    }
   }
   std::vector<float> from_grids(positions.size());
-  make_varying_field(recipe, {}, read(grids))->evaluate(positions, from_grids);
+  make_varying_field(recipe, {}, kernel_of(grids))->evaluate({positions}, {from_grids, {}});
 
   const std::vector<float> frequencies(positions.size(), static_cast<float>(frequency));
   const std::vector<float> bandwidths(positions.size(), static_cast<float>(bandwidth));
   VaryingParameters<3> parameters;
   parameters.frequency = frequencies;
   parameters.bandwidth = bandwidths;
-  const Points<3> points{Vec<3>(0.0), {offset[0].data(), offset[1].data(), offset[2].data()}, 300};
   std::vector<float> constant(positions.size());
-  VaryingGaborNoise<3>(options).evaluate(points, parameters, constant);
+  VaryingGaborNoise<3>(options).evaluate({positions}, parameters, constant);
   for (std::size_t i = 0; i < positions.size(); ++i) EXPECT_NEAR(from_grids[i], constant[i], 1e-5) << i;
 }
 
@@ -196,8 +196,8 @@ TEST_F(Bands, OrientedNoiseOfNoDirectionIsIsotropic) {
   const std::vector<Vec<3>> positions{{1.0, 2.0, 3.0}, {20.0, -3.0, 0.5}, {60.0, 1.0, 1.0}};
   std::vector<float> isotropic(3);
   std::vector<float> oriented(3);
-  make_varying_field(recipe_of(3.0), {}, read(grids))->evaluate(positions, isotropic);
-  make_varying_field(oriented_recipe(0.0), {}, read(grids))->evaluate(positions, oriented);
+  make_varying_field(recipe_of(3.0), {}, kernel_of(grids))->evaluate({positions}, {isotropic, {}});
+  make_varying_field(oriented_recipe(0.0), {}, kernel_of(grids))->evaluate({positions}, {oriented, {}});
   EXPECT_EQ(isotropic, oriented);
 }
 
@@ -225,7 +225,7 @@ bool identical(const FloatGrid& a, const FloatGrid& b) {
   return true;
 }
 
-FloatGrid::Ptr fill(const Topology& topology, const Field& field, int threads) {
+FloatGrid::Ptr fill(const Topology& topology, const Field<3>& field, int threads) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   static_cast<std::size_t>(threads));
   return fill_grid(topology, field, Sparsity::keep).grid;
@@ -242,8 +242,8 @@ TEST_F(Painted, ValuesDependOnThePlaceOnly) {
     view.offset = {0.3, -0.2, 0.1};
     NoiseRecipe recipe = oriented_recipe(1.0);
     recipe.fractal.octaves = 2;
-    const auto varying = make_varying_field(recipe, view, fields);
-    const auto field = with_magnitude(std::shared_ptr<const Field>(varying), fields);
+    const FieldPtr field = combine(Layer::Combine::product,
+                                   {make_varying_field(recipe, view, fields->kernel()), fields->magnitude()});
     const FloatGrid::Ptr whole = fill(topology, *field, 2);
     EXPECT_TRUE(identical(*whole, *fill(topology, *field, 1)));
 
@@ -253,13 +253,13 @@ TEST_F(Painted, ValuesDependOnThePlaceOnly) {
     int leaves = 0;
     for (auto leaf = whole->tree().cbeginLeaf(); leaf; ++leaf, ++leaves) {
       if (leaves % 7 != 0) continue;
-      block->evaluate(topology.frame.lattice(leaf->getNodeBoundingBox()), values);
+      block->evaluate(topology.frame.lattice(leaf->getNodeBoundingBox()), {values, {}});
       for (auto voxel = leaf->cbeginValueOn(); voxel; ++voxel) {
         ASSERT_EQ(*voxel, values[voxel.pos()]) << voxel.getCoord();
       }
       const openvdb::Coord first = leaf->cbeginValueOn().getCoord();
       float alone = 0.0f;
-      block->evaluate(topology.frame.lattice({first, first}), {&alone, 1});
+      block->evaluate(topology.frame.lattice({first, first}), {{&alone, 1}, {}});
       ASSERT_EQ(alone, whole->tree().getValue(first));
     }
 
@@ -282,7 +282,7 @@ TEST_F(Painted, FrequenciesAreMappedByRatiosAndStayBeyond) {
   const ScalarField field(paint, "--frequency-grid", kFrequencyRange);
   const std::vector<Vec<3>> positions{{-1.2, 0.0, 0.0}, {0.0, 0.1, 0.2}, {0.375, 0.0, 0.0}, {1.2, 0.3, 0.0}};
   std::vector<float> values(positions.size());
-  field.sample(positions, values);
+  field.evaluate({positions}, {values, {}});
   const std::vector<float> expected{1.0f, 4.0f, 8.0f, 16.0f};
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(values[i], expected[i], 1e-5 * expected[i]);
   EXPECT_EQ(field.least(), 1.0f);
@@ -294,8 +294,8 @@ TEST_F(Painted, MagnitudeMultipliesWhateverNoiseItIs) {
   grids.magnitude = grid_in(file_, "paint");
   grids.magnitude->map = ValueMap{0.0, 0.5, 3.0, 1.0};  // falls from 3 to 1 on the way to the middle
   const auto fields = read(grids);
-  const auto noise = std::make_shared<NoiseField>(make_noise<3>(recipe_of(3.0)));
-  const auto magnified = with_magnitude(std::shared_ptr<const Field>(noise), fields);
+  const FieldPtr noise = make_noise<3>(recipe_of(3.0));
+  const FieldPtr magnified = combine(Layer::Combine::product, {noise, fields->magnitude()});
   const Topology topology = box_topology(GridFrame(0.05), {Vec<3>(-0.9), Vec<3>(0.9)});
   const FloatGrid::Ptr plain = fill(topology, *noise, 2);
   const FloatGrid::Ptr result = fill(topology, *magnified, 2);
@@ -328,7 +328,7 @@ TEST_F(Painted, DirectionsHaveNoSign) {
   for (const std::size_t i : {0u, 1u}) {
     ParameterGrids grids;
     grids.direction = GridFile{file, i == 0 ? "one" : "signs"};
-    make_varying_field(oriented_recipe(1.0), {}, read(grids))->evaluate(positions, values[i]);
+    make_varying_field(oriented_recipe(1.0), {}, kernel_of(grids))->evaluate({positions}, {values[i], {}});
   }
   for (std::size_t i = 0; i < 500; ++i) EXPECT_NEAR(values[0][i], values[1][i], 2e-5) << i;
 }

@@ -16,6 +16,7 @@
 #include "solidnoise/volume/finish_volume.h"
 #include "solidnoise/volume/make_volume.h"
 #include "solidnoise/volume/vdb/vdb_read.h"
+#include "solidnoise/volume/volume_field.h"
 #include "solidnoise/volume/volume_recipe_json.h"
 #include "vdbnoise/analysis_report.h"
 #include "vdbnoise/commands.h"

@@ -18,7 +18,7 @@
 #include "solidnoise/noise/gradient/gradient_noise.h"
 #include "solidnoise/noise/interpolation/interpolation_plan.h"
 #include "solidnoise/recipe/noise_recipe_json.h"
-#include "solidnoise/volume/make_volume.h"
+#include "solidnoise/volume/volume_field.h"
 #include "solidnoise/volume/volume_recipe_json.h"
 
 namespace solidnoise {
@@ -95,19 +95,17 @@ void describe_evolution(const NoiseRecipe& recipe, Json& json) {
 
 // Least and greatest of the grids' active voxels.
 void describe_parameters(const ParameterFields& parameters, Json& json) {
-  const auto add = [&](const char* key, const std::optional<ScalarField>& field) {
-    if (field) json[key] = {field->least(), field->greatest()};
-  };
-  add("frequency", parameters.frequency());
-  add("bandwidth", parameters.bandwidth());
-  add("magnitude", parameters.magnitude());
+  const KernelFields kernel = parameters.kernel();
+  if (const auto& frequency = kernel.frequency) json["frequency"] = {frequency.least, frequency.greatest};
+  if (const auto& bandwidth = kernel.bandwidth) json["bandwidth"] = {bandwidth.least, bandwidth.greatest};
+  if (const auto& field = parameters.magnitude()) json["magnitude"] = {field->least(), field->greatest()};
 }
 
-template <typename Noise>
-void describe_statistics(const Noise& noise, double largest_voxel, Json& json) {
-  const auto band = noise.band();
-  json["variance"] = noise.variance();
-  json["excess_kurtosis"] = noise.excess_kurtosis();
+void describe_statistics(const Field<3>& field, double largest_voxel, Json& json) {
+  const Statistics statistics = *field.statistics();
+  const Band& band = statistics.band;
+  json["variance"] = statistics.variance;
+  json["excess_kurtosis"] = statistics.excess_kurtosis;
   json["band_cycles_per_unit"] = {band.lower, band.upper};
   json["band_cycles_per_voxel"] = {band.lower * largest_voxel, band.upper * largest_voxel};
 }
@@ -166,7 +164,7 @@ Json describe_varying(const VolumeRecipe& recipe, const VolumePlan& plan, double
   json["dims"] = recipe.dims;
   json["octaves"] = recipe.noise.fractal.octaves;
   describe_parameters(*plan.parameters, json["from_grids"]);
-  describe_statistics(*make_varying_volume_noise(recipe, plan.parameters), largest_voxel, json);
+  describe_statistics(*make_volume_source(recipe, plan), largest_voxel, json);
   return json;
 }
 

@@ -8,7 +8,7 @@
 
 #include "common/usage_error.h"
 #include "solidnoise/core/check.h"
-#include "solidnoise/volume/field/layer_json.h"
+#include "solidnoise/volume/layer_json.h"
 #include "solidnoise/volume/volume_recipe_json.h"
 
 namespace solidnoise {

@@ -1,6 +1,5 @@
 #include "vdbnoise/slice_field.h"
 
-#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -9,30 +8,31 @@
 
 #include <openvdb/tools/Interpolation.h>
 
-#include "solidnoise/core/points.h"
+#include "solidnoise/field/pointwise_field.h"
+#include "solidnoise/field/shaped_field.h"
 #include "solidnoise/noise/error_budget.h"
 #include "solidnoise/noise/interpolation/interpolated_noise.h"
 #include "solidnoise/noise/moved_noise.h"
 #include "solidnoise/noise/plane_noise.h"
-#include "solidnoise/volume/field/shaped_noise_field.h"
-#include "solidnoise/volume/make_volume.h"
 #include "solidnoise/volume/topology/world_bounds.h"
 #include "solidnoise/volume/vdb/openvdb.h"
 #include "solidnoise/volume/vdb/require_finite_grid.h"
 #include "solidnoise/volume/vdb/vdb_read.h"
+#include "solidnoise/volume/volume_field.h"
 
 namespace solidnoise {
 namespace {
 
-class GridField final : public PointField {
+class GridField final : public PointwiseField {
  public:
   explicit GridField(openvdb::FloatGrid::ConstPtr grid) : grid_(std::move(grid)) {}
 
-  void evaluate(std::span<const Vec<3>> positions, std::span<float> values) const override {
+  void evaluate(const Points<3>& points, const Samples<3>& samples) const override {
     const auto accessor = grid_->getConstAccessor();
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-      const openvdb::Vec3d world(positions[i].x, positions[i].y, positions[i].z);
-      values[i] = openvdb::tools::BoxSampler::sample(accessor, grid_->worldToIndex(world));
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Vec<3>& p = points.positions[i];
+      const openvdb::Vec3d world(p.x, p.y, p.z);
+      samples.values[i] = openvdb::tools::BoxSampler::sample(accessor, grid_->worldToIndex(world));
     }
   }
 
@@ -42,32 +42,22 @@ class GridField final : public PointField {
 
 // A noise of fewer dimensions than space.
 template <int Dim>
-class FlatNoiseField final : public PointField {
+class FlatNoiseField final : public PointwiseField {
  public:
-  FlatNoiseField(std::shared_ptr<const Noise<Dim>> noise, RawShaping::Range range)
-      : noise_(std::move(noise)), range_(range) {}
+  explicit FlatNoiseField(std::shared_ptr<const Noise<Dim>> noise) : noise_(std::move(noise)) {}
 
-  void evaluate(std::span<const Vec<3>> positions, std::span<float> values) const override {
-    if (positions.empty()) return;
-    std::array<std::vector<float>, Dim> offset;
-    Points<Dim> points;
-    points.count = positions.size();
-    for (int axis = 0; axis < Dim; ++axis) {
-      points.origin[axis] = positions.front()[axis];
-      std::vector<float>& of_axis = offset[static_cast<std::size_t>(axis)];
-      of_axis.reserve(positions.size());
-      for (const Vec<3>& position : positions) {
-        of_axis.push_back(static_cast<float>(position[axis] - points.origin[axis]));
-      }
-      points.offset[static_cast<std::size_t>(axis)] = of_axis.data();
+  void evaluate(const Points<3>& points, const Samples<3>& samples) const override {
+    std::vector<Vec<Dim>> flat;
+    flat.reserve(points.size());
+    for (const Vec<3>& position : points.positions) {
+      Vec<Dim>& of_flat = flat.emplace_back();
+      for (int axis = 0; axis < Dim; ++axis) of_flat[axis] = position[axis];
     }
-    noise_->evaluate(points, Samples<Dim>{.values = values});
-    to_range(range_, values);
+    noise_->evaluate(Points<Dim>{flat}, Samples<Dim>{samples.values, {}});
   }
 
  private:
   std::shared_ptr<const Noise<Dim>> noise_;
-  RawShaping::Range range_;
 };
 
 RawShaping::Range range_of(const VolumeRecipe& recipe) {
@@ -105,7 +95,8 @@ SliceField make_flat_field(const SliceOptions& options, const VolumeRecipe& reci
     }
   }
   if (!result.source) {
-    result.source = make_slice_source(std::make_shared<FlatNoiseField<Dim>>(noise, range_of(recipe)));
+    result.source = make_slice_source(
+        shape(std::make_shared<FlatNoiseField<Dim>>(noise), std::get<RawShaping>(recipe.shaping)));
   }
   return result;
 }
@@ -133,7 +124,7 @@ SliceField make_noise_field(const SliceOptions& options, const VolumeRecipe& rec
     result.source = interpolated_source(
         options, recipe, on_plane(noise, {plane.position(0, 0), plane.right, plane.up}), Vec<2>(0.0));
   }
-  if (!result.source) result.source = make_slice_source(make_volume_points(recipe));
+  if (!result.source) result.source = make_slice_source(make_raw_field(recipe));
   return result;
 }
 

@@ -3,14 +3,14 @@
 #include <utility>
 #include <vector>
 
-#include "solidnoise/volume/field/shaped_noise_field.h"
+#include "solidnoise/field/shaped_field.h"
 
 namespace solidnoise {
 namespace {
 
 class FieldSource final : public SliceSource {
  public:
-  explicit FieldSource(std::shared_ptr<const PointField> field) : field_(std::move(field)) {}
+  explicit FieldSource(FieldPtr field) : field_(std::move(field)) {}
 
   void evaluate(const SlicePlane& plane, const glm::ivec2& first, const glm::ivec2& count,
                 std::span<float> values) const override {
@@ -19,13 +19,13 @@ class FieldSource final : public SliceSource {
       for (int row = first.y; row < first.y + count.y; ++row)
         positions.push_back(plane.position(column, row));
     }
-    field_->evaluate(positions, values);
+    field_->evaluate({positions}, {values, {}});
   }
 
   int tile_side() const override { return 32; }
 
  private:
-  std::shared_ptr<const PointField> field_;
+  FieldPtr field_;
 };
 
 class LatticeSource final : public SliceSource {
@@ -50,7 +50,7 @@ class LatticeSource final : public SliceSource {
 
 }  // namespace
 
-std::unique_ptr<SliceSource> make_slice_source(std::shared_ptr<const PointField> field) {
+std::unique_ptr<SliceSource> make_slice_source(FieldPtr field) {
   return std::make_unique<FieldSource>(std::move(field));
 }
 

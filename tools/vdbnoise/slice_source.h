@@ -3,9 +3,10 @@
 #include <memory>
 #include <span>
 
+#include "solidnoise/core/field.h"
+#include "solidnoise/field/shaping.h"
 #include "solidnoise/noise/interpolation/lattice_interpolation.h"
 #include "solidnoise/noise/noise.h"
-#include "solidnoise/volume/field/point_field.h"
 #include "vdbnoise/slice_plane.h"
 
 namespace solidnoise {
@@ -25,7 +26,7 @@ class SliceSource {
 };
 
 // A field at the pixels' middles.
-std::unique_ptr<SliceSource> make_slice_source(std::shared_ptr<const PointField> field);
+std::unique_ptr<SliceSource> make_slice_source(FieldPtr field);
 
 // A noise of the plane, evaluated on this lattice of the pixels' middles, whose first sample is that of pixel
 // (0, 0), and mapped to the range.

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "solidnoise/noise/interpolation/lattice_frame.h"
+#include "solidnoise/volume/volume_field.h"
 
 namespace solidnoise {
 namespace {

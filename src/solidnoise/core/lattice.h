@@ -2,6 +2,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <vector>
 
 #include "solidnoise/core/box.h"
 #include "solidnoise/core/vec.h"
@@ -39,5 +41,23 @@ struct Lattice {
     return box;
   }
 };
+
+// Appends the positions of a lattice's samples, in its order.
+inline void append_positions(const Lattice<3>& lattice, std::vector<Vec<3>>& positions) {
+  positions.reserve(positions.size() + lattice.size());
+  for (int i = 0; i < lattice.count.x; ++i) {
+    for (int j = 0; j < lattice.count.y; ++j) {
+      for (int k = 0; k < lattice.count.z; ++k) {
+        positions.emplace_back(lattice.coordinate(0, i), lattice.coordinate(1, j), lattice.coordinate(2, k));
+      }
+    }
+  }
+}
+
+inline std::vector<Vec<3>> positions_of(std::span<const Lattice<3>> lattices) {
+  std::vector<Vec<3>> positions;
+  for (const Lattice<3>& lattice : lattices) append_positions(lattice, positions);
+  return positions;
+}
 
 }  // namespace solidnoise

@@ -1,24 +1,26 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <span>
 
 #include "solidnoise/core/vec.h"
 
 namespace solidnoise {
 
-// A batch of scattered positions: point i is at origin[axis] + offset[axis][i], in world units. The origin is
-// in double precision and the offsets are small floats, so that positions far from the world's origin stay
-// exact. The batch does not own the offsets.
+// Scattered positions, in world units and double precision, so that noise is as smooth far from the world's
+// origin as near it. Owns nothing.
 template <int Dim>
 struct Points {
-  Vec<Dim> origin{0.0};
-  std::array<const float*, Dim> offset{};
-  std::size_t count = 0;
+  std::span<const Vec<Dim>> positions;
 
-  double coordinate(std::size_t point, int axis) const {
-    return origin[axis] + static_cast<double>(offset[axis][point]);
-  }
+  // Of points of a surface, else empty: its normals there, smooth (interpolated) and of any length but 0; and
+  // which vertices of its mesh they are, for fields that have a number for each vertex.
+  std::span<const Vec<Dim>> normals{};
+  std::span<const std::uint32_t> vertices{};
+
+  std::size_t size() const { return positions.size(); }
+  double coordinate(std::size_t point, int axis) const { return positions[point][axis]; }
 };
 
 }  // namespace solidnoise

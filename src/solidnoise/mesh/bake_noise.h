@@ -4,10 +4,10 @@
 #include <span>
 #include <vector>
 
+#include "solidnoise/core/field.h"
 #include "solidnoise/core/progress.h"
 #include "solidnoise/core/vec.h"
 #include "solidnoise/mesh/surface_recipe.h"
-#include "solidnoise/noise/noise.h"
 
 namespace solidnoise {
 
@@ -41,7 +41,12 @@ struct BakeVertices {
 std::vector<float> bake_noise(const SurfaceNoiseRecipe& recipe, const BakeVertices& vertices,
                               Progress* progress = nullptr);
 
+// A field at all vertices, in parallel; parameters do not count, but for the frequency, which says how near
+// vertices should be to be evaluated together. Throws Cancelled, and what the field throws.
+std::vector<float> bake_field(const Field<3>& field, const BakeVertices& vertices,
+                              Progress* progress = nullptr);
+
 // The frequencies that hold all but a thousandth of the variance, with the first octave at this frequency.
-Noise<2>::Band surface_band(const SurfaceNoiseRecipe& recipe, double frequency, double bandwidth);
+Band surface_band(const SurfaceNoiseRecipe& recipe, double frequency, double bandwidth);
 
 }  // namespace solidnoise

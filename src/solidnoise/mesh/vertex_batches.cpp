@@ -47,9 +47,8 @@ std::vector<VertexBatch> make_batches(std::span<const Vec<3>> positions, double 
   starts.push_back(places.size());
   tbb::parallel_for(std::size_t{0}, batches.size(), [&](std::size_t k) {
     const auto batch = places.subspan(starts[k], starts[k + 1] - starts[k]);
-    batches[k].origin = batch.front().cube * cube;
-    batches[k].vertices.reserve(batch.size());
-    for (const Place& place : batch) batches[k].vertices.push_back(place.vertex);
+    batches[k].reserve(batch.size());
+    for (const Place& place : batch) batches[k].push_back(place.vertex);
   });
   return batches;
 }

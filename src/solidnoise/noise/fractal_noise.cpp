@@ -1,6 +1,7 @@
 #include "solidnoise/noise/fractal_noise.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <span>
 
@@ -30,27 +31,21 @@ void sum_octaves(const Octaves& octaves, const Samples<Dim>& samples, const Eval
   }
   if (octaves.size() == 1) return;
 
-  const std::size_t count = samples.values.size();
-  const std::size_t channels = samples.wants_gradient() ? 1 + Dim : 1;
-  const auto memory = std::make_unique_for_overwrite<float[]>(count * channels);
-  Samples<Dim> octave{{memory.get(), count}, {}};
-  for (std::size_t axis = 0; axis + 1 < channels; ++axis) {
-    octave.gradient[axis] = {memory.get() + (axis + 1) * count, count};
-  }
+  const SampleBuffer<Dim> octave(samples);
   for (std::size_t k = 1; k < octaves.size(); ++k) {
-    evaluate(k, octave);
+    evaluate(k, octave.samples());
     const auto amplitude = static_cast<float>(octaves[k].amplitude);
-    for_each_channel(samples, octave, [&](std::span<float> to, std::span<float> from) {
-      for (std::size_t j = 0; j < count; ++j) to[j] += amplitude * from[j];
+    for_each_channel(samples, octave.samples(), [&](std::span<float> to, std::span<float> from) {
+      for (std::size_t j = 0; j < to.size(); ++j) to[j] += amplitude * from[j];
     });
   }
 }
 
 template <int Dim>
-class FractalBlock final : public NoiseBlock<Dim> {
+class FractalBlock final : public FieldBlock<Dim> {
  public:
   struct Octave {
-    std::unique_ptr<NoiseBlock<Dim>> block;
+    std::unique_ptr<FieldBlock<Dim>> block;
     double amplitude;
   };
 
@@ -74,11 +69,20 @@ void FractalOptions::validate() const {
   require_positive("gain", gain, "amplitude ratio of octaves");
 }
 
+std::vector<double> FractalOptions::amplitudes() const {
+  double power = 0.0;
+  for (int k = 0; k < octaves; ++k) power += std::pow(gain, 2 * k);
+  const double scale = renormalize ? 1.0 / std::sqrt(power) : 1.0;
+  std::vector<double> all;
+  for (int k = 0; k < octaves; ++k) all.push_back(scale * std::pow(gain, k));
+  return all;
+}
+
 template <int Dim>
 FractalNoise<Dim>::FractalNoise(std::vector<Octave> octaves) : octaves_(std::move(octaves)) {}
 
 template <int Dim>
-std::unique_ptr<NoiseBlock<Dim>> FractalNoise<Dim>::block(const Box<Dim>& box) const {
+std::unique_ptr<FieldBlock<Dim>> FractalNoise<Dim>::block(const Box<Dim>& box) const {
   std::vector<typename FractalBlock<Dim>::Octave> blocks;
   for (const Octave& octave : octaves_) blocks.push_back({octave.noise->block(box), octave.amplitude});
   return std::make_unique<FractalBlock<Dim>>(std::move(blocks));

@@ -19,6 +19,9 @@ struct FractalOptions {
   // Throws std::invalid_argument naming the field, its value and what is allowed.
   void validate() const;
 
+  // Of each octave in the sum.
+  std::vector<double> amplitudes() const;
+
   friend bool operator==(const FractalOptions&, const FractalOptions&) = default;
 };
 
@@ -34,7 +37,7 @@ class FractalNoise final : public Noise<Dim> {
   explicit FractalNoise(std::vector<Octave> octaves);
 
   using Noise<Dim>::evaluate;
-  std::unique_ptr<NoiseBlock<Dim>> block(const Box<Dim>& box) const override;
+  std::unique_ptr<FieldBlock<Dim>> block(const Box<Dim>& box) const override;
   void evaluate(const Points<Dim>& points, const Samples<Dim>& samples) const override;
   double variance() const override;
   Vec<Dim> gradient_variance() const override;

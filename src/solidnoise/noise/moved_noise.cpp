@@ -1,6 +1,7 @@
 #include "solidnoise/noise/moved_noise.h"
 
 #include <utility>
+#include <vector>
 
 #include "solidnoise/core/check.h"
 
@@ -8,9 +9,9 @@ namespace solidnoise {
 namespace {
 
 template <int Dim>
-class MovedBlock final : public NoiseBlock<Dim> {
+class MovedBlock final : public FieldBlock<Dim> {
  public:
-  MovedBlock(std::unique_ptr<NoiseBlock<Dim>> block, const Vec<Dim>& offset)
+  MovedBlock(std::unique_ptr<FieldBlock<Dim>> block, const Vec<Dim>& offset)
       : block_(std::move(block)), offset_(offset) {}
 
   void evaluate(const Lattice<Dim>& lattice, const Samples<Dim>& samples) const override {
@@ -20,7 +21,7 @@ class MovedBlock final : public NoiseBlock<Dim> {
   }
 
  private:
-  std::unique_ptr<NoiseBlock<Dim>> block_;
+  std::unique_ptr<FieldBlock<Dim>> block_;
   Vec<Dim> offset_;
 };
 
@@ -31,14 +32,14 @@ class MovedNoise final : public Noise<Dim> {
       : noise_(std::move(noise)), offset_(offset) {}
 
   using Noise<Dim>::evaluate;
-  std::unique_ptr<NoiseBlock<Dim>> block(const Box<Dim>& box) const override {
+  std::unique_ptr<FieldBlock<Dim>> block(const Box<Dim>& box) const override {
     return std::make_unique<MovedBlock<Dim>>(noise_->block({box.lower - offset_, box.upper - offset_}),
                                              offset_);
   }
   void evaluate(const Points<Dim>& points, const Samples<Dim>& samples) const override {
-    Points<Dim> moved = points;
-    moved.origin -= offset_;
-    noise_->evaluate(moved, samples);
+    std::vector<Vec<Dim>> moved(points.positions.begin(), points.positions.end());
+    for (Vec<Dim>& position : moved) position -= offset_;
+    noise_->evaluate({moved}, samples);
   }
   double variance() const override { return noise_->variance(); }
   Vec<Dim> gradient_variance() const override { return noise_->gradient_variance(); }

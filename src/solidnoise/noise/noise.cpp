@@ -60,7 +60,7 @@ void Noise<Dim>::evaluate(const Lattice<Dim>& lattice, const Samples<Dim>& sampl
     Samples<Dim> dense{buffers[0], {}};
     for (int axis = 0; samples.wants_gradient() && axis < Dim; ++axis)
       dense.gradient[axis] = buffers[1 + axis];
-    block(inside.bounds())->evaluate(inside, dense);
+    this->block(inside.bounds())->evaluate(inside, dense);
     scatter<Dim>(chunk, lattice.count, buffers[0], samples.values);
     for (int axis = 0; samples.wants_gradient() && axis < Dim; ++axis) {
       scatter<Dim>(chunk, lattice.count, buffers[1 + axis], samples.gradient[axis]);

@@ -1,57 +1,20 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <memory>
-#include <span>
+#include <optional>
 #include <vector>
 
-#include "solidnoise/core/box.h"
-#include "solidnoise/core/lattice.h"
-#include "solidnoise/core/points.h"
-#include "solidnoise/core/vec.h"
+#include "solidnoise/core/field.h"
 #include "solidnoise/noise/wave_mixture.h"
 
 namespace solidnoise {
 
-// Where an evaluation writes. `values` has one float per sample. `gradient` is either all empty (not wanted)
-// or has, per axis, one float per sample: the analytic derivative of the value, per world unit.
+// A stationary random field of one channel, with its gradient, and its statistics in closed form.
 template <int Dim>
-struct Samples {
-  std::span<float> values;
-  std::array<std::span<float>, Dim> gradient{};
-
-  bool wants_gradient() const { return !gradient[0].empty(); }
-};
-
-template <int Dim>
-void fill_with_zero(const Samples<Dim>& samples) {
-  std::fill(samples.values.begin(), samples.values.end(), 0.0f);
-  for (const auto& derivative : samples.gradient) std::fill(derivative.begin(), derivative.end(), 0.0f);
-}
-
-// A noise made ready for one box: what is costly to make (the random impulses) is made once, and any lattice
-// inside the box is then cheap. It belongs to one thread at a time, for it may keep what it has evaluated.
-template <int Dim>
-class NoiseBlock {
+class Noise : public Field<Dim> {
  public:
-  virtual ~NoiseBlock() = default;
-
-  // Overwrites `samples`, in the lattice's order. Precondition: the lattice lies in the block's box.
-  virtual void evaluate(const Lattice<Dim>& lattice, const Samples<Dim>& samples) const = 0;
-};
-
-// A stationary random field that can be evaluated anywhere, with its statistics in closed form. Immutable;
-// may be shared between threads. A sample's value depends on the noise and the sample's position only: not on
-// the batch, block, thread or vector width (vector widths without fused multiply-add may differ in the last
-// bits).
-template <int Dim>
-class Noise {
- public:
-  virtual ~Noise() = default;
-
-  virtual std::unique_ptr<NoiseBlock<Dim>> block(const Box<Dim>& box) const = 0;
-  virtual void evaluate(const Points<Dim>& points, const Samples<Dim>& samples) const = 0;
+  bool has_gradient() const final { return true; }
+  using Field<Dim>::evaluate;
 
   // Variance of the value at a point, over all seeds; the mean is 0. For gradient noise, which is not
   // stationary, the variance averaged over a lattice cell.
@@ -69,12 +32,13 @@ class Noise {
   // E[n^4] / E[n^2]^2 - 3: 0 for a Gaussian field.
   virtual double excess_kurtosis() const = 0;
 
-  // The interval of frequencies (cycles per world unit) that holds all but a thousandth of the variance.
-  struct Band {
-    double lower = 0.0;
-    double upper = 0.0;
-  };
+  // The interval of frequencies that holds all but a thousandth of the variance.
+  using Band = solidnoise::Band;
   virtual Band band() const = 0;
+
+  std::optional<Statistics> statistics() const final {
+    return Statistics{0.0, variance(), excess_kurtosis(), band()};
+  }
 
   // A noise that is a sum of independent ones, such as octaves, has these as its parts, in the order in which
   // they are added, each with its amplitude.

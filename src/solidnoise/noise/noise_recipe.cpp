@@ -159,15 +159,12 @@ std::unique_ptr<Noise<Dim>> make_noise(const NoiseRecipe& recipe) {
     return std::visit([](const auto& options) { return make_single<Dim>(with_truncation_share(options)); },
                       recipe.noise);
   }
-  double power = 0.0;
-  for (int k = 0; k < fractal.octaves; ++k) power += std::pow(fractal.gain, 2 * k);
-  const double scale = fractal.renormalize ? 1.0 / std::sqrt(power) : 1.0;
-
+  const std::vector<double> amplitudes = fractal.amplitudes();
   std::vector<typename FractalNoise<Dim>::Octave> octaves;
   for (int k = 0; k < fractal.octaves; ++k) {
     auto noise = make_noise<Dim>(octave_of(recipe, k));
     if (noise->variance() == 0.0) continue;  // nothing passes the filter
-    octaves.push_back({std::move(noise), scale * std::pow(fractal.gain, k)});
+    octaves.push_back({std::move(noise), amplitudes[static_cast<std::size_t>(k)]});
   }
   return std::make_unique<FractalNoise<Dim>>(std::move(octaves));
 }

@@ -15,49 +15,42 @@
 namespace solidnoise {
 namespace {
 
-// Samples of places on a plane, by their offsets from the plane's point (x, y).
-void evaluate_on_plane(const Noise<3>& noise, const Plane& plane, const Vec<2>& from,
-                       const std::array<std::vector<double>, 2>& offsets, const Samples<2>& samples) {
-  const std::size_t count = samples.values.size();
-  Points<3> points;
-  points.origin = plane.origin + from.x * plane.right + from.y * plane.up;
-  points.count = count;
-  std::array<std::vector<float>, 3> offset;
+// Samples of places on a plane.
+void evaluate_on_plane(const Noise<3>& noise, const Plane& plane, std::span<const Vec<2>> places,
+                       const Samples<2>& samples) {
+  std::vector<Vec<3>> positions;
+  positions.reserve(places.size());
+  for (const Vec<2>& place : places) {
+    positions.push_back(plane.origin + place.x * plane.right + place.y * plane.up);
+  }
   std::array<std::vector<float>, 3> gradient;
   Samples<3> in_space{samples.values, {}};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto i = static_cast<int>(axis);
-    offset[axis].resize(count);
-    for (std::size_t k = 0; k < count; ++k) {
-      offset[axis][k] = static_cast<float>(offsets[0][k] * plane.right[i] + offsets[1][k] * plane.up[i]);
-    }
-    points.offset[axis] = offset[axis].data();
-    if (!samples.wants_gradient()) continue;
-    gradient[axis].resize(count);
+  for (std::size_t axis = 0; samples.wants_gradient() && axis < 3; ++axis) {
+    gradient[axis].resize(places.size());
     in_space.gradient[axis] = gradient[axis];
   }
-  noise.evaluate(points, in_space);
-  for (std::size_t k = 0; samples.wants_gradient() && k < count; ++k) {
+  noise.evaluate({positions}, in_space);
+  for (std::size_t k = 0; samples.wants_gradient() && k < places.size(); ++k) {
     const Vec<3> slope(gradient[0][k], gradient[1][k], gradient[2][k]);
     samples.gradient[0][k] = static_cast<float>(glm::dot(slope, plane.right));
     samples.gradient[1][k] = static_cast<float>(glm::dot(slope, plane.up));
   }
 }
 
-class PlaneBlock final : public NoiseBlock<2> {
+class PlaneBlock final : public FieldBlock<2> {
  public:
   PlaneBlock(std::shared_ptr<const Noise<3>> noise, const Plane& plane)
       : noise_(std::move(noise)), plane_(plane) {}
 
   void evaluate(const Lattice<2>& lattice, const Samples<2>& samples) const override {
-    std::array<std::vector<double>, 2> offsets;
+    std::vector<Vec<2>> places;
+    places.reserve(lattice.size());
     for (int x = 0; x < lattice.count.x; ++x) {
       for (int y = 0; y < lattice.count.y; ++y) {
-        offsets[0].push_back(x * lattice.step.x);
-        offsets[1].push_back(y * lattice.step.y);
+        places.emplace_back(lattice.coordinate(0, x), lattice.coordinate(1, y));
       }
     }
-    evaluate_on_plane(*noise_, plane_, lattice.bounds().lower, offsets, samples);
+    evaluate_on_plane(*noise_, plane_, places, samples);
   }
 
  private:
@@ -90,7 +83,7 @@ struct PlaneAxes {
 };
 
 // Lattices of such a plane are lattices of space.
-class AlignedPlaneBlock final : public NoiseBlock<2> {
+class AlignedPlaneBlock final : public FieldBlock<2> {
  public:
   AlignedPlaneBlock(const Noise<3>& noise, const Plane& plane, const PlaneAxes& axes, const Box<2>& box)
       : origin_(plane.origin),
@@ -116,7 +109,7 @@ class AlignedPlaneBlock final : public NoiseBlock<2> {
  private:
   Vec<3> origin_;
   PlaneAxes axes_;
-  std::unique_ptr<NoiseBlock<3>> block_;
+  std::unique_ptr<FieldBlock<3>> block_;
 };
 
 // The frequencies of waves that signs of coordinates stand for, up to the sign of all.
@@ -135,7 +128,7 @@ class PlaneNoise final : public Noise<2> {
 
   using Noise<2>::evaluate;
 
-  std::unique_ptr<NoiseBlock<2>> block(const Box<2>& box) const override {
+  std::unique_ptr<FieldBlock<2>> block(const Box<2>& box) const override {
     if (const auto axes = PlaneAxes::of(plane_)) {
       return std::make_unique<AlignedPlaneBlock>(*noise_, plane_, *axes, box);
     }
@@ -143,11 +136,7 @@ class PlaneNoise final : public Noise<2> {
   }
 
   void evaluate(const Points<2>& points, const Samples<2>& samples) const override {
-    std::array<std::vector<double>, 2> offsets;
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      offsets[axis].assign(points.offset[axis], points.offset[axis] + points.count);
-    }
-    evaluate_on_plane(*noise_, plane_, points.origin, offsets, samples);
+    evaluate_on_plane(*noise_, plane_, points.positions, samples);
   }
 
   double variance() const override { return noise_->variance(); }

@@ -17,9 +17,9 @@ Samples<4> with_time(const Samples<3>& samples, std::vector<float>& time_gradien
   return all;
 }
 
-class SliceBlock final : public NoiseBlock<3> {
+class SliceBlock final : public FieldBlock<3> {
  public:
-  SliceBlock(std::unique_ptr<NoiseBlock<4>> block, double t) : block_(std::move(block)), t_(t) {}
+  SliceBlock(std::unique_ptr<FieldBlock<4>> block, double t) : block_(std::move(block)), t_(t) {}
 
   void evaluate(const Lattice<3>& lattice, const Samples<3>& samples) const override {
     const Lattice<4> frame{{lattice.origin, t_}, {lattice.step, 1.0}, {lattice.first, 0}, {lattice.count, 1}};
@@ -28,7 +28,7 @@ class SliceBlock final : public NoiseBlock<3> {
   }
 
  private:
-  std::unique_ptr<NoiseBlock<4>> block_;
+  std::unique_ptr<FieldBlock<4>> block_;
   double t_;
 };
 
@@ -38,17 +38,16 @@ class SliceNoise final : public Noise<3> {
 
   using Noise<3>::evaluate;
 
-  std::unique_ptr<NoiseBlock<3>> block(const Box<3>& box) const override {
+  std::unique_ptr<FieldBlock<3>> block(const Box<3>& box) const override {
     return std::make_unique<SliceBlock>(noise_->block({{box.lower, t_}, {box.upper, t_}}), t_);
   }
 
   void evaluate(const Points<3>& points, const Samples<3>& samples) const override {
-    const std::vector<float> no_offset(points.count, 0.0f);
-    const Points<4> at_time{{points.origin, t_},
-                            {points.offset[0], points.offset[1], points.offset[2], no_offset.data()},
-                            points.count};
+    std::vector<Vec<4>> at_time;
+    at_time.reserve(points.size());
+    for (const Vec<3>& position : points.positions) at_time.emplace_back(position, t_);
     std::vector<float> time_gradient;
-    noise_->evaluate(at_time, with_time(samples, time_gradient));
+    noise_->evaluate({at_time}, with_time(samples, time_gradient));
   }
 
   double variance() const override { return noise_->variance(); }

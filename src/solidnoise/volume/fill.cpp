@@ -4,7 +4,6 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
-#include <numeric>
 #include <span>
 #include <stdexcept>
 #include <utility>
@@ -66,17 +65,19 @@ GroupedLeaves group_leaves(const openvdb::MaskTree& mask) {
 
 class Filler {
  public:
-  Filler(const Topology& topology, const Field& field, Sparsity sparsity, Progress* progress)
+  Filler(const Topology& topology, const Field<3>& field, const std::vector<GridChannels>& grids,
+         Progress* progress)
       : frame_(topology.frame),
         field_(field),
-        sparsity_(sparsity),
+        grids_(grids),
         progress_(progress),
-        grouped_(group_leaves(*topology.mask)) {}
-
-  std::vector<MeasuredGrid> run(const std::vector<int>& components) {
-    for (const int count : components) {
-      sinks_.push_back(make_grid_sink(count, grouped_.leaves.size(), sparsity_));
+        grouped_(group_leaves(*topology.mask)) {
+    for (const GridChannels& grid : grids) {
+      sinks_.push_back(make_grid_sink(grid.count, grouped_.leaves.size(), grid.sparsity));
     }
+  }
+
+  std::vector<MeasuredGrid> run() {
     tbb::parallel_for(std::size_t{0}, grouped_.groups.size(), [&](std::size_t group) {
       throw_if_cancelled(progress_);
       fill_group(grouped_.groups[group]);
@@ -104,7 +105,7 @@ class Filler {
     }
     // Evaluate them.
     if (!wanted.empty()) {
-      const std::unique_ptr<FieldBlock> block = field_.block(frame_.bounds(box));
+      const std::unique_ptr<FieldBlock<3>> block = field_.block(frame_.bounds(box));
       for (std::size_t i = 0; i < wanted.size(); i += kLeavesAtOnce) {
         throw_if_cancelled(progress_);
         fill_leaves(*block, std::span(wanted).subspan(i, std::min(kLeavesAtOnce, wanted.size() - i)));
@@ -113,30 +114,30 @@ class Filler {
     if (progress_ != nullptr) progress_->advance(done_ += group.end - group.begin, grouped_.leaves.size());
   }
 
-  void fill_leaves(const FieldBlock& block, std::span<const std::size_t> leaves) {
+  void fill_leaves(const FieldBlock<3>& block, std::span<const std::size_t> leaves) {
     std::vector<Lattice<3>> lattices;
     for (const std::size_t leaf : leaves) {
       lattices.push_back(frame_.lattice(grouped_.leaves[leaf]->getNodeBoundingBox()));
     }
     const std::size_t size = static_cast<std::size_t>(field_.channels()) * MaskLeaf::SIZE;
     std::vector<float> values(leaves.size() * size);
-    block.evaluate_all(lattices, values);
+    block.evaluate_all(lattices, {values, {}});
     for (std::size_t i = 0; i < leaves.size(); ++i) {
       store(leaves[i], std::span(values).subspan(i * size, size));
     }
   }
 
   void store(std::size_t leaf, std::span<const float> values) {
-    for (const auto& sink : sinks_) {
-      const std::size_t size = sink->components() * MaskLeaf::SIZE;
-      sink->store(leaf, *grouped_.leaves[leaf], values.first(size));
-      values = values.subspan(size);
+    for (std::size_t i = 0; i < sinks_.size(); ++i) {
+      const auto first = static_cast<std::size_t>(grids_[i].first) * MaskLeaf::SIZE;
+      const auto size = static_cast<std::size_t>(grids_[i].count) * MaskLeaf::SIZE;
+      sinks_[i]->store(leaf, *grouped_.leaves[leaf], values.subspan(first, size));
     }
   }
 
   const GridFrame& frame_;
-  const Field& field_;
-  const Sparsity sparsity_;
+  const Field<3>& field_;
+  const std::vector<GridChannels>& grids_;
   Progress* const progress_;
   const GroupedLeaves grouped_;
   std::vector<std::unique_ptr<GridSink>> sinks_;
@@ -145,19 +146,21 @@ class Filler {
 
 }  // namespace
 
-std::vector<MeasuredGrid> fill_grids(const Topology& topology, const Field& field,
-                                     const std::vector<int>& components, Sparsity sparsity,
-                                     Progress* progress) {
-  const int channels = std::accumulate(components.begin(), components.end(), 0);
-  if (channels != field.channels()) {
-    throw std::invalid_argument(
-        fmt::format("a field of {} channels for grids of {} components", field.channels(), channels));
+std::vector<MeasuredGrid> fill_grids(const Topology& topology, const Field<3>& field,
+                                     const std::vector<GridChannels>& grids, Progress* progress) {
+  for (const GridChannels& grid : grids) {
+    if (grid.first >= 0 && grid.first + grid.count <= field.channels()) continue;
+    throw std::invalid_argument(fmt::format("a field of {} channels for a grid of channels {} to {}",
+                                            field.channels(), grid.first, grid.first + grid.count - 1));
   }
-  return Filler(topology, field, sparsity, progress).run(components);
+  return Filler(topology, field, grids, progress).run();
 }
 
-FilledGrid fill_grid(const Topology& topology, const Field& field, Sparsity sparsity, Progress* progress) {
-  const MeasuredGrid filled = fill_grids(topology, field, {1}, sparsity, progress).front();
+FilledGrid fill_grid(const Topology& topology, const Field<3>& field, Sparsity sparsity, Progress* progress) {
+  if (field.channels() != 1) {
+    throw std::invalid_argument(fmt::format("a field of {} channels for a grid of one", field.channels()));
+  }
+  const MeasuredGrid filled = fill_grids(topology, field, {{0, 1, sparsity}}, progress).front();
   return {openvdb::gridPtrCast<openvdb::FloatGrid>(filled.grid), filled.moments.front()};
 }
 

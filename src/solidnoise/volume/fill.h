@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "solidnoise/core/field.h"
 #include "solidnoise/core/progress.h"
-#include "solidnoise/volume/field/field.h"
 #include "solidnoise/volume/grid_sink.h"
 #include "solidnoise/volume/statistics.h"
 #include "solidnoise/volume/topology/topology.h"
@@ -21,15 +21,21 @@ struct FilledGrid {
 // voxels and moments are the same to the last bit for any number of threads (tbb::global_control sets it) and
 // any topology that holds the voxel. Progress counts leaves. Throws Cancelled, what the field throws, and
 // std::invalid_argument if the field has several channels.
-FilledGrid fill_grid(const Topology& topology, const Field& field, Sparsity sparsity,
+FilledGrid fill_grid(const Topology& topology, const Field<3>& field, Sparsity sparsity,
                      Progress* progress = nullptr);
 
-// The same for a field of several channels: they become, in their order, grids of so many components each, 1
-// for floats and 3 for vectors; each evaluation serves all grids. Voxels are dropped of each grid by its own
-// values. Throws std::invalid_argument also if the components do not add up to the field's channels.
-std::vector<MeasuredGrid> fill_grids(const Topology& topology, const Field& field,
-                                     const std::vector<int>& components, Sparsity sparsity,
-                                     Progress* progress = nullptr);
+// What a grid takes of a field of several channels: as many as it has components, 1 for floats and 3 for
+// vectors.
+struct GridChannels {
+  int first = 0;
+  int count = 1;
+  Sparsity sparsity = Sparsity::keep;  // by the grid's own values
+};
+
+// Several grids of one field; each evaluation serves all of them. Throws std::invalid_argument also if the
+// field does not have the channels.
+std::vector<MeasuredGrid> fill_grids(const Topology& topology, const Field<3>& field,
+                                     const std::vector<GridChannels>& grids, Progress* progress = nullptr);
 
 // Multiplies every value; the background, 0, stays. Moments are then to be measured anew.
 void scale_values(openvdb::FloatGrid& grid, float factor);

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "solidnoise/core/box.h"
+#include "solidnoise/field/layer.h"
+#include "solidnoise/field/shaping.h"
 #include "solidnoise/noise/noise_recipe.h"
-#include "solidnoise/volume/field/layer.h"
-#include "solidnoise/volume/field/shaping.h"
 #include "solidnoise/volume/modify/modification.h"
 #include "solidnoise/volume/output.h"
 #include "solidnoise/volume/parameters/parameter_grids.h"

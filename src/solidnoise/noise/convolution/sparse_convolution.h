@@ -50,7 +50,7 @@ class SparseConvolution {
   const ImpulseProcess<Dim>& process() const { return process_; }
   double amplitude() const { return amplitude_; }
 
-  std::unique_ptr<NoiseBlock<Dim>> block(const Box<Dim>& box) const;
+  std::unique_ptr<FieldBlock<Dim>> block(const Box<Dim>& box) const;
   void evaluate(const Points<Dim>& points, const Samples<Dim>& samples) const;
 
  private:

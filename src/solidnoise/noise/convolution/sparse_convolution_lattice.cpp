@@ -51,7 +51,7 @@ class LocatedAxis {
 }  // namespace
 
 template <int Dim>
-class SparseConvolution<Dim>::Block final : public NoiseBlock<Dim> {
+class SparseConvolution<Dim>::Block final : public FieldBlock<Dim> {
  public:
   Block(const SparseConvolution& noise, const Box<Dim>& box) : noise_(noise) {
     const auto reach = ImpulseBlock<Dim>::reach_of(noise_.process_.axes(), box, noise_.reach_);
@@ -155,20 +155,20 @@ class SparseConvolution<Dim>::Block final : public NoiseBlock<Dim> {
 
 // Of a noise that is 0.
 template <int Dim>
-class SilentBlock final : public NoiseBlock<Dim> {
+class SilentBlock final : public FieldBlock<Dim> {
  public:
   void evaluate(const Lattice<Dim>&, const Samples<Dim>& samples) const override { fill_with_zero(samples); }
 };
 
 template <int Dim>
-std::unique_ptr<NoiseBlock<Dim>> SparseConvolution<Dim>::block(const Box<Dim>& box) const {
+std::unique_ptr<FieldBlock<Dim>> SparseConvolution<Dim>::block(const Box<Dim>& box) const {
   if (!kernel_) return std::make_unique<SilentBlock<Dim>>();
   return std::make_unique<Block>(*this, box);
 }
 
-template std::unique_ptr<NoiseBlock<1>> SparseConvolution<1>::block(const Box<1>&) const;
-template std::unique_ptr<NoiseBlock<2>> SparseConvolution<2>::block(const Box<2>&) const;
-template std::unique_ptr<NoiseBlock<3>> SparseConvolution<3>::block(const Box<3>&) const;
-template std::unique_ptr<NoiseBlock<4>> SparseConvolution<4>::block(const Box<4>&) const;
+template std::unique_ptr<FieldBlock<1>> SparseConvolution<1>::block(const Box<1>&) const;
+template std::unique_ptr<FieldBlock<2>> SparseConvolution<2>::block(const Box<2>&) const;
+template std::unique_ptr<FieldBlock<3>> SparseConvolution<3>::block(const Box<3>&) const;
+template std::unique_ptr<FieldBlock<4>> SparseConvolution<4>::block(const Box<4>&) const;
 
 }  // namespace solidnoise

@@ -21,9 +21,9 @@ void SparseConvolution<Dim>::evaluate(const Points<Dim>& points, const Samples<D
     std::array<float, Dim> fraction;
     std::size_t sample;
   };
-  std::vector<KeyedPoint> order(points.count);
-  std::vector<Located> unsorted(points.count);
-  for (std::size_t i = 0; i < points.count; ++i) {
+  std::vector<KeyedPoint> order(points.size());
+  std::vector<Located> unsorted(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
     Located& point = unsorted[i];
     point.sample = i;
     Index<Dim> group;
@@ -42,7 +42,7 @@ void SparseConvolution<Dim>::evaluate(const Points<Dim>& points, const Samples<D
   }
   sort_by_key(order, kHashBits + 2 * Dim * kGroupBits);
   std::vector<Located> located;
-  located.reserve(points.count);
+  located.reserve(points.size());
   for (const KeyedPoint& point : order) located.push_back(unsorted[point.point]);
   const auto group_differs = [](const Located& a, const Located& b) {
     for (int axis = 0; axis < Dim; ++axis) {

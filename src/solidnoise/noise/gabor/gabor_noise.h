@@ -45,7 +45,7 @@ class GaborNoise final : public Noise<Dim> {
   double amplitude() const { return convolution_->amplitude(); }  // of the compact kernel in the noise
 
   using Noise<Dim>::evaluate;
-  std::unique_ptr<NoiseBlock<Dim>> block(const Box<Dim>& box) const override {
+  std::unique_ptr<FieldBlock<Dim>> block(const Box<Dim>& box) const override {
     return convolution_->block(box);
   }
   void evaluate(const Points<Dim>& points, const Samples<Dim>& samples) const override {

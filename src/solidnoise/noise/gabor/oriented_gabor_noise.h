@@ -48,7 +48,7 @@ class OrientedGaborNoise final : public Noise<Dim> {
   double amplitude() const { return convolution_->amplitude(); }  // of the envelope in the noise
 
   using Noise<Dim>::evaluate;
-  std::unique_ptr<NoiseBlock<Dim>> block(const Box<Dim>& box) const override {
+  std::unique_ptr<FieldBlock<Dim>> block(const Box<Dim>& box) const override {
     return convolution_->block(box);
   }
   void evaluate(const Points<Dim>& points, const Samples<Dim>& samples) const override {

@@ -69,7 +69,7 @@ class BandNoise final : public Noise<Dim> {
   }
 
   using Noise<Dim>::evaluate;
-  std::unique_ptr<NoiseBlock<Dim>> block(const Box<Dim>& box) const override {
+  std::unique_ptr<FieldBlock<Dim>> block(const Box<Dim>& box) const override {
     return convolution_->block(box);
   }
   void evaluate(const Points<Dim>& points, const Samples<Dim>& samples) const override {

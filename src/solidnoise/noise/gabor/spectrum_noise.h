@@ -53,7 +53,7 @@ class SpectrumNoise final : public Noise<Dim> {
   double least_impulse_density() const { return least_density_; }
 
   using Noise<Dim>::evaluate;
-  std::unique_ptr<NoiseBlock<Dim>> block(const Box<Dim>& box) const override { return bands_->block(box); }
+  std::unique_ptr<FieldBlock<Dim>> block(const Box<Dim>& box) const override { return bands_->block(box); }
   void evaluate(const Points<Dim>& points, const Samples<Dim>& samples) const override {
     bands_->evaluate(points, samples);
   }

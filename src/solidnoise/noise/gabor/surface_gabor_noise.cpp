@@ -55,7 +55,7 @@ void SurfaceGaborNoise::evaluate(const SurfacePoints& points, std::span<float> v
 void SurfaceGaborNoise::evaluate(const SurfacePoints& points, const VaryingParameters<3>& parameters,
                                  std::span<float> values) const {
   points.validate();
-  parameters.validate(points.positions.count);
+  parameters.validate(points.positions.size());
 
   const PointConvolution<3>& convolution = parameters.radius_varies() ? *varying_ : *stationary_;
   const double unit_power = convolution.power() * layer_window_moment(2) * options_.layer;

@@ -126,9 +126,9 @@ void SurfaceSpectrumNoise::evaluate(const SurfacePoints& points,
                                     std::span<float> values) const {
   points.validate();
   for (const auto& component : tangent) {
-    if (component.size() == points.positions.count) continue;
+    if (component.size() == points.positions.size()) continue;
     throw std::invalid_argument(fmt::format("tangent is given for {} points; there are {}", component.size(),
-                                            points.positions.count));
+                                            points.positions.size()));
   }
   sum_on_surface<Band>(bands_, points, tangent, values);
 }

@@ -63,7 +63,7 @@ template <int Dim>
 void VaryingGaborNoise<Dim>::evaluate(const Points<Dim>& points, const VaryingParameters<Dim>& parameters,
                                       std::span<float> values) const {
   require_finite_positions(points);
-  parameters.validate(points.count);
+  parameters.validate(points.size());
 
   const PointConvolution<Dim>& convolution = parameters.radius_varies() ? *varying_ : *stationary_;
   const Vec<Dim> constant_direction = first_axes<Dim>(options_.direction);

@@ -60,7 +60,7 @@ std::vector<float> pick(std::span<const float> from, std::span<const std::size_t
 
 template <int Dim>
 void require_finite_positions(const Points<Dim>& points) {
-  for (std::size_t i = 0; i < points.count; ++i) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
     for (int axis = 0; axis < Dim; ++axis) {
       const double coordinate = points.coordinate(i, axis);
       if (!std::isfinite(coordinate)) {

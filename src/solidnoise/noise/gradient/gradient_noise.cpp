@@ -42,7 +42,7 @@ CellAxis make_axis(const GradientNoiseOptions& options, double lattice_unit, int
 }
 
 template <int Dim>
-class GradientBlock final : public NoiseBlock<Dim> {
+class GradientBlock final : public FieldBlock<Dim> {
  public:
   GradientBlock(std::shared_ptr<const GradientField<Dim>> field, const Box<Dim>& box)
       : field_(std::move(field)), known_(gradients_around(*field_, box)) {}
@@ -75,7 +75,7 @@ GradientNoise<Dim>::GradientNoise(const GradientNoiseOptions& options)
 }
 
 template <int Dim>
-std::unique_ptr<NoiseBlock<Dim>> GradientNoise<Dim>::block(const Box<Dim>& box) const {
+std::unique_ptr<FieldBlock<Dim>> GradientNoise<Dim>::block(const Box<Dim>& box) const {
   return std::make_unique<GradientBlock<Dim>>(field_, box);
 }
 

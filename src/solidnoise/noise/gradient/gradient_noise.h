@@ -36,7 +36,7 @@ class GradientNoise final : public Noise<Dim> {
   const Vec<Dim>& lattice_spacing() const { return spacing_; }
 
   using Noise<Dim>::evaluate;
-  std::unique_ptr<NoiseBlock<Dim>> block(const Box<Dim>& box) const override;
+  std::unique_ptr<FieldBlock<Dim>> block(const Box<Dim>& box) const override;
   void evaluate(const Points<Dim>& points, const Samples<Dim>& samples) const override;
   double variance() const override { return 1.0; }
   Vec<Dim> gradient_variance() const override;

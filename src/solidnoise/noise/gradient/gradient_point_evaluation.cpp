@@ -104,9 +104,9 @@ void evaluate_gradient_noise(const GradientField<Dim>& field, const Points<Dim>&
   cluster.lattice.gradient_index = indices.data();
 
   GradientClusterResults results;
-  for (std::size_t first = 0; first < points.count; first += kBatch) {
+  for (std::size_t first = 0; first < points.size(); first += kBatch) {
     const std::vector<LocatedPoint<Dim>> located =
-        locate(field, points, first, std::min(kBatch, points.count - first));
+        locate(field, points, first, std::min(kBatch, points.size() - first));
     std::span<const LocatedPoint<Dim>> rest = located;
     const Index<Dim>* gathered = nullptr;  // the cell whose gradients `indices` holds
     while (!rest.empty()) {

@@ -48,7 +48,7 @@ class CoarseStore {
     const CoarseStore& store_;
     const Index<Dim> first_brick_;
     std::mutex mutex_;
-    std::unique_ptr<NoiseBlock<Dim>> block_;  // until all bricks are evaluated
+    std::unique_ptr<FieldBlock<Dim>> block_;  // until all bricks are evaluated
     std::size_t missing_ = power(kTileBricks);
     std::vector<bool> evaluated_;  // per brick
     std::vector<float> samples_;   // brick by brick

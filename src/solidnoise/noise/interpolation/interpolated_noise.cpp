@@ -24,7 +24,7 @@ struct Interpolation {
 };
 
 template <int Dim>
-class InterpolatedBlock final : public NoiseBlock<Dim> {
+class InterpolatedBlock final : public FieldBlock<Dim> {
  public:
   InterpolatedBlock(std::shared_ptr<const Interpolation<Dim>> interpolation, const Box<Dim>& box)
       : interpolation_(std::move(interpolation)), box_(box) {}
@@ -59,7 +59,7 @@ class InterpolatedBlock final : public NoiseBlock<Dim> {
   std::shared_ptr<const Interpolation<Dim>> interpolation_;
   Box<Dim> box_;
   // Made when they are first needed: a block belongs to one thread.
-  mutable std::unique_ptr<NoiseBlock<Dim>> direct_;
+  mutable std::unique_ptr<FieldBlock<Dim>> direct_;
   mutable Interpolator values_;
   mutable Interpolator gradient_;
 };
@@ -71,7 +71,7 @@ class InterpolatedNoise final : public Noise<Dim> {
       : interpolation_(std::move(interpolation)), noise_(*interpolation_->noise) {}
 
   using Noise<Dim>::evaluate;
-  std::unique_ptr<NoiseBlock<Dim>> block(const Box<Dim>& box) const override {
+  std::unique_ptr<FieldBlock<Dim>> block(const Box<Dim>& box) const override {
     return std::make_unique<InterpolatedBlock<Dim>>(interpolation_, box);
   }
   void evaluate(const Points<Dim>& points, const Samples<Dim>& samples) const override {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <ranges>
 #include <utility>
 
 namespace solidnoise {
@@ -59,22 +60,24 @@ std::vector<std::size_t> spatial_order(const Points<Dim>& points) {
   constexpr int kBits = Dim == 4 ? 12 : 16;
   static const Spreader<Dim> spreader;
 
-  std::vector<KeyedPoint> keyed(points.count);
-  for (std::size_t i = 0; i < points.count; ++i) keyed[i].point = i;
-  for (int axis = 0; points.count > 0 && axis < Dim; ++axis) {
-    const float* const offset = points.offset[static_cast<std::size_t>(axis)];
-    const auto [least, most] = std::minmax_element(offset, offset + points.count);
-    const double lower = *least;
-    const double extent = static_cast<double>(*most) - lower;
+  std::vector<KeyedPoint> keyed(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) keyed[i].point = i;
+  for (int axis = 0; points.size() > 0 && axis < Dim; ++axis) {
+    const auto [least, most] =
+        std::ranges::minmax(points.positions | std::views::transform([axis](const Vec<Dim>& position) {
+                              return position[axis];
+                            }));
+    const double lower = least;
+    const double extent = most - lower;
     const double scale = extent > 0.0 ? ((1 << kBits) - 1) / extent : 0.0;
-    for (std::size_t i = 0; i < points.count; ++i) {
-      const auto quantised = static_cast<std::uint64_t>((static_cast<double>(offset[i]) - lower) * scale);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const auto quantised = static_cast<std::uint64_t>((points.coordinate(i, axis) - lower) * scale);
       keyed[i].key |= spreader(quantised) << axis;
     }
   }
   sort_by_key(keyed, kBits * Dim);
-  std::vector<std::size_t> order(points.count);
-  for (std::size_t i = 0; i < points.count; ++i) order[i] = keyed[i].point;
+  std::vector<std::size_t> order(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) order[i] = keyed[i].point;
   return order;
 }
 

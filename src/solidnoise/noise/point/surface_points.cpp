@@ -27,12 +27,12 @@ Vec<3> any_tangent(const Vec<3>& normal) {
 void SurfacePoints::validate() const {
   require_finite_positions(positions);
   for (const auto& component : normal) {
-    if (component.size() != positions.count) {
+    if (component.size() != positions.size()) {
       throw std::invalid_argument(
-          fmt::format("there are {} normals for {} points", component.size(), positions.count));
+          fmt::format("there are {} normals for {} points", component.size(), positions.size()));
     }
   }
-  for (std::size_t i = 0; i < positions.count; ++i) {
+  for (std::size_t i = 0; i < positions.size(); ++i) {
     double square = 0.0;
     for (const auto& component : normal) square += static_cast<double>(component[i]) * component[i];
     if (!(square > 0.0 && std::isfinite(square))) {

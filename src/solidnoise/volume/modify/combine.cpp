@@ -62,7 +62,7 @@ class Combiner {
 
 }  // namespace
 
-FilledGrid fill_grid_at_points(const FloatGrid& grid, const PointField& field, const RestPositions* rest,
+FilledGrid fill_grid_at_points(const FloatGrid& grid, const Field<3>& field, const RestPositions* rest,
                                Progress* progress) {
   FilledGrid filled{FloatGrid::create(0.0f), {}};
   filled.grid->setTransform(grid.transform().copy());
@@ -79,7 +79,7 @@ FilledGrid fill_grid_at_points(const FloatGrid& grid, const PointField& field, c
       positions.push_back(own_rest ? own_rest->at(position) : position);
     }
     std::vector<float> values(positions.size());
-    field.evaluate(positions, values);
+    field.evaluate({positions}, {values, {}});
     auto next = values.begin();
     for (auto voxel = leaf.beginValueOn(); voxel; ++voxel) voxel.setValue(*next++);
     if (progress != nullptr) progress->advance(++done, leaves.leafCount());

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "solidnoise/core/field.h"
 #include "solidnoise/core/progress.h"
-#include "solidnoise/volume/field/point_field.h"
 #include "solidnoise/volume/fill.h"
 #include "solidnoise/volume/modify/grid_mask.h"
 #include "solidnoise/volume/modify/modification.h"
@@ -12,7 +12,7 @@ namespace solidnoise {
 // Evaluates a field at the active voxels of a grid of any transform, or at their rest positions if there are
 // any: what fill_grid does, for grids that no GridFrame describes. In parallel; the same to the last bit for
 // any number of threads. The grid has no active tiles. Throws Cancelled, and as RestPositions does.
-FilledGrid fill_grid_at_points(const openvdb::FloatGrid& grid, const PointField& field,
+FilledGrid fill_grid_at_points(const openvdb::FloatGrid& grid, const Field<3>& field,
                                const RestPositions* rest, Progress* progress = nullptr);
 
 // How values and noise become one, and where.

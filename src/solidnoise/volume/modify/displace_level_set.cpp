@@ -73,7 +73,7 @@ void restore_outside(FloatGrid& grid, const FloatGrid& original, const MaskTree&
 
 }  // namespace
 
-FloatGrid::Ptr displace_level_set(const FloatGrid& level_set, const PointField& noise, double amount,
+FloatGrid::Ptr displace_level_set(const FloatGrid& level_set, const Field<3>& noise, double amount,
                                   Progress* progress) {
   require_finite("displace", amount);
   if (level_set.getGridClass() != openvdb::GRID_LEVEL_SET) {

@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
+#include "solidnoise/core/field.h"
 #include "solidnoise/core/progress.h"
-#include "solidnoise/volume/field/point_field.h"
 #include "solidnoise/volume/vdb/openvdb.h"
 
 namespace solidnoise {
@@ -24,7 +24,7 @@ namespace solidnoise {
 // class is not level set, its voxels are not cubes, its background is not greater than 0 or it has no surface
 // or values that are not finite; Cancelled. Progress is told from one thread, and is an estimate; it is asked
 // many times a second whether to stop.
-openvdb::FloatGrid::Ptr displace_level_set(const openvdb::FloatGrid& level_set, const PointField& noise,
+openvdb::FloatGrid::Ptr displace_level_set(const openvdb::FloatGrid& level_set, const Field<3>& noise,
                                            double amount, Progress* progress = nullptr);
 
 // Bytes that this takes at most, beside the level set itself, where the surface moves by no more than

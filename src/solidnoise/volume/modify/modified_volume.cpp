@@ -20,18 +20,12 @@ VolumeRecipe in_unit_range(VolumeRecipe recipe) {
   return recipe;
 }
 
-FilledGrid make_noise(const VolumeRecipe& recipe, const ModificationPlan& plan, const ModifyingNoise& noise,
-                      Progress* progress) {
-  return plan.on_lattice() ? make_modifying_noise(plan, *noise.field(recipe), progress)
-                           : make_modifying_noise(plan, *noise.points(recipe), progress);
-}
-
 openvdb::FloatGrid::Ptr make_grid(const VolumeRecipe& recipe, const ModificationPlan& plan,
-                                  const ModifyingNoise& noise, Progress* progress) {
-  if (plan.modification.displace) return displace(plan, noise.points(recipe), progress);
+                                  const MakeModifyingField& make_field, Progress* progress) {
+  if (plan.modification.displace) return displace(plan, make_field(recipe), progress);
   const Combine how = plan.modification.combine;
-  FilledGrid filled =
-      make_noise(how == Combine::erode ? in_unit_range(recipe) : recipe, plan, noise, progress);
+  FilledGrid filled = make_modifying_noise(
+      plan, *make_field(how == Combine::erode ? in_unit_range(recipe) : recipe), progress);
   if (!scales_density(recipe, plan.modification)) return combine(plan, *filled.grid);
   const double factor = scale_density(recipe, *filled.grid, filled.moments);
   const openvdb::FloatGrid::Ptr grid = combine(plan, *filled.grid);
@@ -68,15 +62,15 @@ bool scales_density(const VolumeRecipe& recipe, const Modification& modification
 }
 
 std::optional<double> measure_density_factor(const VolumeRecipe& recipe, const ModificationPlan& plan,
-                                             const ModifyingNoise& noise, Progress* progress) {
-  const FilledGrid filled = make_noise(recipe, plan, noise, progress);
+                                             const MakeModifyingField& make_field, Progress* progress) {
+  const FilledGrid filled = make_modifying_noise(plan, *make_field(recipe), progress);
   return density_factor(recipe.density, filled.moments.max(),
                         thickest_column(*filled.grid, vertical_axis(recipe)));
 }
 
 Volume make_modified_volume(const VolumeRecipe& recipe, const ModificationPlan& plan,
-                            const ModifyingNoise& noise, Progress* progress) {
-  const openvdb::FloatGrid::Ptr grid = make_grid(recipe, plan, noise, progress);
+                            const MakeModifyingField& make_field, Progress* progress) {
+  const openvdb::FloatGrid::Ptr grid = make_grid(recipe, plan, make_field, progress);
   if (recipe.half) grid->setSaveFloatAsHalf(true);
   const Moments moments = measure(*grid);
   VolumeRecipe noted = recipe;

@@ -1,11 +1,9 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <optional>
 
 #include "solidnoise/core/progress.h"
-#include "solidnoise/volume/field/field.h"
 #include "solidnoise/volume/modify/modify_volume.h"
 #include "solidnoise/volume/volume.h"
 #include "solidnoise/volume/volume_recipe.h"
@@ -19,22 +17,19 @@ ModificationPlan plan_modification(const VolumeRecipe& recipe);
 // Bytes that it takes at most.
 std::uint64_t estimate_memory(const VolumeRecipe& recipe, const ModificationPlan& plan);
 
-// How the noise of a recipe is made: on a lattice, as it is shaped; and at points, the noise itself.
-struct ModifyingNoise {
-  std::function<std::unique_ptr<Field>(const VolumeRecipe&)> field;
-  std::function<std::unique_ptr<PointField>(const VolumeRecipe&)> points;
-};
+// How the field of a recipe is made.
+using MakeModifyingField = std::function<FieldPtr(const VolumeRecipe&)>;
 
 // The factor of densities that replace the grid's values, as measure_density_factor() of make_volume.h gives
 // it; nothing where they are all 0.
 std::optional<double> measure_density_factor(const VolumeRecipe& recipe, const ModificationPlan& plan,
-                                             const ModifyingNoise& noise, Progress* progress);
+                                             const MakeModifyingField& make_field, Progress* progress);
 
 // Whether a modification takes densities that are scaled: shaped noise that replaces values.
 bool scales_density(const VolumeRecipe& recipe, const Modification& modification);
 
 // The modified grid, with the recipe in its metadata beside what it had, and the file that it is from.
 Volume make_modified_volume(const VolumeRecipe& recipe, const ModificationPlan& plan,
-                            const ModifyingNoise& noise, Progress* progress);
+                            const MakeModifyingField& make_field, Progress* progress);
 
 }  // namespace solidnoise

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <openvdb/tools/Prune.h>
 
+#include "solidnoise/field/pointwise_field.h"
 #include "solidnoise/volume/modify/combine.h"
 #include "solidnoise/volume/modify/displace_level_set.h"
 #include "solidnoise/volume/modify/grid_mask.h"
@@ -75,26 +76,26 @@ void require_overlap(const GridFile& source, const GridBase& grid, const GridBas
   }
 }
 
-class MaskedPointField final : public PointField {
+// The field at rest positions, times the mask.
+class MaskedField final : public PointwiseField {
  public:
-  MaskedPointField(std::shared_ptr<const PointField> field, std::optional<GridMask> mask,
-                   std::optional<RestPositions> rest)
+  MaskedField(FieldPtr field, std::optional<GridMask> mask, std::optional<RestPositions> rest)
       : field_(std::move(field)), mask_(std::move(mask)), rest_(std::move(rest)) {}
 
-  void evaluate(std::span<const Vec<3>> positions, std::span<float> values) const override {
-    std::vector<Vec<3>> looked_up(positions.begin(), positions.end());
+  void evaluate(const Points<3>& points, const Samples<3>& samples) const override {
+    std::vector<Vec<3>> looked_up(points.positions.begin(), points.positions.end());
     if (rest_) {
       const RestPositions rest = *rest_;
       for (Vec<3>& position : looked_up) position = rest.at(position);
     }
-    field_->evaluate(looked_up, values);
+    field_->evaluate({looked_up}, samples);
     if (!mask_) return;
     const GridMask mask = *mask_;
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] *= mask.at(positions[i]);
+    for (std::size_t i = 0; i < points.size(); ++i) samples.values[i] *= mask.at(points.positions[i]);
   }
 
  private:
-  std::shared_ptr<const PointField> field_;
+  FieldPtr field_;
   std::optional<GridMask> mask_;
   std::optional<RestPositions> rest_;
 };
@@ -173,11 +174,8 @@ ModificationPlan plan_modification(const Modification& modification) {
   return plan;
 }
 
-FilledGrid make_modifying_noise(const ModificationPlan& plan, const Field& field, Progress* progress) {
-  return fill_grid(grid_topology(plan.grid()), field, Sparsity::keep, progress);
-}
-
-FilledGrid make_modifying_noise(const ModificationPlan& plan, const PointField& field, Progress* progress) {
+FilledGrid make_modifying_noise(const ModificationPlan& plan, const Field<3>& field, Progress* progress) {
+  if (plan.on_lattice()) return fill_grid(grid_topology(plan.grid()), field, Sparsity::keep, progress);
   const std::optional<RestPositions> rest = make_rest(plan);
   return fill_grid_at_points(*voxelized_copy(plan.grid()), field, rest ? &*rest : nullptr, progress);
 }
@@ -196,9 +194,8 @@ FloatGrid::Ptr combine(const ModificationPlan& plan, const FloatGrid& noise) {
   return result;
 }
 
-FloatGrid::Ptr displace(const ModificationPlan& plan, std::shared_ptr<const PointField> noise,
-                        Progress* progress) {
-  const MaskedPointField field(std::move(noise), make_mask(plan), make_rest(plan));
+FloatGrid::Ptr displace(const ModificationPlan& plan, FieldPtr noise, Progress* progress) {
+  const MaskedField field(std::move(noise), make_mask(plan), make_rest(plan));
   try {
     return displace_level_set(plan.grid(), field, *plan.modification.displace, progress);
   } catch (const std::invalid_argument& error) {

@@ -4,9 +4,8 @@
 #include <memory>
 #include <optional>
 
+#include "solidnoise/core/field.h"
 #include "solidnoise/core/progress.h"
-#include "solidnoise/volume/field/field.h"
-#include "solidnoise/volume/field/point_field.h"
 #include "solidnoise/volume/fill.h"
 #include "solidnoise/volume/modify/modification.h"
 #include "solidnoise/volume/topology/grid_frame.h"
@@ -25,8 +24,8 @@ struct ModificationPlan {
 
   const openvdb::FloatGrid& grid() const;
 
-  // Whether a Field will do. Otherwise noise is needed at points: on a surface, at rest positions, or at the
-  // voxels of a grid of no GridFrame.
+  // Whether noise is needed on a lattice. Otherwise it is at points: on a surface, at rest positions, or at
+  // the voxels of a grid of no GridFrame.
   bool on_lattice() const;
   std::optional<GridFrame> frame() const;  // of the grid, where its transform is axis-aligned
 
@@ -40,14 +39,12 @@ struct ModificationPlan {
 ModificationPlan plan_modification(const Modification& modification);
 
 // Noise at the grid's active voxels, as it is combined with their values.
-FilledGrid make_modifying_noise(const ModificationPlan& plan, const Field& field, Progress* progress);
-FilledGrid make_modifying_noise(const ModificationPlan& plan, const PointField& field, Progress* progress);
+FilledGrid make_modifying_noise(const ModificationPlan& plan, const Field<3>& field, Progress* progress);
 
 // The grid with the noise in it, by the mask; the plan's own stays as it is. Throws std::runtime_error naming
 // the file, Cancelled.
 openvdb::FloatGrid::Ptr combine(const ModificationPlan& plan, const openvdb::FloatGrid& noise);
-openvdb::FloatGrid::Ptr displace(const ModificationPlan& plan, std::shared_ptr<const PointField> noise,
-                                 Progress* progress);
+openvdb::FloatGrid::Ptr displace(const ModificationPlan& plan, FieldPtr noise, Progress* progress);
 
 // The file's grids with `changed` in the target's place.
 openvdb::GridPtrVec replace_target(const ModificationPlan& plan, openvdb::FloatGrid::Ptr changed);

@@ -37,7 +37,7 @@ void dilate_for_stencils(MaskTree& mask) {
 
 class SurfaceMover {
  public:
-  SurfaceMover(const FloatGrid& band, const PointField& noise, double amount, Progress* progress)
+  SurfaceMover(const FloatGrid& band, const Field<3>& noise, double amount, Progress* progress)
       : band_(band),
         noise_(noise),
         amount_(static_cast<float>(amount)),
@@ -134,7 +134,7 @@ class SurfaceMover {
       }
     }
     std::vector<float> values(points.size());
-    noise_.evaluate(points, values);
+    noise_.evaluate({points}, {values, {}});
 
     FloatLeaf& result = *result_.values->tree().probeLeaf(leaf.origin());
     std::size_t i = 0;
@@ -222,7 +222,7 @@ class SurfaceMover {
   }
 
   const FloatGrid& band_;
-  const PointField& noise_;
+  const Field<3>& noise_;
   const float amount_;
   Progress* const progress_;
   const float voxel_;
@@ -235,7 +235,7 @@ class SurfaceMover {
 
 }  // namespace
 
-MovedSurface move_surface(const FloatGrid& band, const PointField& noise, double amount, Progress* progress) {
+MovedSurface move_surface(const FloatGrid& band, const Field<3>& noise, double amount, Progress* progress) {
   return SurfaceMover(band, noise, amount, progress).run();
 }
 

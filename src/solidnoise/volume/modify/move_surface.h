@@ -1,7 +1,7 @@
 #pragma once
 
+#include "solidnoise/core/field.h"
 #include "solidnoise/core/progress.h"
-#include "solidnoise/volume/field/point_field.h"
 #include "solidnoise/volume/vdb/openvdb.h"
 
 namespace solidnoise {
@@ -21,7 +21,7 @@ struct MovedSurface {
 // background, by amount n (world units) along its normals. Begins at the surface and goes on from voxel to
 // voxel until all of the moved surface is reached, so that the cost is that of the way, not of the longest
 // one everywhere. Throws Cancelled.
-MovedSurface move_surface(const openvdb::FloatGrid& band, const PointField& noise, double amount,
+MovedSurface move_surface(const openvdb::FloatGrid& band, const Field<3>& noise, double amount,
                           Progress* progress);
 
 }  // namespace solidnoise

@@ -1,6 +1,7 @@
 #include "solidnoise/volume/parameters/direction_field.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <stdexcept>
 
@@ -33,12 +34,11 @@ DirectionField::DirectionField(GridFile& source, const std::string& flag)
     : grid_(read_directions(source, flag)),
       name_(fmt::format("{}: grid '{}'", source.file, grid_->getName())) {}
 
-void DirectionField::sample(std::span<const Vec<3>> positions,
-                            const std::array<std::span<float>, 3>& values) const {
+void DirectionField::evaluate(const Points<3>& points, const Samples<3>& samples) const {
   const auto accessor = grid_->getConstUnsafeAccessor();
-  for (std::size_t i = 0; i < positions.size(); ++i) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
     // Gather the eight voxels around the position.
-    const Vec<3>& p = positions[i];
+    const Vec<3>& p = points.positions[i];
     const openvdb::Vec3d index = grid_->transform().worldToIndex(openvdb::Vec3d(p.x, p.y, p.z));
     const Coord corner = Coord::floor(index);
     const openvdb::Vec3d fraction = index - corner.asVec3d();
@@ -60,7 +60,7 @@ void DirectionField::sample(std::span<const Vec<3>> positions,
       sum += (vectors[k].dot(side) < 0.0 ? -weights[k] : weights[k]) * vectors[k];
     }
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      values[axis][i] = static_cast<float>(sum[static_cast<int>(axis)]);
+      samples.values[axis * points.size() + i] = static_cast<float>(sum[static_cast<int>(axis)]);
     }
   }
 }

@@ -24,10 +24,21 @@ void require_overlap_of(const openvdb::GridBase& grid, const std::string& name, 
 }  // namespace
 
 ParameterFields::ParameterFields(const ParameterGrids& grids) : grids_(grids) {
-  if (auto& source = grids_.frequency) frequency_.emplace(*source, "--frequency-grid", kFrequencyRange);
-  if (auto& source = grids_.bandwidth) bandwidth_.emplace(*source, "--bandwidth-grid", kBandwidthRange);
-  if (auto& source = grids_.magnitude) magnitude_.emplace(*source, "--magnitude-grid", kMagnitudeRange);
-  if (auto& source = grids_.direction) direction_.emplace(*source, "--direction-grid");
+  const auto read = [](std::optional<ParameterGrid>& source, const char* flag, const ParameterRange& range) {
+    return source ? std::make_shared<ScalarField>(*source, flag, range) : nullptr;
+  };
+  frequency_ = read(grids_.frequency, "--frequency-grid", kFrequencyRange);
+  bandwidth_ = read(grids_.bandwidth, "--bandwidth-grid", kBandwidthRange);
+  magnitude_ = read(grids_.magnitude, "--magnitude-grid", kMagnitudeRange);
+  if (auto& source = grids_.direction)
+    direction_ = std::make_shared<DirectionField>(*source, "--direction-grid");
+}
+
+KernelFields ParameterFields::kernel() const {
+  const auto parameter = [](const std::shared_ptr<const ScalarField>& field) {
+    return field ? VaryingParameter{field, field->least(), field->greatest()} : VaryingParameter{};
+  };
+  return {parameter(frequency_), parameter(bandwidth_), direction_};
 }
 
 std::uint64_t ParameterFields::memory() const {

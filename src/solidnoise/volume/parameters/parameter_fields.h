@@ -1,9 +1,10 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <memory>
 
 #include "solidnoise/core/box.h"
+#include "solidnoise/field/varying_field.h"
 #include "solidnoise/volume/parameters/direction_field.h"
 #include "solidnoise/volume/parameters/parameter_grids.h"
 #include "solidnoise/volume/parameters/scalar_field.h"
@@ -20,10 +21,9 @@ class ParameterFields {
   const ParameterGrids& grids() const { return grids_; }  // with the digests of their files
   std::uint64_t memory() const;                           // bytes
 
-  const std::optional<ScalarField>& frequency() const { return frequency_; }
-  const std::optional<ScalarField>& bandwidth() const { return bandwidth_; }
-  const std::optional<ScalarField>& magnitude() const { return magnitude_; }
-  const std::optional<DirectionField>& direction() const { return direction_; }
+  KernelFields kernel() const;
+  // The standard deviation, in sigmas of the noise; null: 1 everywhere.
+  const std::shared_ptr<const ScalarField>& magnitude() const { return magnitude_; }
 
   // Throws std::runtime_error naming the file if a grid has nothing in the box, world units.
   void require_overlap(const Box<3>& box) const;
@@ -33,10 +33,10 @@ class ParameterFields {
 
  private:
   ParameterGrids grids_;
-  std::optional<ScalarField> frequency_;
-  std::optional<ScalarField> bandwidth_;
-  std::optional<ScalarField> magnitude_;
-  std::optional<DirectionField> direction_;
+  std::shared_ptr<const ScalarField> frequency_;
+  std::shared_ptr<const ScalarField> bandwidth_;
+  std::shared_ptr<const ScalarField> magnitude_;
+  std::shared_ptr<const DirectionField> direction_;
 };
 
 }  // namespace solidnoise

@@ -124,16 +124,16 @@ void ScalarField::require_allowed_values() {
   for (auto value = grid_->cbeginValueOff(); value && all_allowed_; ++value) all_allowed_ = allows(*value);
 }
 
-void ScalarField::sample(std::span<const Vec<3>> positions, std::span<float> values) const {
+void ScalarField::evaluate(const Points<3>& points, const Samples<3>& samples) const {
   Sampler sampler(*grid_);
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    const float value = sampler.at(positions[i]);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const float value = sampler.at(points.positions[i]);
     if (!allows(value)) {
-      const Vec<3>& p = positions[i];
+      const Vec<3>& p = points.positions[i];
       throw std::runtime_error(fmt::format("{} is {} at ({:.6g}, {:.6g}, {:.6g}); {}", name_, value, p.x, p.y,
                                            p.z, refusal(outside())));
     }
-    values[i] = mapped(value);
+    samples.values[i] = mapped(value);
   }
 }
 

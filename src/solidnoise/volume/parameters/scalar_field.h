@@ -6,6 +6,7 @@
 #include <string>
 
 #include "solidnoise/core/vec.h"
+#include "solidnoise/field/pointwise_field.h"
 #include "solidnoise/volume/parameters/parameter_grids.h"
 #include "solidnoise/volume/parameters/parameter_range.h"
 #include "solidnoise/volume/topology/topology.h"
@@ -15,16 +16,15 @@ namespace solidnoise {
 
 // A grid of floats as a parameter, anywhere in the world: interpolated trilinearly, whatever the grid's
 // transform, and where there is a map mapped then.
-class ScalarField {
+class ScalarField final : public PointwiseField {
  public:
   // Reads the grid and notes its digest in `source`; `flag` is what messages advise to give. Throws
   // std::runtime_error naming the file: it cannot be read, has no such grid, no active voxels, or active
   // values that are not in the range (how many and where the first is).
   ScalarField(ParameterGrid& source, const std::string& flag, const ParameterRange& range);
 
-  // Overwrites `values`, one per position (world units). Throws std::runtime_error naming the file and the
-  // first position whose value is not allowed.
-  void sample(std::span<const Vec<3>> positions, std::span<float> values) const;
+  // Throws std::runtime_error naming the file and the first position whose value is not allowed.
+  void evaluate(const Points<3>& points, const Samples<3>& samples) const override;
 
   // Throws std::runtime_error if the value is not allowed at some of the voxels, as where the grid has none
   // and its background is 0: naming the file, how many voxels, and where the first is.

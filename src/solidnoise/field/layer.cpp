@@ -1,0 +1,160 @@
+#include "solidnoise/field/layer.h"
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "solidnoise/core/check.h"
+#include "solidnoise/core/random.h"
+
+namespace solidnoise {
+namespace {
+
+constexpr std::uint64_t kLayerStream = 0x6c61796572;  // "layer"
+
+// What layers are made of has unit variance. `prefix` is the noise's place in the tree, with a dot.
+void require_unit_variance(const std::string& prefix, const NoiseRecipe& noise) {
+  if (noise.fractal.octaves > 1 && !noise.fractal.renormalize) {
+    throw std::invalid_argument(prefix +
+                                "renormalize is false; it must be true in a layer, which has a weight");
+  }
+  const auto filter_of = [](const auto& options) {
+    if constexpr (requires { options.filter; }) {
+      return options.filter;
+    } else {
+      return 0.0;
+    }
+  };
+  const double filter = std::visit(filter_of, noise.noise);
+  if (filter != 0.0)
+    throw std::invalid_argument(fmt::format("{}filter is {}; it must be 0 in a layer", prefix, filter));
+}
+
+void validate_noise(const std::string& path, const std::optional<NoiseRecipe>& noise,
+                    const NoiseRecipe& own) {
+  if (!noise) return require_unit_variance("noise.", own);
+  try {
+    noise->validate();
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(path + ".noise." + error.what());
+  }
+  require_unit_variance(path + ".noise.", *noise);
+}
+
+void refuse_without_effect(const std::string& path, const char* key, bool given, const char* where) {
+  if (given) throw std::invalid_argument(fmt::format("{}.{} has no effect {}", path, key, where));
+}
+
+void validate_ramp(const std::string& path, const std::vector<Vec<2>>& ramp) {
+  if (ramp.empty()) return;
+  if (ramp.size() < 2) throw std::invalid_argument(path + ".ramp has 1 stop; it must have at least 2");
+  for (std::size_t i = 0; i < ramp.size(); ++i) {
+    const std::string stop = fmt::format("{}.ramp[{}]", path, i);
+    require_finite(stop, ramp[i].x);
+    require_finite(stop, ramp[i].y);
+    if (i > 0 && !(ramp[i].x > ramp[i - 1].x)) {
+      throw std::invalid_argument(fmt::format("{} is at {}; it must be beyond the stop before it, {}", stop,
+                                              ramp[i].x, ramp[i - 1].x));
+    }
+  }
+}
+
+class Validation {
+ public:
+  explicit Validation(const NoiseRecipe& own) : own_(own) {}
+
+  void visit_all(const std::string& path, const std::vector<Layer>& layers, int depth) {
+    if (layers.empty()) return;
+    if (depth > kDeepestLayer) {
+      throw std::invalid_argument(
+          fmt::format("{} is at level {}; layers can be {} deep", path, depth, kDeepestLayer));
+    }
+    for (std::size_t i = 0; i < layers.size(); ++i) visit(fmt::format("{}[{}]", path, i), layers[i], depth);
+  }
+
+ private:
+  void visit(const std::string& path, const Layer& layer, int depth) {
+    if (++count_ > kMostLayers) {
+      throw std::invalid_argument(
+          fmt::format("{} is one too many; there can be {} layers", path, kMostLayers));
+    }
+    layer.layers.empty() ? validate_leaf(path, layer) : validate_group(path, layer);
+    validate_ramp(path, layer.ramp);
+    require_finite(path + ".weight", layer.weight);
+    require_finite(path + ".bias", layer.bias);
+    if (layer.warp) {
+      require_at_least(path + ".warp.amount", layer.warp->amount, 0.0, "world units");
+      validate_noise(path + ".warp", layer.warp->noise, own_);
+    }
+    visit_all(path + ".layers", layer.layers, depth + 1);
+  }
+
+  void validate_leaf(const std::string& path, const Layer& layer) const {
+    refuse_without_effect(path, "combine", layer.combine != Layer::Combine::sum, "without layers");
+    validate_noise(path, layer.noise, own_);
+    const bool sums = layer.fold == Layer::Fold::ridged || layer.fold == Layer::Fold::turbulence;
+    const int octaves = layer.noise.value_or(own_).fractal.octaves;
+    if (layer.histogram == Layer::Histogram::uniform && sums && octaves > 1) {
+      throw std::invalid_argument(fmt::format(
+          "{}.histogram is uniform; it must be gaussian where {} octaves are folded one by one, whose "
+          "distribution has no closed form",
+          path, octaves));
+    }
+  }
+
+  void validate_group(const std::string& path, const Layer& layer) const {
+    constexpr char kWhere[] = "on a layer that combines others";
+    refuse_without_effect(path, "noise", layer.noise.has_value(), kWhere);
+    refuse_without_effect(path, "fold", layer.fold != Layer::Fold::none, kWhere);
+    refuse_without_effect(path, "histogram", layer.histogram != Layer::Histogram::gaussian, kWhere);
+    if (layer.combine == Layer::Combine::mix && layer.layers.size() != 3) {
+      throw std::invalid_argument(
+          fmt::format("{}.layers has {}; mix takes 3: from, to and mask", path, layer.layers.size()));
+    }
+  }
+
+  const NoiseRecipe& own_;
+  int count_ = 0;
+};
+
+// Calls visit(noise) with the noise of every leaf and warp, in order.
+template <typename Visit>
+void for_each_noise(const std::vector<Layer>& layers, const Visit& visit) {
+  for (const Layer& layer : layers) {
+    if (layer.layers.empty()) visit(layer.noise);
+    if (layer.warp) visit(layer.warp->noise);
+    for_each_noise(layer.layers, visit);
+  }
+}
+
+}  // namespace
+
+void validate_layers(const std::vector<Layer>& layers, const NoiseRecipe& own) {
+  Validation(own).visit_all("layers", layers, 1);
+}
+
+NoiseRecipe noise_of_layer(const std::optional<NoiseRecipe>& noise, const NoiseRecipe& own) {
+  if (!noise) return own;
+  NoiseRecipe mixed = *noise;
+  const std::uint64_t key = derive_seed(seed_of(own), kLayerStream);
+  std::visit([&](auto& options) { options.seed = derive_seed(key, options.seed); }, mixed.noise);
+  return mixed;
+}
+
+std::vector<NoiseRecipe> noises_of(const std::vector<Layer>& layers, const NoiseRecipe& own) {
+  std::vector<NoiseRecipe> noises;
+  for_each_noise(
+      layers, [&](const std::optional<NoiseRecipe>& noise) { noises.push_back(noise_of_layer(noise, own)); });
+  return noises;
+}
+
+bool use_own_noise(const std::vector<Layer>& layers) {
+  bool used = false;
+  for_each_noise(layers, [&](const std::optional<NoiseRecipe>& noise) { used = used || !noise; });
+  return used;
+}
+
+}  // namespace solidnoise

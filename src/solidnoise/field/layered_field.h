@@ -1,0 +1,37 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "solidnoise/core/field.h"
+#include "solidnoise/field/layer.h"
+#include "solidnoise/noise/noise_recipe.h"
+
+namespace solidnoise {
+
+// A noise that layers are made of, wherever they are evaluated: in a volume at the recipe's time and place,
+// on a surface by its own parameters. All of unit variance.
+struct LayerNoise {
+  FractalOptions fractal;
+  std::function<FieldPtr()> whole;
+  std::function<FieldPtr(int k)> octave;      // octave k by itself
+  std::function<FieldPtr(int axis)> channel;  // others like it, independent of each other and of it
+};
+using MakeLayerNoise = std::function<LayerNoise(const std::optional<NoiseRecipe>& noise)>;
+
+// Makes the field of a noise as it is in the volume.
+using MakeNoise = std::function<FieldPtr(const NoiseRecipe&)>;
+LayerNoise layer_noise(const NoiseRecipe& recipe, const MakeNoise& make_noise);
+
+// The field of a tree of layers (the sum of those given; see Layer). A single layer that changes nothing is
+// the noise itself, bit for bit. On a lattice noises are evaluated as lattices, but for layers that are
+// warped, and at points. Throws std::invalid_argument if there are none.
+FieldPtr make_layered_field(const std::vector<Layer>& layers, const MakeLayerNoise& make_noise);
+
+// Of noises that are `own`, where a layer names none, or have seeds mixed with its own. Throws
+// std::invalid_argument as validate_layers() does.
+FieldPtr make_layered_field(const std::vector<Layer>& layers, const NoiseRecipe& own,
+                            const MakeNoise& make_noise);
+
+}  // namespace solidnoise

@@ -1,0 +1,224 @@
+#include "solidnoise/mesh/surface_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <utility>
+
+#include "solidnoise/core/random.h"
+#include "solidnoise/field/combined_field.h"
+#include "solidnoise/field/value_maps.h"
+#include "solidnoise/noise/convolution/kernel_cells.h"
+#include "solidnoise/noise/gabor/surface_gabor_noise.h"
+#include "solidnoise/noise/gabor/surface_spectrum_noise.h"
+#include "solidnoise/noise/gradient/projected_gradient_noise.h"
+
+namespace solidnoise {
+namespace {
+
+using Components = std::array<std::vector<float>, 3>;
+
+std::array<std::span<const float>, 3> spans_of(const Components& components) {
+  return {components[0], components[1], components[2]};
+}
+
+Components components_of(std::span<const Vec<3>> vectors) {
+  Components components;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    components[axis].reserve(vectors.size());
+    for (const Vec<3>& vector : vectors) {
+      components[axis].push_back(static_cast<float>(vector[static_cast<int>(axis)]));
+    }
+  }
+  return components;
+}
+
+// What the fields of a kernel say at some points; empty where there is no field.
+struct SampledKernel {
+  std::vector<float> frequency;
+  std::vector<float> bandwidth;
+  Components direction;
+
+  SampledKernel(const KernelFields& fields, const Points<3>& points) {
+    if (fields.frequency) frequency = sample(*fields.frequency.field, points);
+    if (fields.bandwidth) bandwidth = sample(*fields.bandwidth.field, points);
+    if (!fields.direction) return;
+    const std::vector<float> all = sample(*fields.direction, points);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto first = all.begin() + static_cast<std::ptrdiff_t>(axis * points.size());
+      direction[axis].assign(first, first + static_cast<std::ptrdiff_t>(points.size()));
+    }
+  }
+
+  VaryingParameters<3> parameters() const { return {frequency, bandwidth, {}, spans_of(direction)}; }
+
+ private:
+  static std::vector<float> sample(const Field<3>& field, const Points<3>& points) {
+    std::vector<float> values(static_cast<std::size_t>(field.channels()) * points.size());
+    field.evaluate(points, {values, {}});
+    return values;
+  }
+};
+
+void evaluate_at(const SurfaceGaborNoise& noise, const SurfacePoints& points, const SampledKernel& kernel,
+                 std::span<float> values) {
+  noise.evaluate(points, kernel.parameters(), values);
+}
+void evaluate_at(const SurfaceSpectrumNoise& noise, const SurfacePoints& points, const SampledKernel& kernel,
+                 std::span<float> values) {
+  noise.evaluate(points, spans_of(kernel.direction), values);
+}
+void evaluate_at(const ProjectedGradientNoise& noise, const SurfacePoints& points, const SampledKernel&,
+                 std::span<float> values) {
+  noise.evaluate(points, values);
+}
+
+// One octave of a noise of the tangent plane, of unit variance.
+template <typename Noise>
+class TangentField final : public PointwiseField {
+ public:
+  TangentField(Noise noise, KernelFields fields) : noise_(std::move(noise)), fields_(std::move(fields)) {}
+
+  void evaluate(const Points<3>& points, const Samples<3>& samples) const override {
+    if (points.normals.size() != points.size()) {
+      throw std::invalid_argument("a noise of the tangent plane needs the normals of a surface");
+    }
+    const Components normals = components_of(points.normals);
+    evaluate_at(noise_, SurfacePoints{points, spans_of(normals)}, SampledKernel(fields_, points),
+                samples.values);
+  }
+
+  // Of the noise whose parameters are the options' everywhere. The kurtosis of projected noise is not known.
+  std::optional<Statistics> statistics() const override {
+    const auto band = noise_.band();
+    Statistics statistics{0.0, 1.0, 0.0, {band.lower, band.upper}};
+    if constexpr (requires { noise_.excess_kurtosis(); })
+      statistics.excess_kurtosis = noise_.excess_kurtosis();
+    return statistics;
+  }
+
+ private:
+  Noise noise_;
+  KernelFields fields_;
+};
+
+template <typename Noise>
+FieldPtr tangent_field(Noise noise, const KernelFields& fields) {
+  return std::make_shared<TangentField<Noise>>(std::move(noise), fields);
+}
+
+// The options that all noises by example or of Gabor kernels have.
+template <typename Options>
+Options common_options(const SurfaceNoiseRecipe& recipe, double frequency) {
+  Options options;
+  options.frequency = frequency;
+  options.seed = recipe.seed;
+  if constexpr (requires { options.error; }) {
+    options.error = recipe.error;
+    options.impulses = recipe.impulses;
+  }
+  return options;
+}
+
+// The noise of space that the recipe is of, if it is of one.
+std::optional<NoiseRecipe> solid_recipe(const SurfaceNoiseRecipe& recipe, const SurfaceKernel& kernel) {
+  switch (recipe.kind) {
+    case SurfaceNoiseKind::solid: {
+      auto options = common_options<GaborNoiseOptions>(recipe, kernel.frequency);
+      options.bandwidth = kernel.bandwidth;
+      return NoiseRecipe{options, recipe.fractal};
+    }
+    case SurfaceNoiseKind::kensler_solid:
+      return NoiseRecipe{common_options<GradientNoiseOptions>(recipe, kernel.frequency), recipe.fractal};
+    case SurfaceNoiseKind::spectrum: {
+      if (has_direction(recipe)) return std::nullopt;
+      auto options = common_options<SpectrumNoiseOptions>(recipe, kernel.frequency);
+      options.model = recipe.exemplar;
+      options.channel = recipe.channel;
+      return NoiseRecipe{options, recipe.fractal};
+    }
+    case SurfaceNoiseKind::surface:
+    case SurfaceNoiseKind::oriented:
+    case SurfaceNoiseKind::kensler:
+      break;
+  }
+  return std::nullopt;
+}
+
+FieldPtr make_tangent_field(const SurfaceNoiseRecipe& recipe, const SurfaceKernel& kernel) {
+  if (recipe.kind == SurfaceNoiseKind::kensler) {
+    return tangent_field(
+        ProjectedGradientNoise(common_options<ProjectedGradientOptions>(recipe, kernel.frequency)), {});
+  }
+  if (recipe.kind == SurfaceNoiseKind::spectrum) {
+    auto options = common_options<SpectrumNoiseOptions>(recipe, kernel.frequency);
+    options.model = recipe.exemplar;
+    options.channel = recipe.channel;
+    return tangent_field(SurfaceSpectrumNoise(options, recipe.layer), kernel.fields);
+  }
+  auto options = common_options<SurfaceGaborOptions>(recipe, kernel.frequency);
+  options.bandwidth = kernel.bandwidth;
+  options.layer = recipe.layer;
+  if (recipe.kind == SurfaceNoiseKind::oriented) options.waves = GaborWaves::oriented;
+  return tangent_field(SurfaceGaborNoise(options), kernel.fields);
+}
+
+// A kernel of another frequency.
+SurfaceKernel scaled(const SurfaceKernel& kernel, double ratio) {
+  if (ratio == 1.0) return kernel;
+  SurfaceKernel result = kernel;
+  result.frequency *= ratio;
+  if (VaryingParameter& frequency = result.fields.frequency) {
+    frequency = {affine(frequency.field, ratio, 0.0), ratio * frequency.least, ratio * frequency.greatest};
+  }
+  return result;
+}
+
+}  // namespace
+
+void VertexField::evaluate(const Points<3>& points, const Samples<3>& samples) const {
+  if (points.vertices.size() != points.size()) {
+    throw std::invalid_argument("numbers of vertices are known at vertices only");
+  }
+  auto value = samples.values.begin();
+  for (const std::span<const float> numbers : channels_) {
+    for (const std::uint32_t vertex : points.vertices) *value++ = numbers[vertex];
+  }
+}
+
+FieldPtr make_surface_field(const SurfaceNoiseRecipe& recipe, const SurfaceKernel& kernel) {
+  recipe.validate();
+  if (const auto solid = solid_recipe(recipe, kernel)) {
+    if (kernel.fields.frequency || kernel.fields.bandwidth) {
+      return make_varying_field(*solid, {}, {kernel.fields.frequency, kernel.fields.bandwidth, nullptr});
+    }
+    return make_noise<3>(*solid);
+  }
+  const LayerNoise noise = surface_layer_noise(recipe, kernel);
+  const std::vector<double> amplitudes = recipe.fractal.amplitudes();
+  std::vector<FieldPtr> octaves;
+  for (std::size_t k = 0; k < amplitudes.size(); ++k) {
+    const FieldPtr octave = noise.octave(static_cast<int>(k));
+    octaves.push_back(amplitudes[k] == 1.0 ? octave : affine(octave, amplitudes[k], 0.0));
+  }
+  return combine(Layer::Combine::sum, std::move(octaves));
+}
+
+LayerNoise surface_layer_noise(const SurfaceNoiseRecipe& recipe, const SurfaceKernel& kernel) {
+  const auto octave = [=](int k) {
+    SurfaceNoiseRecipe single = recipe;
+    single.fractal.octaves = 1;
+    if (k > 0) single.seed = derive_seed(recipe.seed, kOctaveStream + static_cast<std::uint64_t>(k));
+    const SurfaceKernel own = scaled(kernel, std::pow(recipe.fractal.lacunarity, k));
+    return solid_recipe(single, own) ? make_surface_field(single, own) : make_tangent_field(single, own);
+  };
+  const auto channel = [=](int axis) {
+    SurfaceNoiseRecipe other = recipe;
+    other.seed = derive_seed(recipe.seed, kChannelStream + static_cast<std::uint64_t>(axis));
+    return make_surface_field(other, kernel);
+  };
+  return {recipe.fractal, [=] { return make_surface_field(recipe, kernel); }, octave, channel};
+}
+
+}  // namespace solidnoise

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "solidnoise/core/field.h"
+#include "solidnoise/field/layered_field.h"
+#include "solidnoise/field/pointwise_field.h"
+#include "solidnoise/field/varying_field.h"
+#include "solidnoise/mesh/surface_recipe.h"
+
+namespace solidnoise {
+
+// Numbers that a mesh's vertices have, as a field of the points that are vertices (Points::vertices): one
+// channel for each span. The numbers belong to somebody else. Throws std::invalid_argument where points are
+// no vertices.
+class VertexField final : public PointwiseField {
+ public:
+  explicit VertexField(std::vector<std::span<const float>> channels) : channels_(std::move(channels)) {}
+
+  int channels() const override { return static_cast<int>(channels_.size()); }
+  void evaluate(const Points<3>& points, const Samples<3>& samples) const override;
+
+ private:
+  std::vector<std::span<const float>> channels_;
+};
+
+// The kernels of a noise on a surface: what holds everywhere, and what varies.
+struct SurfaceKernel {
+  double frequency = 8.0;  // principal frequency, cycles per world unit; > 0
+  double bandwidth = 1.0;  // octaves
+  KernelFields fields{};   // the direction is needed where has_direction(); of the others those that vary
+};
+
+// The noise of a recipe as a field of points of a surface: of unit variance, or that of the octaves where
+// they are not renormalised. Noises of the tangent plane throw std::invalid_argument where points have no
+// normals. Throws std::invalid_argument: recipe.validate().
+FieldPtr make_surface_field(const SurfaceNoiseRecipe& recipe, const SurfaceKernel& kernel);
+
+// The same as layers are made of it.
+LayerNoise surface_layer_noise(const SurfaceNoiseRecipe& recipe, const SurfaceKernel& kernel);
+
+}  // namespace solidnoise

@@ -1,0 +1,122 @@
+#include "solidnoise/volume/modify/distance_spline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <openvdb/tools/LevelSetRebuild.h>
+
+#include "solidnoise/core/check.h"
+
+namespace solidnoise {
+namespace {
+
+constexpr double kMostVoxels = 64.0;
+
+// A point's farthest coefficient is two voxels away along each axis.
+constexpr double kSupport = 3.47;
+
+// The four cubic B-splines that are not 0 at a fraction u in [0, 1) between two knots, and their derivatives.
+struct Weights {
+  std::array<double, 4> value;
+  std::array<double, 4> first;
+  std::array<double, 4> second;
+
+  explicit Weights(double u) {
+    const double v = 1.0 - u;
+    value = {v * v * v / 6.0, (4.0 - 6.0 * u * u + 3.0 * u * u * u) / 6.0,
+             (4.0 - 6.0 * v * v + 3.0 * v * v * v) / 6.0, u * u * u / 6.0};
+    first = {-0.5 * v * v, 1.5 * u * u - 2.0 * u, 2.0 * v - 1.5 * v * v, 0.5 * u * u};
+    second = {v, 3.0 * u - 2.0, 3.0 * v - 2.0, u};
+  }
+};
+
+openvdb::FloatGrid::ConstPtr with_wide_band(const openvdb::FloatGrid::ConstPtr& level_set, double reach) {
+  require_level_set(*level_set);
+  const double voxels = reach / level_set->voxelSize().x();
+  if (voxels > kMostVoxels) {
+    throw std::invalid_argument(
+        fmt::format("boundary_width is {:.6g}; it must be at most {:.6g} ({} voxels of the boundary)", reach,
+                    kMostVoxels * level_set->voxelSize().x(), kMostVoxels));
+  }
+  const double band = std::ceil(voxels + kSupport);
+  const double has = std::abs(static_cast<double>(level_set->background())) / level_set->voxelSize().x();
+  if (has >= band) return level_set;
+  return openvdb::tools::levelSetRebuild(*level_set, 0.0f, static_cast<float>(band));
+}
+
+}  // namespace
+
+void require_level_set(const openvdb::FloatGrid& grid) {
+  if (grid.getGridClass() != openvdb::GRID_LEVEL_SET) {
+    throw std::invalid_argument(fmt::format("the grid '{}' is of class {}; it must be a level set",
+                                            grid.getName(),
+                                            openvdb::GridBase::gridClassToString(grid.getGridClass())));
+  }
+  GridFrame(grid.transform());
+  if (!grid.hasUniformVoxels()) {
+    throw std::invalid_argument(fmt::format("the voxels of the grid '{}' are not cubes", grid.getName()));
+  }
+}
+
+DistanceSpline::DistanceSpline(const openvdb::FloatGrid::ConstPtr& level_set, double reach)
+    : reach_(reach), frame_(level_set->transform()) {
+  require_positive("boundary_width", reach, "world units");
+  level_set_ = with_wide_band(level_set, reach);
+}
+
+void DistanceSpline::evaluate(std::span<const Vec<3>> positions, std::span<Jet> jets) const {
+  const auto values = level_set_->getConstAccessor();
+  for (std::size_t i = 0; i < positions.size(); ++i) jets[i] = at(positions[i], values);
+}
+
+DistanceSpline::Jet DistanceSpline::at(const Vec<3>& position,
+                                       const openvdb::FloatGrid::ConstAccessor& values) const {
+  const double voxel = frame_.voxel_size().x;
+  openvdb::Coord knot;
+  Vec<3> fraction;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double index = (position[axis] - frame_.origin()[axis]) / voxel;
+    knot[axis] = static_cast<std::int32_t>(std::floor(index));
+    fraction[axis] = index - std::floor(index);
+  }
+  Jet jet;
+  jet.distance = values.getValue(knot);
+  if (std::abs(jet.distance) >= reach_ + kSupport * voxel) return jet;
+
+  const Weights x(fraction.x);
+  const Weights y(fraction.y);
+  const Weights z(fraction.z);
+  jet.distance = 0.0;
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 4; ++j) {
+      // Along z first: the sums of values, first and second derivatives.
+      double value = 0.0;
+      double first = 0.0;
+      double second = 0.0;
+      for (int k = 0; k < 4; ++k) {
+        const double coefficient = values.getValue(knot.offsetBy(i - 1, j - 1, k - 1));
+        value += z.value[k] * coefficient;
+        first += z.first[k] * coefficient;
+        second += z.second[k] * coefficient;
+      }
+      jet.distance += x.value[i] * y.value[j] * value;
+      jet.gradient += Vec<3>(x.first[i] * y.value[j] * value, x.value[i] * y.first[j] * value,
+                             x.value[i] * y.value[j] * first);
+      jet.hessian[0] += Vec<3>(x.second[i] * y.value[j] * value, x.first[i] * y.first[j] * value,
+                               x.first[i] * y.value[j] * first);
+      jet.hessian[1].y += x.value[i] * y.second[j] * value;
+      jet.hessian[1].z += x.value[i] * y.first[j] * first;
+      jet.hessian[2].z += x.value[i] * y.value[j] * second;
+    }
+  }
+  jet.hessian[1].x = jet.hessian[0].y;
+  jet.hessian[2].x = jet.hessian[0].z;
+  jet.hessian[2].y = jet.hessian[1].z;
+  jet.gradient /= voxel;
+  for (Vec<3>& row : jet.hessian) row /= voxel * voxel;
+  return jet;
+}
+
+}  // namespace solidnoise

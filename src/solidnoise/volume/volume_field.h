@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "solidnoise/core/field.h"
+#include "solidnoise/noise/interpolation/lattice_frame.h"
+#include "solidnoise/noise/noise.h"
+#include "solidnoise/volume/fill.h"
+#include "solidnoise/volume/plan_volume.h"
+#include "solidnoise/volume/topology/grid_frame.h"
+#include "solidnoise/volume/volume_recipe.h"
+
+namespace solidnoise {
+
+// What the voxels of a recipe are filled with; its grids have the channels that channels_of() says. On the
+// voxels of the plan noise is interpolated where that is quicker within the recipe's error; at points it is
+// as it is. Of a recipe with band_limit take it at_resolution(); throws std::invalid_argument.
+FieldPtr make_volume_field(const VolumeRecipe& recipe, const VolumePlan& plan);
+
+std::vector<GridChannels> channels_of(const VolumeRecipe& recipe);
+
+// The same of a recipe whose shaping is RawShaping, without voxels: its noise or its layers, in their range.
+FieldPtr make_raw_field(const VolumeRecipe& recipe);
+
+// The noise of a recipe as it is in the volume: at the recipe's time, and a frame of it where it is of 4
+// dimensions. Parameters are the recipe's own, not those of grids. Throws like make_volume_field().
+std::shared_ptr<const Noise<3>> make_volume_noise(const VolumeRecipe& recipe);
+
+// The noise, or the layers in its place, before it is shaped.
+FieldPtr make_volume_source(const VolumeRecipe& recipe, const VolumePlan& plan);
+
+// The lattice of a grid's voxels, with the period of the recipe's noise where that is a whole number of them.
+LatticeFrame<3> voxel_lattice(const VolumeRecipe& recipe, const GridFrame& frame);
+
+// The highest frequency of the recipe's noise, or of those of its layers: the upper end of the band, cycles
+// per world unit, where parameters are the greatest of the plan's. Folds and warps go beyond it.
+double highest_frequency(const VolumeRecipe& recipe, const VolumePlan& plan);
+
+}  // namespace solidnoise
