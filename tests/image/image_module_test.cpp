@@ -16,7 +16,7 @@ TEST(ImageModuleDeathTest, AMissingModuleIsNamedInTheError) {
       {
         setenv("SOLIDNOISE_IMAGE_MODULE", "/nowhere/module.so", 1);
         try {
-          read_image("a.png");
+          write_image("a.png", Image(1, 1, 1));
         } catch (const std::runtime_error& error) {
           const std::string message = error.what();
           const bool clear = message.find("/nowhere/module.so") != std::string::npos &&

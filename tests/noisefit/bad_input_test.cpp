@@ -15,6 +15,11 @@ const std::vector<Refusal> kRefusals = {
     {"NoOutput", 2, {"in.png"}, {"--out is missing"}},
     {"NoSuchFile", 1, {"none.png", "--out", "x.json"}, {"none.png"}},
     {"NotAPicture", 1, {"text.png", "--out", "x.json"}, {"text.png"}},
+    {"AVolume", 1, {"volume.vdb", "--out", "x.json"}, {"volume.vdb", "PNG, JPEG, TIFF, OpenEXR"}},
+    {"NoFile",
+     1,
+     {"x.null?RES=64x64x64&CHANNELS=1", "--out", "x.json"},
+     {"x.null?RES=64x64x64", "No such file"}},
     {"TooSmall", 1, {"small.png", "--out", "x.json"}, {"small.png", "12 samples", "at least 16"}},
     {"Constant", 1, {"constant.png", "--out", "x.json"}, {"constant.png", "is constant"}},
     {"Transparent", 1, {"alpha.png", "--out", "x.json"}, {"alpha.png", "alpha channel", "flatten"}},
@@ -60,6 +65,7 @@ class NoisefitRefuses : public testing::Test {
     broken.at(4, 4) = std::nanf("");
     write_image(folder_ / "nan.exr", broken, {.color_space = ColorSpace::linear});
     folder_.write("text.png", "no picture");
+    folder_.write("volume.vdb", std::string(" BDV\0\0\0\0", 8) + std::string(5000, '\0'));
     const std::string model =
         "\"exemplar\": {\"raw_values\": false, \"mean\": [0, 0, 0], \"channels\": [{\"axis\": [1, 1, 1], "
         "\"dimensions\": 2, \"isotropic\": false, \"groups\": [\"all\"], \"bands\": [{\"a\": 0.1, "

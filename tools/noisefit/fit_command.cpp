@@ -54,7 +54,7 @@ struct FitCommand {
 };
 
 void declare_flags(FlagSet& flags, FitCommand& command) {
-  flags.arguments("IN", "Pictures of the texture: .png, .jpg, .tif, .exr and others; more are averaged",
+  flags.arguments("IN", "Pictures of the texture: .png, .jpg, .tif, .exr or .hdr; more are averaged",
                   command.inputs);
   flags.group("Flags");
   keep(flags, "--out", "FILE.json", "Where the noise goes; - for the standard output", command.out);

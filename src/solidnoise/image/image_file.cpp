@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cerrno>
+#include <cstdint>
 #include <fstream>
 #include <new>
 #include <stdexcept>
@@ -10,6 +12,7 @@
 #include <string_view>
 #include <system_error>
 #include <unistd.h>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -103,7 +106,7 @@ class TemporaryFile {
   fs::path path_;
 };
 
-// What OpenImageIO says, about the file the user knows instead of the temporary one.
+// What OpenImageIO says, on one line, about the file the user knows instead of the temporary one.
 std::string explain(std::string message, const std::string& temporary, const std::string& path) {
   for (std::size_t at = message.find(temporary); at != std::string::npos; at = message.find(temporary, at)) {
     message.replace(at, temporary.size(), path);
@@ -114,40 +117,102 @@ std::string explain(std::string message, const std::string& temporary, const std
   return message.empty() ? "unknown error" : message;
 }
 
-float* allocate_image(void* context, int width, int height, int channels) {
+// A kind of file that is read: the bytes it begins with, and OpenImageIO's name for it.
+struct Signature {
+  std::string_view bytes;
+  std::string_view format;
+};
+
+constexpr std::array kSignatures{Signature{{"\x89PNG\r\n\x1a\n", 8}, "png"},
+                                 Signature{{"\xff\xd8\xff", 3}, "jpeg"},
+                                 Signature{{"II*\0", 4}, "tiff"},
+                                 Signature{{"MM\0*", 4}, "tiff"},
+                                 Signature{{"\x76\x2f\x31\x01", 4}, "openexr"},
+                                 Signature{{"#?RADIANCE", 10}, "hdr"},
+                                 Signature{{"#?RGBE", 6}, "hdr"}};
+
+// OpenImageIO, left to itself, would try all of its formats on a file: each is one more parser for hostile
+// bytes, and some run for other things than pictures.
+std::string_view format_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::array<char, 10> begin{};
+  file.read(begin.data(), begin.size());
+  if (!file.is_open() || file.bad()) throw std::runtime_error(std::generic_category().message(errno));
+  const std::string_view bytes(begin.data(), static_cast<std::size_t>(file.gcount()));
+  for (const Signature& signature : kSignatures) {
+    if (bytes.starts_with(signature.bytes)) return signature.format;
+  }
+  throw std::runtime_error("it must be a PNG, JPEG, TIFF, OpenEXR or Radiance HDR file");
+}
+
+// Whether a PNG file goes on up to its closing chunk. libpng prints a line of its own about a file without
+// it.
+bool is_whole_png(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  file.seekg(8);
+  std::array<unsigned char, 8> head{};
+  while (file.read(reinterpret_cast<char*>(head.data()), head.size())) {
+    const std::string_view type(reinterpret_cast<const char*>(head.data()) + 4, 4);
+    if (type == "IEND") return static_cast<bool>(file.ignore(4)) && file.gcount() == 4;
+    const std::uint32_t length = head[0] * 0x1000000u + head[1] * 0x10000u + head[2] * 0x100u + head[3];
+    file.seekg(std::int64_t{length} + 4, std::ios::cur);
+  }
+  return false;
+}
+
+constexpr std::size_t kMostValues = std::size_t{1} << 28;  // a gigabyte of floats
+
+// A picture that is being read, and why it is refused.
+struct Reading {
+  Image image;
+  std::size_t most_values = kMostValues;
+  std::string refusal;
+};
+
+float* allocate_image(void* context, int width, int height, int depth, int channels) {
+  Reading& reading = *static_cast<Reading*>(context);
   try {
-    Image& image = *static_cast<Image*>(context);
-    image = Image(width, height, channels);
-    return image.pixels.data();
+    if (depth > 1) {
+      reading.refusal = fmt::format("it is {} pixels deep; a picture must be 1 deep", depth);
+      return nullptr;
+    }
+    const double values = static_cast<double>(width) * height * channels;
+    if (width < 1 || height < 1 || channels < 1 || values > static_cast<double>(reading.most_values)) {
+      reading.refusal =
+          fmt::format("it has {} x {} pixels of {} channels; width x height x channels must be at most {}",
+                      width, height, channels, reading.most_values);
+      return nullptr;
+    }
+    reading.image = Image(width, height, channels);
+    return reading.image.pixels.data();
   } catch (const std::bad_alloc&) {
     return nullptr;
   }
 }
 
-// Returns an empty text or what went wrong.
-std::string try_read(const fs::path& path, Image& image) {
+// Throws std::runtime_error that says what is wrong, but not with which file.
+Image read(const fs::path& path, std::size_t most_values) {
+  const std::string_view format = format_of(path);
+  if (format == "png" && !is_whole_png(path)) throw std::runtime_error("it is cut short");
+  Reading reading;
+  reading.most_values = most_values;
   std::array<char, 1024> text{};
   SolidnoiseImageError error{text.data(), text.size()};
-  if (image_module().read(path.c_str(), allocate_image, &image, &error) == 0) return {};
-  return text[0] == '\0' ? "unknown error" : text.data();
-}
-
-// Whether a .png file has its closing chunk. libpng prints a line of its own about a file without it.
-bool is_whole_png(const fs::path& path) {
-  constexpr std::string_view kEnd("\0\0\0\0IEND\xae\x42\x60\x82", 12);
-  std::ifstream file(path, std::ios::binary);
-  file.seekg(-static_cast<std::streamoff>(kEnd.size()), std::ios::end);
-  std::array<char, kEnd.size()> end{};
-  file.read(end.data(), end.size());
-  return file && std::string_view(end.data(), end.size()) == kEnd;
+  if (image_module().read(path.c_str(), format.data(), allocate_image, &reading, &error) != 0) {
+    throw std::runtime_error(reading.refusal.empty() ? text.data() : reading.refusal);
+  }
+  return std::move(reading.image);
 }
 
 // Whether the file that was just written holds a picture of that size. OpenImageIO's PNG writer says nothing
 // when the disk is full.
 bool is_whole(const fs::path& path, const Image& image) {
-  if (lower_extension(path) == ".png" && !is_whole_png(path)) return false;
-  Image stored;
-  return try_read(path, stored).empty() && stored.width == image.width && stored.height == image.height;
+  try {
+    const Image stored = read(path, image.pixels.size());
+    return stored.width == image.width && stored.height == image.height;
+  } catch (const std::runtime_error&) {
+    return false;
+  }
 }
 
 }  // namespace
@@ -177,13 +242,12 @@ void write_image(const fs::path& path, const Image& image, const ImageFileOption
 }
 
 Image read_image(const fs::path& path) {
-  Image image;
-  const std::string complaint = try_read(path, image);
-  if (!complaint.empty()) {
-    throw std::runtime_error(
-        fmt::format("cannot read {}: {}", path.string(), explain(complaint, path.string(), path.string())));
+  try {
+    return read(path, kMostValues);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(fmt::format("cannot read {}: {}", path.string(),
+                                         explain(error.what(), path.string(), path.string())));
   }
-  return image;
 }
 
 }  // namespace solidnoise

@@ -30,8 +30,10 @@ struct ImageFileOptions {
 // library that contains this function, and where the dynamic linker looks.
 void write_image(const std::filesystem::path& path, const Image& image, const ImageFileOptions& options = {});
 
-// Reads any file that OpenImageIO reads: first image, all channels, integers scaled to [0, 1], pixels as they
-// are stored. Throws std::runtime_error that names the path.
+// Reads a PNG, JPEG, TIFF, OpenEXR or Radiance HDR file, told by what it begins with, whatever its name:
+// first image, all channels, integers scaled to [0, 1], pixels as they are stored. Files may come from
+// anybody: a damaged one, one with depth, or of more than 2^28 values (width x height x channels) is refused,
+// by std::runtime_error that names the path.
 Image read_image(const std::filesystem::path& path);
 
 }  // namespace solidnoise

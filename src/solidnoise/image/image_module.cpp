@@ -65,7 +65,8 @@ ImageModule load() {
   ImageModule module;
   module.write =
       reinterpret_cast<SolidnoiseImageWrite*>(find_function(library, path, "solidnoise_image_write"));
-  module.read = reinterpret_cast<SolidnoiseImageRead*>(find_function(library, path, "solidnoise_image_read"));
+  module.read =
+      reinterpret_cast<SolidnoiseImageRead*>(find_function(library, path, "solidnoise_image_read_as"));
   return module;
 }
 

@@ -47,7 +47,7 @@ bool holds_linear_light(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension == ".exr" || extension == ".hdr" || extension == ".pfm" || extension == ".rgbe";
+  return extension == ".exr" || extension == ".hdr";
 }
 
 }  // namespace

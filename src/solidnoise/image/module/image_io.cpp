@@ -43,15 +43,17 @@ int write(const char* path, const SolidnoiseImagePicture& picture, int sample_ty
   return 0;
 }
 
-int read(const char* path, SolidnoiseImageAllocate* allocate, void* context, SolidnoiseImageError* error) {
-  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path);
+int read(const char* path, const char* format, SolidnoiseImageAllocate* allocate, void* context,
+         SolidnoiseImageError* error) {
+  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(format);
   if (!input) return fail(error, OIIO::geterror());
-  const OIIO::ImageSpec& spec = input->spec();
-  float* const pixels = allocate(context, spec.width, spec.height, spec.nchannels);
-  if (pixels == nullptr) return fail(error, "not enough memory");
-  if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, pixels)) {
-    return fail(error, input->geterror());
-  }
+  OIIO::ImageSpec spec;
+  if (!input->open(path, spec)) return fail(error, input->geterror());
+  float* const pixels = allocate(context, spec.width, spec.height, spec.depth, spec.nchannels);
+  if (pixels == nullptr) return fail(error, "no memory for its pixels");
+  const bool done = input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, pixels);
+  // The JPEG reader goes on after the end of the file, in grey, and leaves a message.
+  if (!done || input->has_error()) return fail(error, input->geterror());
   return 0;
 }
 
@@ -66,10 +68,10 @@ int solidnoise_image_write(const char* path, const SolidnoiseImagePicture* pictu
   }
 }
 
-int solidnoise_image_read(const char* path, SolidnoiseImageAllocate* allocate, void* context,
-                          SolidnoiseImageError* error) {
+int solidnoise_image_read_as(const char* path, const char* format, SolidnoiseImageAllocate* allocate,
+                             void* context, SolidnoiseImageError* error) {
   try {
-    return read(path, allocate, context, error);
+    return read(path, format, allocate, context, error);
   } catch (const std::exception& exception) {
     return fail(error, exception.what());
   }

@@ -30,12 +30,13 @@ struct SolidnoiseImageError {
 typedef int SolidnoiseImageWrite(const char* path, const SolidnoiseImagePicture* picture, int sample_type,
                                  const char* color_space, SolidnoiseImageError* error);
 
-// Calls `allocate` once with the picture's size; it returns room for width * height * channels floats, or
+// `format` is the name of OpenImageIO's plug-in for the file. Calls `allocate` once, before any pixel is
+// read, with what the file says of its size; it returns room for width * height * depth * channels floats, or
 // null.
-typedef float* SolidnoiseImageAllocate(void* context, int width, int height, int channels);
-typedef int SolidnoiseImageRead(const char* path, SolidnoiseImageAllocate* allocate, void* context,
-                                SolidnoiseImageError* error);
+typedef float* SolidnoiseImageAllocate(void* context, int width, int height, int depth, int channels);
+typedef int SolidnoiseImageRead(const char* path, const char* format, SolidnoiseImageAllocate* allocate,
+                                void* context, SolidnoiseImageError* error);
 
 SolidnoiseImageWrite solidnoise_image_write;
-SolidnoiseImageRead solidnoise_image_read;
+SolidnoiseImageRead solidnoise_image_read_as;
 }

@@ -1,0 +1,143 @@
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "solidnoise/core/random.h"
+#include "solidnoise/image/image_file.h"
+#include "solidnoise/image/image_module.h"
+#include "support/message_of.h"
+#include "support/temporary_folder.h"
+
+namespace solidnoise {
+namespace {
+
+constexpr char kFormats[] = "it must be a PNG, JPEG, TIFF, OpenEXR or Radiance HDR file";
+
+void append(std::string& bytes, std::uint32_t value, int count) {
+  for (int i = 0; i < count; ++i) bytes += static_cast<char>(value >> (8 * i));
+}
+
+// A DirectDraw surface of 32-bit pixels with a depth.
+std::string volumetric_dds(std::uint32_t side) {
+  std::string bytes = "DDS ";
+  const std::array<std::uint32_t, 31> header{
+      124,  0x80100f, side,     side,       4 * side, side,     1, 0,  0,    0, 0,
+      0,    0,        0,        0,          0,        0,        0, 32, 0x41, 0, 32,
+      0xff, 0xff00,   0xff0000, 0xff000000, 0x401008, 0x200000, 0, 0,  0};
+  for (const std::uint32_t word : header) append(bytes, word, 4);
+  return bytes + std::string(4 * side * side * side, 'x');
+}
+
+// The description of 8-bit grey pixels in a TIFF, in one tile, which comes after it; `depth` is the number of
+// slices.
+std::string grey_tiff(std::uint32_t width, std::uint32_t height) {
+  const std::vector<std::array<std::uint32_t, 3>> entries{{256, 4, width},   // ImageWidth
+                                                          {257, 4, height},  // ImageLength
+                                                          {258, 3, 8},       // BitsPerSample
+                                                          {259, 3, 1},       // Compression: none
+                                                          {262, 3, 1},       // black is zero
+                                                          {322, 4, width},   // TileWidth
+                                                          {323, 4, height},  // TileLength
+                                                          {324, 4, 134},     // where the tile begins
+                                                          {325, 4, width * height}};
+  std::string bytes("II*\0", 4);
+  append(bytes, 8, 4);
+  append(bytes, static_cast<std::uint32_t>(entries.size()), 2);
+  for (const auto& [tag, type, value] : entries) {
+    append(bytes, tag, 2);
+    append(bytes, type, 2);
+    append(bytes, 1, 4);
+    append(bytes, value, 4);
+  }
+  append(bytes, 0, 4);
+  return bytes + std::string(134 - bytes.size(), '\0');
+}
+
+// Files as anybody could send them.
+class UntrustedPicture : public testing::Test {
+ protected:
+  std::string complaint(const std::string& name) const {
+    return message_of<std::runtime_error>([&] { read_image(folder_ / name); });
+  }
+  std::string refusal(const std::string& name, const std::string& reason) const {
+    return "cannot read " + folder_.file(name) + ": " + reason;
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(UntrustedPicture, IsReadByItsContentWhateverItsName) {
+  write_image(folder_ / "a.jpg", Image(8, 6, 3));
+  std::filesystem::rename(folder_ / "a.jpg", folder_ / "a.png");
+  EXPECT_EQ(read_image(folder_ / "a.png").width, 8);
+
+  folder_.write("a.tif", grey_tiff(16, 16) + std::string(256, '\x7f'));
+  EXPECT_NEAR(read_image(folder_ / "a.tif").at(3, 3), 127.0f / 255.0f, 1e-6f);
+}
+
+TEST_F(UntrustedPicture, OfAnotherFormatIsRefused) {
+  folder_.write("a.png", volumetric_dds(16));
+  folder_.write("a.ppm", "P6 2 2 255 123412341234");
+  folder_.write("empty.png", "");
+  for (const std::string name : {"a.png", "a.ppm", "empty.png"})
+    EXPECT_EQ(complaint(name), refusal(name, kFormats));
+  std::filesystem::create_directory(folder_ / "folder.png");
+  EXPECT_EQ(complaint("folder.png"), refusal("folder.png", "Is a directory"));
+}
+
+// OpenImageIO has a format whose files need not exist.
+TEST_F(UntrustedPicture, MustBeAFile) {
+  const std::string name = "x.null?RES=64x64x64&CHANNELS=1";
+  EXPECT_EQ(complaint(name), refusal(name, "No such file or directory"));
+}
+
+// None of the formats that are read has depth in OpenImageIO 2.4; the room that is asked for counts it all
+// the same.
+TEST_F(UntrustedPicture, IsGivenRoomForItsDepth) {
+  folder_.write("a.dds", volumetric_dds(16));
+  const auto refuse = [](void* context, int, int, int depth, int) -> float* {
+    *static_cast<int*>(context) = depth;
+    return nullptr;
+  };
+  int depth = 0;
+  std::array<char, 100> text{};
+  SolidnoiseImageError error{text.data(), text.size()};
+  EXPECT_NE(image_module().read(folder_.file("a.dds").c_str(), "dds", refuse, &depth, &error), 0);
+  EXPECT_EQ(depth, 16) << text.data();
+}
+
+TEST_F(UntrustedPicture, ThatClaimsTooManyPixelsIsRefusedBeforeMemoryIsTaken) {
+  folder_.write("a.tif", grey_tiff(60000, 60000));
+  EXPECT_EQ(complaint("a.tif"),
+            refusal("a.tif",
+                    "it has 60000 x 60000 pixels of 1 channels; width x height x channels must be "
+                    "at most 268435456"));
+}
+
+TEST_F(UntrustedPicture, CutAtHalfIsRefused) {
+  Image image(64, 64, 3);
+  RandomStream stream(7);
+  for (float& value : image.pixels) value = static_cast<float>(stream.next_unit());
+  testing::internal::CaptureStderr();
+  for (const std::string name : {"a.png", "a.jpg", "a.tif", "a.exr"}) {
+    SCOPED_TRACE(name);
+    write_image(folder_ / name, image);
+    const std::string whole = folder_.read(name);
+    folder_.write(name, whole.substr(0, whole.size() / 2));
+    const std::string message = complaint(name);
+    EXPECT_TRUE(message.starts_with("cannot read " + folder_.file(name) + ": ")) << message;
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+  }
+  // Here the description comes before the pixels, not after them.
+  folder_.write("b.tif", grey_tiff(64, 64) + std::string(64 * 32, 'x'));
+  EXPECT_TRUE(complaint("b.tif").starts_with("cannot read ")) << complaint("b.tif");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+}  // namespace
+}  // namespace solidnoise
