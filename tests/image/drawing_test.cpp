@@ -1,13 +1,12 @@
 #include "solidnoise/image/drawing.h"
 
-#include <array>
-#include <cmath>
+#include <algorithm>
+#include <cstdlib>
 #include <numeric>
+#include <stdexcept>
 #include <string>
 
 #include <gtest/gtest.h>
-
-#include "solidnoise/image/stroke_font.h"
 
 namespace solidnoise {
 namespace {
@@ -16,92 +15,143 @@ double ink(const Image& image) {
   return std::accumulate(image.pixels.begin(), image.pixels.end(), 0.0) / 3.0;
 }
 
-TEST(Drawing, ARectangleCoversItsArea) {
-  Image image(20, 20, 3);
-  fill_rectangle(image, {2.25, 3.5, 10.5, 12.0}, Color(1.0f));
-  EXPECT_NEAR(ink(image), 8.25 * 8.5, 1e-4);  // float pixels
-  EXPECT_EQ(image.at(5, 5, 1), 1.0f);
-  EXPECT_NEAR(image.at(2, 3, 2), 0.75f * 0.5f, 1e-6f);
-}
+// The first and the one after the last column that has something drawn in it.
+struct Columns {
+  int first = 0;
+  int end = 0;
+};
 
-TEST(Drawing, ALineCoversItsLengthTimesItsWidth) {
-  for (const Point end : {Point{80.0, 20.0}, Point{20.0, 80.0}, Point{70.0, 60.0}}) {
-    Image image(100, 100, 3);
-    draw_line(image, {20.0, 20.0}, end, {Color(1.0f), 3.0});
-    // Round ends add a disc. Coverage from the distance to the middle of a pixel is right to a few percent.
-    const double expected = 3.0 * std::hypot(end.x - 20.0, end.y - 20.0) + M_PI * 1.5 * 1.5;
-    EXPECT_NEAR(ink(image), expected, 0.03 * expected);
+Columns inked_columns(const Image& image) {
+  Columns columns{image.width, 0};
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      if (image.at(x, y) == 0.0f) continue;
+      columns = {std::min(columns.first, x), std::max(columns.end, x + 1)};
+    }
   }
+  return columns;
 }
 
-TEST(Drawing, OverlappingStrokesOfOneLineCountOnce) {
-  Image once(40, 40, 3);
-  Image twice(40, 40, 3);
-  const std::array<Point, 2> line{{{5.0, 5.0}, {30.0, 21.0}}};
-  const std::array<Point, 3> back_and_forth{{line[0], line[1], line[0]}};
-  draw_polyline(once, line, {Color(0.8f), 1.0});
-  draw_polyline(twice, back_and_forth, {Color(0.8f), 1.0});
-  EXPECT_EQ(once.pixels, twice.pixels);
+TEST(Drawing, ARectangleCoversThePixelsThatItsCornersAreIn) {
+  Image image(20, 20, 3);
+  fill_rectangle(image, {2.25, 3.5, 10.5, 12.0}, Color(0.5f, 1.0f, 0.0f));
+  EXPECT_EQ(ink(image), 8.0 * 9.0 * 1.5 / 3.0);
+  EXPECT_EQ(image.at(2, 3, 0), 0.5f);
+  EXPECT_EQ(image.at(9, 11, 1), 1.0f);
+  EXPECT_EQ(image.at(10, 11, 1), 0.0f);
+}
+
+TEST(Drawing, AFrameIsWithinItsRectangle) {
+  Image image(20, 20, 3);
+  draw_frame(image, {2.0, 3.0, 12.0, 9.0}, Color(1.0f));
+  EXPECT_EQ(ink(image), 2.0 * 10.0 + 2.0 * 4.0);
+  EXPECT_EQ(image.at(11, 8), 1.0f);
+}
+
+TEST(Drawing, ALineIsAsWideAsItsPen) {
+  for (const int width : {1, 2, 3}) {
+    Image image(100, 100, 3);
+    draw_line(image, {20.0, 20.0}, {79.5, 20.5}, {Color(1.0f), width});
+    EXPECT_EQ(ink(image), width * (59.0 + width));
+  }
 }
 
 TEST(Drawing, WhatFallsOutsideIsLeftOut) {
+  const Rectangle all{-5.0, -5.0, 30.0, 30.0};
   Image image(10, 10, 3);
   fill_rectangle(image, {-5.0, -5.0, 30.0, -1.0}, Color(1.0f));
-  draw_line(image, {-50.0, 20.0}, {60.0, 30.0}, {Color(1.0f), 2.0});
-  draw_disc(image, {-20.0, 5.0}, 3.0, Color(1.0f));
-  draw_text(image, "far away", {200.0, -30.0}, {});
+  draw_line(image, {-50.0, 20.0}, {60.0, 30.0}, {Color(1.0f), 2});
+  draw_frame(image, all, Color(1.0f));
   paste(image, Image(4, 4, 3), -10, 3);
+  for (const Point at : {Point{200.0, 5.0}, Point{-200.0, 5.0}, Point{2.0, -30.0}, Point{2.0, 60.0}}) {
+    draw_text(image, "far away", at, {.outline = 2});
+  }
   EXPECT_EQ(ink(image), 0.0);
 
+  fill_rectangle(image, all, Color(1.0f));
+  EXPECT_EQ(ink(image), 100.0);
   Image white(8, 8, 3);
-  fill_rectangle(white, {0.0, 0.0, 8.0, 8.0}, Color(1.0f));
-  paste(image, white, 6, -5);
-  EXPECT_EQ(ink(image), 4.0 * 3.0);
+  fill_rectangle(white, all, Color(1.0f));
+  Image black(10, 10, 3);
+  paste(black, white, 6, -5);
+  EXPECT_EQ(ink(black), 4.0 * 3.0);
 }
 
-TEST(Drawing, EveryPrintableCharacterHasAShapeOfItsOwn) {
-  std::vector<std::vector<float>> seen;
-  for (char character = '!'; character <= '~'; ++character) {
-    Image image(32, 40, 3);
-    draw_text(image, std::string(1, character), {8.0, 28.0}, {.height = 20.0, .color = Color(1.0f)});
-    EXPECT_GT(ink(image), 5.0) << character;
-    for (const std::vector<float>& other : seen) EXPECT_NE(image.pixels, other) << character;
-    seen.push_back(image.pixels);
+TEST(Drawing, TextThatIsCutByAnEdgeShowsItsRest) {
+  for (const Point at : {Point{-20.0, 12.0}, Point{20.0, 12.0}, Point{2.0, 4.0}, Point{2.0, 26.0}}) {
+    Image image(40, 20, 3);
+    draw_text(image, "MMMMMM", at, {.height = 10.0, .color = Color(1.0f)});
+    EXPECT_GT(ink(image), 20.0) << at.x << ", " << at.y;
   }
-  EXPECT_EQ(stroke_glyph('\x01').strokes.size(), 1u);
-  EXPECT_TRUE(stroke_glyph(' ').strokes.empty());
 }
 
-TEST(Drawing, LettersStayWithinTheirHeightAndWidth) {
-  for (char character = '!'; character <= '~'; ++character) {
-    const StrokeGlyph glyph = stroke_glyph(character);
-    for (const std::vector<Point>& stroke : glyph.strokes) {
-      for (const Point& point : stroke) {
-        EXPECT_GE(point.x, -1.1) << character;  // the tail of j
-        EXPECT_LE(point.x, glyph.width + 0.4) << character;
-        EXPECT_GE(point.y, -4.0) << character;
-        EXPECT_LE(point.y, 14.0) << character;
-      }
+TEST(Drawing, CapitalsAreAsHighAsTheyAreAsked) {
+  for (const double height : {8.0, 12.0, 24.0}) {
+    Image image(60, 60, 3);
+    draw_text(image, "H", {20.0, 40.0}, {.height = height, .color = Color(1.0f)});
+    double rows = 0.0;
+    for (int y = 0; y < 60; ++y) {
+      float darkest = 0.0f;
+      for (int x = 0; x < 60; ++x) darkest = std::max(darkest, image.at(x, y));
+      rows += darkest;
     }
+    EXPECT_NEAR(rows, height, 1.0);  // fonts are set in whole pixels
   }
 }
 
-TEST(Drawing, TextIsAlignedByItsWidth) {
-  const std::string text = "Noise 12";
-  const double width = text_width(text, 24.0);
-  EXPECT_NEAR(text_width(text, 12.0), 0.5 * width, 1e-9);
-  EXPECT_EQ(text_width("", 12.0), 0.0);
+TEST(Drawing, TextIsAlignedByItsEnds) {
+  const auto columns = [](TextAlignment alignment) {
+    Image image(300, 60, 3);
+    draw_text(image, "Noise 12", {150.0, 40.0}, {24.0, Color(1.0f), alignment});
+    return inked_columns(image);
+  };
+  const Columns left = columns(TextAlignment::left);
+  const Columns centre = columns(TextAlignment::centre);
+  const Columns right = columns(TextAlignment::right);
+  EXPECT_NEAR(left.first, 150, 4);  // a letter has room on its left
+  EXPECT_NEAR(0.5 * (centre.first + centre.end), 150.0, 1.0);
+  EXPECT_NEAR(right.end, 150, 1);
+  EXPECT_EQ(left.end - left.first, right.end - right.first);
+}
 
-  Image left(300, 60, 3);
-  Image center(300, 60, 3);
-  Image right(300, 60, 3);
-  draw_text(left, text, {150.0 - width, 40.0}, {24.0, Color(1.0f), TextAlignment::left});
-  draw_text(center, text, {150.0 - 0.5 * width, 40.0}, {24.0, Color(1.0f), TextAlignment::center});
-  draw_text(right, text, {150.0, 40.0}, {24.0, Color(1.0f), TextAlignment::right});
-  for (std::size_t i = 0; i < left.pixels.size(); ++i) {
-    EXPECT_NEAR(left.pixels[i], center.pixels[i], 1e-5f);
-    EXPECT_NEAR(left.pixels[i], right.pixels[i], 1e-5f);
+TEST(Drawing, AnOutlineIsBlack) {
+  Image image(60, 40, 3);
+  fill_rectangle(image, {0.0, 0.0, 60.0, 40.0}, Color(0.5f));
+  draw_text(image, "H", {20.0, 30.0}, {.height = 20.0, .color = Color(1.0f), .outline = 2});
+  int black = 0;
+  int white = 0;
+  for (int x = 0; x < 60; ++x) {
+    black += image.at(x, 14) < 0.1f;
+    white += image.at(x, 14) > 0.9f;
   }
+  // Two stems with an edge on each side; pixels that are partly covered are neither.
+  EXPECT_GE(black, 4);
+  EXPECT_GE(white, 2);
+}
+
+TEST(Drawing, OtherThanAsciiIsAQuestionMark) {
+  Image image(60, 40, 3);
+  Image question(60, 40, 3);
+  draw_text(image, "\xe9", {20.0, 30.0}, {.color = Color(1.0f)});
+  draw_text(question, "?", {20.0, 30.0}, {.color = Color(1.0f)});
+  EXPECT_EQ(image.pixels, question.pixels);
+}
+
+// In a process of its own: the font is looked for once.
+TEST(DrawingDeathTest, AMissingFontIsNamed) {
+  testing::GTEST_FLAG(death_test_style) = "threadsafe";
+  EXPECT_EXIT(
+      {
+        setenv("SOLIDNOISE_FONT", "/nowhere/font.ttf", 1);
+        Image image(20, 20, 3);
+        try {
+          draw_text(image, "a", {5.0, 15.0}, {});
+        } catch (const std::runtime_error& error) {
+          std::_Exit(std::string(error.what()).find("/nowhere/font.ttf") != std::string::npos ? 0 : 1);
+        }
+        std::_Exit(2);
+      },
+      testing::ExitedWithCode(0), "");
 }
 
 }  // namespace

@@ -89,7 +89,7 @@ class FourPanels {
     const double top = layout_.panel_top(line);
     draw_text(image_, title, {left, top - 0.8 * layout_.text}, {layout_.text, kInk});
     paste(image_, picture, static_cast<int>(left), static_cast<int>(top));
-    draw_frame(image_, frame(column, line), {kInk, 1.0});
+    draw_frame(image_, frame(column, line), kInk);
   }
 
   void draw_empty_panel(int column, int line, const std::string& title, const std::string& reason) {
@@ -98,24 +98,24 @@ class FourPanels {
     draw_panel(column, line, title, blank);
     const Rectangle area = frame(column, line);
     draw_text(image_, reason, {0.5 * (area.left + area.right), 0.5 * (area.top + area.bottom)},
-              {layout_.text, Color(0.4f), TextAlignment::center});
+              {layout_.text, Color(0.4f), TextAlignment::centre});
   }
 
-  // A bar of a round length, at most 0.3 of the panel, white on a dark ground.
+  // A bar of a round length, at most 0.3 of the panel, white on black edges.
   void draw_scale_bar(int column, int line, double panel_width, const std::string& unit) {
     const double length = round_length(0.3 * panel_width);
     const std::string label = short_number(length) + " " + (length == 1.0 ? singular(unit) : unit);
     const double text = layout_.text;
-    const double bar = length / panel_width * layout_.panel;
     const Rectangle area = frame(column, line);
-    const double wide = std::max(bar, text_width(label, text));
-    const Rectangle ground{area.left + 0.8 * text, area.bottom - 4.4 * text, area.left + wide + 2.8 * text,
-                           area.bottom - 0.8 * text};
-    fill_rectangle(image_, ground, Color(0.08f));
-    const double middle = 0.5 * (ground.left + ground.right);
-    draw_text(image_, label, {middle, ground.top + 1.8 * text}, {text, Color(1.0f), TextAlignment::center});
-    draw_line(image_, {middle - 0.5 * bar, ground.bottom - text}, {middle + 0.5 * bar, ground.bottom - text},
-              {Color(1.0f), 0.25 * text});
+    const double left = area.left + 1.2 * text;
+    const double right = left + length / panel_width * layout_.panel;
+    const double bottom = area.bottom - 1.2 * text;
+    const double top = bottom - 0.25 * text;
+    const int edge = std::max(1, static_cast<int>(0.2 * text));
+    fill_rectangle(image_, {left - edge, top - edge, right + edge, bottom + edge}, Color(0.0f));
+    fill_rectangle(image_, {left, top, right, bottom}, Color(1.0f));
+    draw_text(image_, label, {left, top - 0.7 * text - 2.0 * edge},
+              {.height = text, .color = Color(1.0f), .outline = edge});
   }
 
   void draw_spectrum(const SpectrumPlot& spectrum) {
@@ -207,8 +207,8 @@ Image draw_four_panels(const DenseField<2>& noise, const DenseField<2>& kernel,
     variance += (value - mean) * (value - mean) / static_cast<double>(noise.values.size());
   }
   const double reach = variance > 0.0 ? 2.5 * std::sqrt(variance) : 1.0;
-  DenseField<2> centered = noise;
-  for (float& value : centered.values) value -= static_cast<float>(mean);
+  DenseField<2> centred = noise;
+  for (float& value : centred.values) value -= static_cast<float>(mean);
 
   FourPanels panels(options, !spectrum.measured.empty());
   // Even steps to the eye, not in light: these stops are nearly linear as they are encoded.
@@ -216,11 +216,11 @@ Image draw_four_panels(const DenseField<2>& noise, const DenseField<2>& kernel,
   const std::string per_unit = "cycles / " + singular(options.unit);
   const double nyquist = 0.5 / std::max(noise.step.x, noise.step.y);
   const double highest = std::min(1.3 * highest_frequency(noise, mean), nyquist);
-  const DenseField<2> part = middle_part(centered, kShownWaves / highest);
+  const DenseField<2> part = middle_part(centred, kShownWaves / highest);
   panels.draw_panel(0, 0, "Noise", field_picture(part, panels.panel_size(), even, -reach, reach));
   panels.draw_scale_bar(0, 0, shown_width(part), options.unit);
   draw_transform(panels, 0, "Fourier transform of the noise",
-                 spectrum_magnitude(centered, SpectrumWindow::hann), highest, per_unit);
+                 spectrum_magnitude(centred, SpectrumWindow::hann), highest, per_unit);
 
   if (kernel.values.empty()) {
     panels.draw_empty_panel(1, 0, "Kernel", "no kernel");

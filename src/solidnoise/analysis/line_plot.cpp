@@ -73,20 +73,20 @@ class Plotter {
     const double height = plot_.text_height;
     for (const double tick : tick_values(plot_.x)) {
       const double x = x_pixel(tick);
-      draw_line(image_, {x, area_.top}, {x, area_.bottom}, {kGrid, 1.0});
-      draw_line(image_, {x, area_.bottom}, {x, area_.bottom + 0.5 * height}, {kAxis, 1.0});
-      draw_text(image_, short_number(tick), {x, area_.bottom + 2.0 * height}, text(TextAlignment::center));
+      draw_line(image_, {x, area_.top}, {x, area_.bottom}, {kGrid});
+      draw_line(image_, {x, area_.bottom}, {x, area_.bottom + 0.5 * height}, {kAxis});
+      draw_text(image_, short_number(tick), {x, area_.bottom + 2.0 * height}, text(TextAlignment::centre));
     }
     for (const double tick : tick_values(plot_.y)) {
       const double y = y_pixel(tick);
-      draw_line(image_, {area_.left, y}, {area_.right, y}, {kGrid, 1.0});
-      draw_line(image_, {area_.left - 0.5 * height, y}, {area_.left, y}, {kAxis, 1.0});
+      draw_line(image_, {area_.left, y}, {area_.right, y}, {kGrid});
+      draw_line(image_, {area_.left - 0.5 * height, y}, {area_.left, y}, {kAxis});
       draw_text(image_, short_number(tick), {area_.left - height, y + 0.5 * height},
                 text(TextAlignment::right));
     }
-    draw_frame(image_, area_, {kAxis, 1.0});
+    draw_frame(image_, area_, kAxis);
     draw_text(image_, plot_.x.label, {0.5 * (area_.left + area_.right), area_.bottom + 4.2 * height},
-              text(TextAlignment::center));
+              text(TextAlignment::centre));
     draw_text(image_, plot_.y.label, {area_.left, area_.top - height}, text(TextAlignment::left));
   }
 
@@ -108,36 +108,40 @@ class Plotter {
       const auto pixel = [this](const Point& p) {
         return Point{area_.left + p.x * area_.width(), area_.bottom - p.y * area_.height()};
       };
-      draw_line(image_, pixel(a), pixel(b), {series.color, 2.0});
+      draw_line(image_, pixel(a), pixel(b), {series.color, 2});
     }
   }
 
   void draw_dots(const PlotSeries& series) {
     for (std::size_t i = 0; i < series.points.size(); ++i) {
       const Point& point = series.points[i];
-      const std::optional<Point> center = place(point);
-      if (!center) continue;
+      const std::optional<Point> centre = place(point);
+      if (!centre) continue;
       if (i < series.errors.size()) {
         const double low = std::max(point.y - series.errors[i], plot_.y.lower);
         const double high = std::min(point.y + series.errors[i], plot_.y.upper);
-        draw_line(image_, {center->x, y_pixel(low)}, {center->x, y_pixel(high)}, {series.color, 1.2});
+        draw_line(image_, {centre->x, y_pixel(low)}, {centre->x, y_pixel(high)}, {series.color});
       }
-      draw_disc(image_, *center, 2.8, series.color);
+      draw_dot(*centre, series.color);
     }
+  }
+
+  void draw_dot(const Point& centre, const Color& color) {
+    fill_rectangle(image_, {centre.x - 2.0, centre.y - 2.0, centre.x + 3.0, centre.y + 3.0}, color);
   }
 
   void draw_legend() {
     const double height = plot_.text_height;
+    const double end = area_.right - 1.5 * height;
+    const double start = end - 2.5 * height;
     double y = area_.top + 2.2 * height;
     for (const PlotSeries& series : plot_.series) {
-      const double right = area_.right - 1.5 * height;
-      draw_text(image_, series.label, {right, y}, text(TextAlignment::right));
-      const double end = right - text_width(series.label, height) - height;
+      draw_text(image_, series.label, {start - height, y}, text(TextAlignment::right));
       const double middle = y - 0.5 * height;
       if (series.style == PlotSeries::Style::line) {
-        draw_line(image_, {end - 2.5 * height, middle}, {end, middle}, {series.color, 2.0});
+        draw_line(image_, {start, middle}, {end, middle}, {series.color, 2});
       } else {
-        draw_disc(image_, {end - 1.25 * height, middle}, 2.8, series.color);
+        draw_dot({0.5 * (start + end), middle}, series.color);
       }
       y += 2.0 * height;
     }

@@ -45,12 +45,12 @@ std::string find_module() {
   return kFileName;
 }
 
-void* find_function(void* library, const std::string& path, const char* name) {
-  void* const function = dlsym(library, name);
+template <typename Function>
+void find_function(void* library, const std::string& path, const char* name, Function*& function) {
+  function = reinterpret_cast<Function*>(dlsym(library, name));
   if (function == nullptr) {
     throw std::runtime_error(fmt::format("{} is not solidnoise's image module: it lacks {}", path, name));
   }
-  return function;
 }
 
 ImageModule load() {
@@ -63,10 +63,9 @@ ImageModule load() {
                     dlerror(), kVariable));
   }
   ImageModule module;
-  module.write =
-      reinterpret_cast<SolidnoiseImageWrite*>(find_function(library, path, "solidnoise_image_write"));
-  module.read =
-      reinterpret_cast<SolidnoiseImageRead*>(find_function(library, path, "solidnoise_image_read_as"));
+  find_function(library, path, "solidnoise_image_write", module.write);
+  find_function(library, path, "solidnoise_image_read_as", module.read);
+  find_function(library, path, "solidnoise_image_draw", module.draw);
   return module;
 }
 

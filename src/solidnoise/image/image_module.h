@@ -7,6 +7,7 @@ namespace solidnoise {
 struct ImageModule {
   SolidnoiseImageWrite* write = nullptr;
   SolidnoiseImageRead* read = nullptr;
+  SolidnoiseImageDraw* draw = nullptr;
 };
 
 // The module that links OpenImageIO, loaded by the first call that succeeds and kept until the process ends.

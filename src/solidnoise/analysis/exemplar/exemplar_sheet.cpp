@@ -151,7 +151,7 @@ Image draw_exemplar_sheet(const Exemplar<2>& whole, const ExemplarModel& model,
     const int x = left + width - inset;
     const int y = top + height - inset;
     paste(sheet, draw_spectrum(panels[i].spectrum, white, inset), x, y);
-    draw_frame(sheet, {x + 0.5, y + 0.5, x + inset - 0.5, y + inset - 0.5}, {Color(1.0f), 1.0});
+    draw_frame(sheet, {double(x), double(y), double(x + inset), double(y + inset)}, Color(1.0f));
     draw_text(sheet, panels[i].name, {double(left), top + height + 17.0}, small);
   }
   draw_text(sheet, options.caption, {kMargin, top + height + kTextLine + 15.0}, small);

@@ -6,9 +6,13 @@
 #include <memory>
 #include <string>
 
+#include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
 
 namespace {
+
+namespace algo = OIIO::ImageBufAlgo;
 
 int fail(SolidnoiseImageError* error, const std::string& message) {
   const std::size_t length = std::min(message.size(), error->capacity - 1);
@@ -57,6 +61,39 @@ int read(const char* path, const char* format, SolidnoiseImageAllocate* allocate
   return 0;
 }
 
+// render_text() aborts where no part of a text is in the picture.
+bool draw_text(OIIO::ImageBuf& picture, const SolidnoiseImageMark& mark, OIIO::cspan<float> color) {
+  const OIIO::ROI extent = algo::text_size(mark.text, mark.size, mark.font);
+  if (!extent.defined()) return algo::render_text(picture, 0, 0, mark.text, mark.size, mark.font, color);
+  int x = mark.x0;
+  if (mark.alignment == kSolidnoiseImageCentre) x -= (extent.xbegin + extent.xend) / 2;
+  if (mark.alignment == kSolidnoiseImageRight) x -= extent.xend;
+  const OIIO::ROI whole = picture.roi();
+  const bool outside = x + extent.xend + mark.outline <= whole.xbegin ||
+                       x + extent.xbegin - mark.outline >= whole.xend ||
+                       mark.y0 + extent.yend + mark.outline <= whole.ybegin ||
+                       mark.y0 + extent.ybegin - mark.outline >= whole.yend;
+  return outside || algo::render_text(picture, x, mark.y0, mark.text, mark.size, mark.font, color,
+                                      algo::TextAlignX::Left, algo::TextAlignY::Baseline, mark.outline);
+}
+
+int draw(float* pixels, int width, int height, const SolidnoiseImageMark& mark, SolidnoiseImageError* error) {
+  OIIO::ImageBuf picture(OIIO::ImageSpec(width, height, 3, OIIO::TypeDesc::FLOAT), pixels);
+  const OIIO::cspan<float> color(mark.color, 3);
+  bool done = false;
+  switch (mark.kind) {
+    case kSolidnoiseImageText:
+      done = draw_text(picture, mark, color);
+      break;
+    case kSolidnoiseImageLine:
+      done = algo::render_line(picture, mark.x0, mark.y0, mark.x1, mark.y1, color);
+      break;
+    default:
+      done = algo::render_box(picture, mark.x0, mark.y0, mark.x1, mark.y1, color, true);
+  }
+  return done ? 0 : fail(error, picture.geterror());
+}
+
 }  // namespace
 
 int solidnoise_image_write(const char* path, const SolidnoiseImagePicture* picture, int sample_type,
@@ -72,6 +109,15 @@ int solidnoise_image_read_as(const char* path, const char* format, SolidnoiseIma
                              void* context, SolidnoiseImageError* error) {
   try {
     return read(path, format, allocate, context, error);
+  } catch (const std::exception& exception) {
+    return fail(error, exception.what());
+  }
+}
+
+int solidnoise_image_draw(float* pixels, int width, int height, const SolidnoiseImageMark* mark,
+                          SolidnoiseImageError* error) {
+  try {
+    return draw(pixels, width, height, *mark, error);
   } catch (const std::exception& exception) {
     return fail(error, exception.what());
   }

@@ -37,6 +37,30 @@ typedef float* SolidnoiseImageAllocate(void* context, int width, int height, int
 typedef int SolidnoiseImageRead(const char* path, const char* format, SolidnoiseImageAllocate* allocate,
                                 void* context, SolidnoiseImageError* error);
 
+enum { kSolidnoiseImageText = 1, kSolidnoiseImageLine = 2, kSolidnoiseImageBox = 3 };
+enum { kSolidnoiseImageLeft = 0, kSolidnoiseImageCentre = 1, kSolidnoiseImageRight = 2 };
+
+// A line from pixel (x0, y0) to (x1, y1), a filled box with these corners in it, or a text whose base line is
+// at (x0, y0).
+struct SolidnoiseImageMark {
+  int kind;
+  int x0;
+  int y0;
+  int x1;
+  int y1;
+  float color[3];
+  const char* text;  // this and what follows: of a text alone
+  const char* font;  // path of a file
+  int size;          // of the font, pixels
+  int alignment;
+  int outline;  // width of a black line around the letters, pixels
+};
+
+// Draws on a picture of three channels.
+typedef int SolidnoiseImageDraw(float* pixels, int width, int height, const SolidnoiseImageMark* mark,
+                                SolidnoiseImageError* error);
+
 SolidnoiseImageWrite solidnoise_image_write;
 SolidnoiseImageRead solidnoise_image_read_as;
+SolidnoiseImageDraw solidnoise_image_draw;
 }
