@@ -20,6 +20,6 @@ build/bench/bench/count_case --list | while read -r name voxels; do
   echo "$name,$voxels,$(awk '/Collected/ { print $NF }' "$data/callgrind.log")" >>"$data/instructions.csv"
 done
 
-/usr/bin/python3 scripts/pages/programs.py build/bench/tools "$data"
-/usr/bin/python3 scripts/pages/performance.py "$data" docs "Solidnoise $(build/bench/tools/vdbnoise --version | cut -d" " -f2)"
+/usr/bin/python3 bench/programs.py build/bench/tools "$data"
+PYTHONPATH=research/pages /usr/bin/python3 bench/performance.py "$data" docs "Solidnoise $(build/bench/tools/vdbnoise --version | cut -d" " -f2)"
 echo "The page: $PWD/docs/performance.md"

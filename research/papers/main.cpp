@@ -6,7 +6,7 @@
 #include "papers/items.h"
 
 // papers ITEM FOLDER: computes one item of the pages of docs/papers and writes its data into a folder, for
-// scripts/pages to draw. papers --list: the items, one a line.
+// research/pages to draw. papers --list: the items, one a line.
 int main(int argc, char** argv) {
   solidnoise::papers::Items items = solidnoise::papers::improving_gabor_noise_items();
   items.merge(solidnoise::papers::noise_by_example_items());
