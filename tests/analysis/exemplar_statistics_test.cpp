@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "solidnoise/analysis/exemplar/color_axes.h"
 #include "solidnoise/analysis/exemplar/cross_spectra.h"
+#include "solidnoise/analysis/exemplar/exemplar_channels.h"
 #include "solidnoise/analysis/exemplar/periodic_component.h"
 #include "solidnoise/analysis/fft.h"
 #include "support/golden.h"

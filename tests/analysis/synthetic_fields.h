@@ -6,7 +6,6 @@
 #include <numbers>
 #include <vector>
 
-#include "solidnoise/analysis/array_shape.h"
 #include "solidnoise/analysis/dense_field.h"
 #include "solidnoise/analysis/fft.h"
 #include "solidnoise/core/random.h"

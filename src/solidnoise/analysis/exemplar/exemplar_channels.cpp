@@ -1,13 +1,149 @@
 #include "solidnoise/analysis/exemplar/exemplar_channels.h"
 
+#include <algorithm>
+#include <cmath>
+#include <complex>
 #include <cstddef>
+#include <vector>
+
+#include <Eigen/Dense>
+#include <glm/geometric.hpp>
 
 namespace solidnoise {
 namespace {
 
 constexpr double kNoVariance = 1e-15;  // of that of all channels
 
+using Complex = std::complex<double>;
+using Matrix = std::array<Complex, 9>;
+
+template <int Dim>
+std::vector<Matrix> rotated_matrices(const CrossSpectra<Dim>& spectra, const AxisMatrix& axes) {
+  std::vector<Matrix> result(spectra.cross.front().size());
+  for (std::size_t k = 0; k < result.size(); ++k) {
+    for (std::size_t p = 0; p < 3; ++p) {
+      for (std::size_t q = 0; q < 3; ++q) {
+        Complex sum = 0.0;
+        for (int i = 0; i < 3; ++i) {
+          for (int j = 0; j < 3; ++j) {
+            sum += axes[p][i] * axes[q][j] * spectra.cross[static_cast<std::size_t>(3 * i + j)][k];
+          }
+        }
+        result[k][3 * p + q] = sum;
+      }
+    }
+  }
+  return result;
+}
+
+// Turns rows and columns p and q of all matrices by an angle, and the axes with them.
+void rotate(std::vector<Matrix>& matrices, AxisMatrix& axes, std::size_t p, std::size_t q, double angle) {
+  const double c = std::cos(angle);
+  const double s = std::sin(angle);
+  for (Matrix& m : matrices) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      const Complex at_p = m[3 * p + j];
+      const Complex at_q = m[3 * q + j];
+      m[3 * p + j] = c * at_p + s * at_q;
+      m[3 * q + j] = c * at_q - s * at_p;
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Complex at_p = m[3 * i + p];
+      const Complex at_q = m[3 * i + q];
+      m[3 * i + p] = c * at_p + s * at_q;
+      m[3 * i + q] = c * at_q - s * at_p;
+    }
+  }
+  const Vec<3> axis = axes[p];
+  axes[p] = c * axis + s * axes[q];
+  axes[q] = c * axes[q] - s * axis;
+}
+
+// The rotation of axes p and q that leaves the least off the diagonals of all matrices: by the principal
+// direction (x, y) of the vectors (m_pp - m_qq, m_pq + m_qp), with the double angle between it and (1, 0).
+double best_angle(const std::vector<Matrix>& matrices, std::size_t p, std::size_t q) {
+  double along = 0.0;
+  double across = 0.0;
+  double mixed = 0.0;
+  for (const Matrix& m : matrices) {
+    const Complex difference = m[3 * p + p] - m[3 * q + q];
+    const Complex sum = m[3 * p + q] + m[3 * q + p];
+    along += std::norm(difference);
+    across += std::norm(sum);
+    mixed += (std::conj(difference) * sum).real();
+  }
+  // The principal direction is at half the angle of (along - across, 2 mixed); rotate by half of that again.
+  return 0.25 * std::atan2(2.0 * mixed, along - across);
+}
+
+void diagonalize_jointly(std::vector<Matrix>& matrices, AxisMatrix& axes) {
+  constexpr int kSweeps = 50;
+  constexpr double kStill = 1e-9;  // radians
+  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    double largest = 0.0;
+    for (std::size_t p = 0; p < 2; ++p) {
+      for (std::size_t q = p + 1; q < 3; ++q) {
+        const double angle = best_angle(matrices, p, q);
+        rotate(matrices, axes, p, q, angle);
+        largest = std::max(largest, std::abs(angle));
+      }
+    }
+    if (largest < kStill) return;
+  }
+}
+
+template <int Dim>
+AxisMatrix principal_axes(const CrossSpectra<Dim>& spectra) {
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      for (const Complex& value : spectra.cross[static_cast<std::size_t>(3 * i + j)]) {
+        covariance(i, j) += value.real();
+      }
+    }
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
+  AxisMatrix result;
+  for (int k = 0; k < 3; ++k) {
+    for (int i = 0; i < 3; ++i) result[static_cast<std::size_t>(k)][i] = solver.eigenvectors()(i, 2 - k);
+  }
+  return result;
+}
+
 }  // namespace
+
+template <int Dim>
+AxisMatrix color_axes(const CrossSpectra<Dim>& spectra, ColorAxes kind) {
+  AxisMatrix axes{Vec<3>(1.0, 0.0, 0.0), Vec<3>(0.0, 1.0, 0.0), Vec<3>(0.0, 0.0, 1.0)};
+  if (kind == ColorAxes::rgb) return axes;
+  axes = principal_axes(spectra);
+  if (kind == ColorAxes::independent) {
+    std::vector<Matrix> matrices = rotated_matrices(spectra, axes);
+    diagonalize_jointly(matrices, axes);
+  }
+  for (Vec<3>& axis : axes) {
+    if (axis.x + axis.y + axis.z < 0.0) axis = -axis;
+  }
+  const auto variance = [&](const Vec<3>& axis) {
+    return spectra.variance(std::array{axis.x, axis.y, axis.z});
+  };
+  std::stable_sort(axes.begin(), axes.end(),
+                   [&](const Vec<3>& a, const Vec<3>& b) { return variance(a) > variance(b); });
+  return axes;
+}
+
+template <int Dim>
+double channel_dependence(const CrossSpectra<Dim>& spectra, const AxisMatrix& axes) {
+  double off = 0.0;
+  double all = 0.0;
+  for (const Matrix& m : rotated_matrices(spectra, axes)) {
+    for (std::size_t i = 0; i < 9; ++i) {
+      all += std::norm(m[i]);
+      if (i % 4 != 0) off += std::norm(m[i]);
+    }
+  }
+  return off / all;
+}
 
 double ExemplarChannels::total_variance() const {
   double sum = 0.0;
@@ -54,6 +190,10 @@ ExemplarChannels exemplar_channels(const CrossSpectra<Dim>& spectra, ColorAxes k
   return result;
 }
 
+template AxisMatrix color_axes<2>(const CrossSpectra<2>&, ColorAxes);
+template AxisMatrix color_axes<3>(const CrossSpectra<3>&, ColorAxes);
+template double channel_dependence<2>(const CrossSpectra<2>&, const AxisMatrix&);
+template double channel_dependence<3>(const CrossSpectra<3>&, const AxisMatrix&);
 template ExemplarChannels exemplar_channels<2>(const CrossSpectra<2>&, ColorAxes);
 template ExemplarChannels exemplar_channels<3>(const CrossSpectra<3>&, ColorAxes);
 

@@ -1,13 +1,37 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
-#include "solidnoise/analysis/exemplar/color_axes.h"
 #include "solidnoise/analysis/exemplar/cross_spectra.h"
+#include "solidnoise/core/vec.h"
 #include "solidnoise/noise/gabor/gabor_spectrum.h"
 
 namespace solidnoise {
+
+// The colour spaces in which channels may be made independently of each other.
+enum class ColorAxes {
+  rgb,          // as they are
+  pca,          // principal axes: uncorrelated at the same point
+  independent,  // as uncorrelated as possible at all distances
+};
+
+// Three orthonormal axes, the one of largest variance first, each with a positive sum.
+using AxisMatrix = std::array<Vec<3>, 3>;
+
+// The axes of an exemplar of three channels. `independent` is the approximate joint diagonalisation of all
+// lagged correlation matrices (Galerne et al. 2012, section 7) by real Jacobi rotations (Cardoso and
+// Souloumiac 1996), begun at the principal axes, so that it never does worse than these. It works on
+// the cross-periodograms, whose sums of squares are those of the lagged matrices by Parseval's theorem.
+template <int Dim>
+AxisMatrix color_axes(const CrossSpectra<Dim>& spectra, ColorAxes axes);
+
+// How much the channels along the axes depend on each other, 0 to 1: the squared off-diagonal elements of all
+// lagged correlation matrices, in proportion to all elements (the paper's J, eq. 10, which depends on the
+// scale of the colours).
+template <int Dim>
+double channel_dependence(const CrossSpectra<Dim>& spectra, const AxisMatrix& axes);
 
 // How much channels depend on each other in the three colour spaces (channel_dependence).
 struct ColorDependence {
@@ -35,6 +59,10 @@ struct ExemplarChannels {
 template <int Dim>
 ExemplarChannels exemplar_channels(const CrossSpectra<Dim>& spectra, ColorAxes axes);
 
+extern template AxisMatrix color_axes<2>(const CrossSpectra<2>&, ColorAxes);
+extern template AxisMatrix color_axes<3>(const CrossSpectra<3>&, ColorAxes);
+extern template double channel_dependence<2>(const CrossSpectra<2>&, const AxisMatrix&);
+extern template double channel_dependence<3>(const CrossSpectra<3>&, const AxisMatrix&);
 extern template ExemplarChannels exemplar_channels<2>(const CrossSpectra<2>&, ColorAxes);
 extern template ExemplarChannels exemplar_channels<3>(const CrossSpectra<3>&, ColorAxes);
 
