@@ -16,6 +16,6 @@ int main() {
 
   std::cout << "power in the periodogram " << solidnoise::periodogram(field).variance() << '\n'
             << "closed form              " << noise->variance() << '\n';
-  const auto ramp = solidnoise::parse_color_ramp("gray");
+  const auto ramp = solidnoise::parse_color_ramp("grey");
   solidnoise::write_image("noise.png", solidnoise::field_picture(field, 256, ramp, -3.0, 3.0));
 }

@@ -60,7 +60,7 @@ of one exemplar scatters by as much as the spectrum itself, so that less is not 
 def draw_sheets(data, page):
     page.write("""
 ## Figures 4 and 5: from exemplar to noise
-Gray, 128 x 128 pixels, kappa = 1/256, all bands. Left to right: exemplar, its Gaussian version, Gaussian texture of the sparse spectrum, procedural noise.
+Grey, 128 x 128 pixels, kappa = 1/256, all bands. Left to right: exemplar, its Gaussian version, Gaussian texture of the sparse spectrum, procedural noise.
 Sheets of seven photographs in colour are on the page of [noisefit](../noisefit.md).
 """)
     for name in ("sand", "moss", "wood"):
@@ -85,7 +85,7 @@ def write_numbers(data, page):
     rows.append(["**printed**", "", "**3.5 %**", "**2 minutes**", "", "", "0.9962", "0.0067", "0.0028"])
     page.write("""
 ## Sparseness, time, independence of colours
-128 x 128 pixels in gray, kappa = 1/256, processor time; J of the whole photographs in colour.
+128 x 128 pixels in grey, kappa = 1/256, processor time; J of the whole photographs in colour.
 """)
     page.write(table(["exemplar", "Gaussians, paper's parameters", "of the pixels", "time", "our defaults", "time",
                       "J of RGB", "J of PCA", "J of independent axes"], rows))

@@ -32,32 +32,32 @@ Exemplar<2> read_photograph(const std::string& name) {
 }
 
 // The brightness of the middle of a photograph.
-Exemplar<2> gray_middle(const Exemplar<2>& photograph) {
+Exemplar<2> grey_middle(const Exemplar<2>& photograph) {
   constexpr std::array<float, 3> kWeights{0.2126f, 0.7152f, 0.0722f};
   const glm::ivec2 first = (photograph.shape().count - kSide) / 2;
-  DenseField<2> gray({kSide, kSide}, photograph.shape().step);
-  const ArrayShape<2> shape{gray.count};
-  for (std::size_t i = 0; i < gray.values.size(); ++i) {
+  DenseField<2> grey({kSide, kSide}, photograph.shape().step);
+  const ArrayShape<2> shape{grey.count};
+  for (std::size_t i = 0; i < grey.values.size(); ++i) {
     const std::size_t from = ArrayShape<2>{photograph.shape().count}.index(first + shape.position(i));
     for (std::size_t c = 0; c < photograph.channels.size(); ++c) {
       const float weight = photograph.channels.size() == 3 ? kWeights[c] : 1.0f;
-      gray.values[i] += weight * photograph.channels[c].values[from];
+      grey.values[i] += weight * photograph.channels[c].values[from];
     }
   }
   Exemplar<2> result;
-  result.channels = {gray};
+  result.channels = {grey};
   return result;
 }
 
-PowerSpectrum<2> periodogram_of(const Exemplar<2>& gray) {
-  return cross_spectra<2>(std::span(&gray, 1)).spectrum(std::array{1.0});
+PowerSpectrum<2> periodogram_of(const Exemplar<2>& grey) {
+  return cross_spectra<2>(std::span(&grey, 1)).spectrum(std::array{1.0});
 }
 
-ExemplarFit<2> fit(const Exemplar<2>& gray, const SpectrumFitOptions& options) {
+ExemplarFit<2> fit(const Exemplar<2>& grey, const SpectrumFitOptions& options) {
   ExemplarFitOptions fit_options;
   fit_options.spectrum = options;
   fit_options.raw_values = true;
-  return fit_exemplar<2>(std::span(&gray, 1), fit_options);
+  return fit_exemplar<2>(std::span(&grey, 1), fit_options);
 }
 
 DenseField<2> picture_of(const GaborSpectrum& spectrum, const PowerSpectrum<2>& like) {
@@ -66,9 +66,9 @@ DenseField<2> picture_of(const GaborSpectrum& spectrum, const PowerSpectrum<2>& 
 
 // Figure 2: the bands of one noise, each alone.
 void write_bands(const fs::path& folder) {
-  const Exemplar<2> gray = gray_middle(read_photograph("soil"));
-  const PowerSpectrum<2> periodogram = periodogram_of(gray);
-  const ExemplarModel model = fit(gray, SpectrumFitOptions::of_paper()).model;
+  const Exemplar<2> grey = grey_middle(read_photograph("soil"));
+  const PowerSpectrum<2> periodogram = periodogram_of(grey);
+  const ExemplarModel model = fit(grey, SpectrumFitOptions::of_paper()).model;
   Table table{{"a", "components", "share"}, {}};
   const auto write = [&](const std::string& name, const GaborSpectrum& spectrum) {
     ExemplarModel one = model;
@@ -76,7 +76,7 @@ void write_bands(const fs::path& folder) {
     one.mean = Vec<3>(0.0);
     write_field(folder / ("bands_" + name + "_spectrum"), picture_of(spectrum, periodogram));
     write_field(folder / ("bands_" + name + "_noise"),
-                procedural_texture(one, {kSide, kSide}, gray.shape().step, Vec<3>(0.0), 1).channels.front());
+                procedural_texture(one, {kSide, kSide}, grey.shape().step, Vec<3>(0.0), 1).channels.front());
   };
   const GaborSpectrum& all = model.channels.front();
   write("all", all);
@@ -92,15 +92,15 @@ void write_bands(const fs::path& folder) {
 
 // Figure 3: ever more components.
 void write_kappas(const fs::path& folder) {
-  const Exemplar<2> gray = gray_middle(read_photograph("soil"));
-  const PowerSpectrum<2> periodogram = periodogram_of(gray);
-  write_field(folder / "kappa_exemplar", gray.channels.front());
+  const Exemplar<2> grey = grey_middle(read_photograph("soil"));
+  const PowerSpectrum<2> periodogram = periodogram_of(grey);
+  write_field(folder / "kappa_exemplar", grey.channels.front());
   write_field(folder / "kappa_periodogram", centred(periodogram));
   Table table{{"inverse_kappa", "components", "residual"}, {}};
   for (int inverse = 2; inverse <= 256; inverse *= 2) {
     SpectrumFitOptions options = SpectrumFitOptions::of_paper();
     options.kappa = 1.0 / inverse;
-    const ExemplarFit<2> found = fit(gray, options);
+    const ExemplarFit<2> found = fit(grey, options);
     const SpectrumFit& channel = found.channels.front();
     write_field(folder / fmt::format("kappa_{}", inverse), picture_of(channel.spectrum, periodogram));
     table.rows.push_back(
@@ -112,9 +112,9 @@ void write_kappas(const fs::path& folder) {
 // Figure 4.
 void write_sheets(const fs::path& folder) {
   for (const char* name : {"sand", "moss", "wood"}) {
-    const Exemplar<2> gray = gray_middle(read_photograph(name));
-    const ExemplarModel model = fit(gray, SpectrumFitOptions::of_paper()).model;
-    write_image(folder / fmt::format("sheet_{}.png", name), draw_exemplar_sheet(gray, model));
+    const Exemplar<2> grey = grey_middle(read_photograph(name));
+    const ExemplarModel model = fit(grey, SpectrumFitOptions::of_paper()).model;
+    write_image(folder / fmt::format("sheet_{}.png", name), draw_exemplar_sheet(grey, model));
   }
 }
 
@@ -123,12 +123,12 @@ void write_numbers(const fs::path& folder) {
   Json json;
   for (const char* name : kNames) {
     const Exemplar<2> photograph = read_photograph(name);
-    const Exemplar<2> gray = gray_middle(photograph);
+    const Exemplar<2> grey = grey_middle(photograph);
     SpectrumFit paper;
     SpectrumFit ours;
     const double paper_seconds =
-        quickest(1, [&] { paper = fit(gray, SpectrumFitOptions::of_paper()).channels.front(); });
-    const double our_seconds = quickest(1, [&] { ours = fit(gray, {}).channels.front(); });
+        quickest(1, [&] { paper = fit(grey, SpectrumFitOptions::of_paper()).channels.front(); });
+    const double our_seconds = quickest(1, [&] { ours = fit(grey, {}).channels.front(); });
     const ExemplarChannels channels =
         exemplar_channels(cross_spectra<2>(std::span(&photograph, 1)), ColorAxes::independent);
     json[name] = {{"paper_components", paper.components},
@@ -149,7 +149,7 @@ void write_numbers(const fs::path& folder) {
 
 // Eq. 8, read in two ways.
 void write_literal(const fs::path& folder) {
-  const PowerSpectrum<2> periodogram = periodogram_of(gray_middle(read_photograph("soil")));
+  const PowerSpectrum<2> periodogram = periodogram_of(grey_middle(read_photograph("soil")));
   Json json;
   for (const auto& [name, penalty] :
        {std::pair{"squared_magnitudes", Penalty::squared_magnitudes}, {"lengths", Penalty::lengths}}) {

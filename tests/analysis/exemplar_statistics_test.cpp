@@ -40,12 +40,12 @@ TEST(PeriodicComponent, MeetsTheGoldenFigures) {
   const DenseField<2> periodic = periodic_component(golden_channel(0));
   double mean = 0.0;
   for (const float value : periodic.values) mean += value / 64.0;
-  std::vector<double> centered;
+  std::vector<double> centreed;
   for (std::size_t i = 0; i < 64; ++i) {
     EXPECT_NEAR(periodic.values[i], expected["periodic_u0"][i / 8][i % 8].get<double>(), kFloat);
-    centered.push_back(periodic.values[i] - mean);
+    centreed.push_back(periodic.values[i] - mean);
   }
-  const auto transform = fft_of_real(centered, std::array{8, 8});
+  const auto transform = fft_of_real(centreed, std::array{8, 8});
   for (std::size_t i = 0; i < 64; ++i) {
     EXPECT_NEAR(std::norm(transform[i]) / 64.0,
                 expected["periodogram_u0_over_size"][i / 8][i % 8].get<double>(), 20.0 * kFloat);

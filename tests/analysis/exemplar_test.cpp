@@ -44,7 +44,7 @@ TEST(Exemplar, IsThePictureInLinearLightWithYUp) {
   EXPECT_EQ(image_of_exemplar(raw).pixels, image.pixels);
 }
 
-TEST(Exemplar, OfEqualChannelsIsGray) {
+TEST(Exemplar, OfEqualChannelsIsGrey) {
   Image image = random_image(16, 16, 3);
   for (int i = 0; i < 256; ++i) {
     for (int c = 1; c < 3; ++c) image.at(i % 16, i / 16, c) = image.at(i % 16, i / 16, 0);

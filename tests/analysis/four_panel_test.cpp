@@ -29,7 +29,7 @@ TEST(FieldPicture, ShowsAxis0ToTheRightAndAxis1Up) {
   DenseField<2> field({2, 2}, {1.0, 1.0});
   field.values = {0.0f, 0.25f, 0.5f, 1.0f};  // (0, 0), (0, 1), (1, 0), (1, 1)
 
-  const Image image = field_picture(field, 2, parse_color_ramp("gray"), 0.0, 1.0);
+  const Image image = field_picture(field, 2, parse_color_ramp("grey"), 0.0, 1.0);
 
   EXPECT_EQ(image.at(0, 1), 0.0f);
   EXPECT_NEAR(image.at(0, 0), srgb_from_linear(0.25f), 1e-6f);
@@ -40,7 +40,7 @@ TEST(FieldPicture, ShowsAxis0ToTheRightAndAxis1Up) {
 TEST(FieldPicture, AveragesWhenItReduces) {
   DenseField<2> field({64, 64}, {0.1, 0.1});
   for (std::size_t i = 0; i < field.values.size(); ++i) field.values[i] = static_cast<float>(i % 2);
-  const Image image = field_picture(field, 8, parse_color_ramp("gray"), 0.0, 1.0);
+  const Image image = field_picture(field, 8, parse_color_ramp("grey"), 0.0, 1.0);
   for (const float value : image.pixels) EXPECT_NEAR(linear_from_srgb(value), 0.5f, 0.05f);
 }
 
@@ -49,7 +49,7 @@ TEST(FieldPicture, ShowsTheMiddleSquareOfALongField) {
   for (int i = 10; i < 20; ++i) {
     for (int j = 0; j < 10; ++j) field.values[static_cast<std::size_t>(i * 10 + j)] = 1.0f;
   }
-  const Image image = field_picture(field, 10, parse_color_ramp("gray"), 0.0, 1.0);
+  const Image image = field_picture(field, 10, parse_color_ramp("grey"), 0.0, 1.0);
   for (const float value : image.pixels) EXPECT_NEAR(value, 1.0f, 1e-6f);
 }
 

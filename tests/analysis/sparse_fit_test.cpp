@@ -109,9 +109,9 @@ TEST(GaussianAtoms, CorrelateIsTheTransposeOfSynthesize) {
             double sums[3] = {0.0, 0.0, 0.0};
             for (int image = -4; image <= 4; ++image) {
               const double position = at[axis] + image * grid.count[axis];
-              const double centers[3] = {double(w[axis]), -double(w[axis]), 0.0};
+              const double centres[3] = {double(w[axis]), -double(w[axis]), 0.0};
               for (int c = 0; c < 3; ++c) {
-                const double f = grid.step[axis] * (position - centers[c]) / atoms.bands()[band].a;
+                const double f = grid.step[axis] * (position - centres[c]) / atoms.bands()[band].a;
                 sums[c] += std::exp(-2.0 * std::numbers::pi * f * f);
               }
             }

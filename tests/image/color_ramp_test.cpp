@@ -71,6 +71,10 @@ TEST(ColorRamp, EveryNamedRampCoversTheUnitInterval) {
   }
 }
 
+TEST(ColorRamp, KnowsTheSpellingOfOldRecipes) {
+  EXPECT_EQ(parse_color_ramp("gray").srgb(0.3f), parse_color_ramp("grey").srgb(0.3f));
+}
+
 TEST(ColorRamp, ViridisBecomesLighterAllTheWay) {
   const ColorRamp ramp = parse_color_ramp("viridis");
   float last = -1.0f;
@@ -84,7 +88,7 @@ TEST(ColorRamp, ViridisBecomesLighterAllTheWay) {
 
 TEST(ColorRamp, RefusesBadTextAndQuotesIt) {
   EXPECT_EQ(complaint_about("virids"),
-            "ramp is \"virids\"; it must be one of viridis, gray, marble, rust, scales, or stops as in "
+            "ramp is \"virids\"; it must be one of viridis, grey, marble, rust, scales, or stops as in "
             "0:#000,1:#fff");
   EXPECT_EQ(complaint_about("0:#000,1:#ggg"),
             "ramp stop \"1:#ggg\": colour \"#ggg\" must be #RGB or #RRGGBB");

@@ -36,16 +36,16 @@ TEST(SpectrumNoise, HasTheSpectrumOfItsComponentsPerBin) {
     options.error = 0.002;  // the closed form is that of unlimited kernels
     const GaborSpectrum spectrum = options.spectrum();
     const SpectrumNoise<Dim> noise(options);
-    std::vector<Vec<Dim>> centers;
+    std::vector<Vec<Dim>> centres;
     for (const SpectrumBand& band : spectrum.bands) {
       for (const SpectrumComponent& component : band.components)
-        centers.push_back(Vec<Dim>(component.frequency));
+        centres.push_back(Vec<Dim>(component.frequency));
     }
     const auto bin_of = [&](const WaveNumber<Dim>& k) {
       const Vec<Dim> f = Vec<Dim>(k) / kPeriod;
       if (spectrum.isotropic) return glm::length(f) > 1.6 ? -1 : static_cast<int>(glm::length(f) / 0.4);
-      for (std::size_t i = 0; i < centers.size(); ++i) {
-        if (std::fmin(glm::length(f - centers[i]), glm::length(f + centers[i])) < 0.3)
+      for (std::size_t i = 0; i < centres.size(); ++i) {
+        if (std::fmin(glm::length(f - centres[i]), glm::length(f + centres[i])) < 0.3)
           return static_cast<int>(i);
       }
       return -1;

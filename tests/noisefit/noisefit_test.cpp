@@ -48,13 +48,13 @@ TEST(Noisefit, MakesAModelAndASheet) {
   EXPECT_EQ(folder.names(), (std::set<std::string>{"in.png", "out.json", "sheet.png"}));
 }
 
-TEST(Noisefit, AveragesExemplarsAndKnowsGray) {
+TEST(Noisefit, AveragesExemplarsAndKnowsGrey) {
   const TemporaryFolder folder;
   write_image(folder / "a.png", wavy_picture(64, 40));
   write_image(folder / "b.png", wavy_picture(32, 32, 1));
   const RunOptions there{.folder = folder.path()};
   const ToolResult result =
-      run_noisefit({"a.png", "b.png", "--gray", "--raw-values", "--out", "x.json"}, there);
+      run_noisefit({"a.png", "b.png", "--grey", "--raw-values", "--out", "x.json"}, there);
   ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_NE(result.err.find("32 x 32 pixels, 4 patches"), std::string::npos) << result.err;
   EXPECT_EQ(model_in(folder, "x.json").channels.size(), 1u);

@@ -19,7 +19,7 @@ struct Ball {
   PolygonMesh mesh;
   std::vector<Vec<3>> normals;
 
-  explicit Ball(const Vec<3>& center = Vec<3>(0.0), double radius = 1.0) {
+  explicit Ball(const Vec<3>& centre = Vec<3>(0.0), double radius = 1.0) {
     constexpr std::uint32_t kRings = 24;
     constexpr std::uint32_t kSpokes = 48;
     for (std::uint32_t ring = 0; ring <= kRings; ++ring) {
@@ -28,7 +28,7 @@ struct Ball {
         const double turn = 2.0 * std::numbers::pi * spoke / kSpokes;
         normals.emplace_back(std::sin(polar) * std::cos(turn), std::cos(polar),
                              std::sin(polar) * std::sin(turn));
-        mesh.positions.push_back(center + radius * normals.back());
+        mesh.positions.push_back(centre + radius * normals.back());
       }
     }
     for (std::uint32_t ring = 0; ring < kRings; ++ring) {

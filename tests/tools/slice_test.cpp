@@ -152,14 +152,14 @@ TEST(Slice, MapsValuesToPixelsAsAsked) {
     EXPECT_EQ(result.status, 0) << result.err;
     return read_image(folder.file(name));
   };
-  const Image gray = picture("gray.png", {"--bits", "16", "--values", "-2", "2"});
+  const Image grey = picture("grey.png", {"--bits", "16", "--values", "-2", "2"});
   const Image colors = picture("colors.png", {"--ramp", "0:#f00,0.01:#0f0"});
-  ASSERT_EQ(gray.channels, 1);
+  ASSERT_EQ(grey.channels, 1);
   ASSERT_EQ(colors.channels, 3);
   for (int y = 0; y < 24; ++y) {
     for (int x = 0; x < 24; ++x) {
       const float value = values.at(x, y);
-      EXPECT_NEAR(gray.at(x, y), std::clamp(0.25f * value + 0.5f, 0.0f, 1.0f), 1.0f / 65535.0f);
+      EXPECT_NEAR(grey.at(x, y), std::clamp(0.25f * value + 0.5f, 0.0f, 1.0f), 1.0f / 65535.0f);
       // The ramp's positions are fractions of the way from -3 to 3 sigmas: it is green from -2.94 on.
       EXPECT_EQ(colors.at(x, y, 1) == 1.0f, value > -2.94f) << value;
     }

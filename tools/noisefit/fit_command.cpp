@@ -47,7 +47,7 @@ struct FitCommand {
   ExemplarReading reading;
   ExemplarFitOptions fit;
   int seed = 1;
-  bool gray = false;
+  bool grey = false;
   bool solid = false;
   Existing existing = Existing::refuse;
   bool quiet = false;
@@ -69,7 +69,7 @@ void declare_flags(FlagSet& flags, FitCommand& command) {
                [&](double value) { command.reading.pixel_size = value; });
   flags.toggle("--raw-values", "Take values as they are stored; otherwise they become linear light",
                [&] { command.reading.raw_values = true; });
-  flags.toggle("--gray", "Learn the brightness alone", [&] { command.gray = true; });
+  flags.toggle("--grey", "Learn the brightness alone", [&] { command.grey = true; });
   flags.integer("--patch", "PIXELS", "Average over patches of this size (default: the smallest exemplar)",
                 [&](int value) { command.fit.patch = value; });
   declare_choice(flags, "--axes", kColorAxesChoices, "The channels of a coloured noise (default independent)",
@@ -92,16 +92,16 @@ void declare_flags(FlagSet& flags, FitCommand& command) {
 }
 
 // Brightness as an eye weighs the colours of linear light.
-void make_gray(Exemplar<2>& exemplar) {
+void make_grey(Exemplar<2>& exemplar) {
   if (exemplar.channels.size() == 1) return;
   constexpr std::array kWeights{0.2126f, 0.7152f, 0.0722f};
-  DenseField<2> gray(exemplar.shape().count, exemplar.shape().step);
+  DenseField<2> grey(exemplar.shape().count, exemplar.shape().step);
   for (std::size_t c = 0; c < 3; ++c) {
-    for (std::size_t i = 0; i < gray.values.size(); ++i) {
-      gray.values[i] += kWeights[c] * exemplar.channels[c].values[i];
+    for (std::size_t i = 0; i < grey.values.size(); ++i) {
+      grey.values[i] += kWeights[c] * exemplar.channels[c].values[i];
     }
   }
-  exemplar.channels = {gray};
+  exemplar.channels = {grey};
 }
 
 // One picture in colour makes all of them so.
@@ -114,9 +114,9 @@ void agree_on_channels(std::vector<Exemplar<2>>& exemplars) {
 
 void warn_of_structure(const std::vector<Exemplar<2>>& exemplars, const std::vector<std::string>& names) {
   for (std::size_t i = 0; i < exemplars.size(); ++i) {
-    Exemplar<2> gray = exemplars[i];
-    make_gray(gray);
-    for (const std::string& warning : test_gaussianity(gray.channels.front()).warnings) {
+    Exemplar<2> grey = exemplars[i];
+    make_grey(grey);
+    for (const std::string& warning : test_gaussianity(grey.channels.front()).warnings) {
       std::cerr << fmt::format("noisefit: warning: {}: {}\n", names[i], warning);
     }
   }
@@ -196,7 +196,7 @@ int run_fit(const std::vector<std::string>& arguments) {
   std::vector<Exemplar<2>> exemplars;
   for (const std::string& input : command.inputs) {
     exemplars.push_back(read_exemplar(input, command.reading));
-    if (command.gray) make_gray(exemplars.back());
+    if (command.grey) make_grey(exemplars.back());
   }
   agree_on_channels(exemplars);
   if (!command.quiet) warn_of_structure(exemplars, command.inputs);

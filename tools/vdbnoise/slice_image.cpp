@@ -34,7 +34,7 @@ void sample_tile(const SliceSource& source, const SlicePlane& plane, const glm::
 
 // A picture with the value of `at(column, row from the bottom)` in one channel.
 template <typename Value>
-Image gray_image(int columns, int rows, const Value& at) {
+Image grey_image(int columns, int rows, const Value& at) {
   Image image(columns, rows, 1);
   for (int y = 0; y < rows; ++y) {
     for (int x = 0; x < columns; ++x) image.at(x, y) = static_cast<float>(at(x, rows - 1 - y));
@@ -86,8 +86,8 @@ Image slice_image(const SliceOptions& options, const DenseField<2>& slice, doubl
     return (value_at(slice, column, row) - low) / (high - low);
   };
   if (options.ramp.empty()) {
-    if (!floats) return gray_image(slice.count.x, slice.count.y, position);
-    return gray_image(slice.count.x, slice.count.y,
+    if (!floats) return grey_image(slice.count.x, slice.count.y, position);
+    return grey_image(slice.count.x, slice.count.y,
                       [&](int column, int row) { return value_at(slice, column, row); });
   }
   const ColorRamp ramp = parse_color_ramp(options.ramp);
@@ -136,7 +136,7 @@ Image spectrum_image(const SliceOptions& options, const DenseField<2>& slice) {
   const double scale = highest > 0.0 ? 1.0 / highest : 0.0;
   const glm::ivec2 count = spectrum.count;
   const bool floats = options.spectrum.ends_with(".exr");
-  return gray_image(count.x, count.y, [&](int column, int row) {
+  return grey_image(count.x, count.y, [&](int column, int row) {
     const glm::ivec2 stored((column + count.x - count.x / 2) % count.x,
                             (row + count.y - count.y / 2) % count.y);
     const double density = spectrum.density[ArrayShape<2>{count}.index(stored)];

@@ -24,7 +24,7 @@ constexpr std::array<NamedRamp, 5> kNamedRamps{{
     {"viridis",
      "0:#440154,0.1111:#482878,0.2222:#3e4a89,0.3333:#31688e,0.4444:#26828e,0.5556:#1f9e89,0.6667:#35b779,"
      "0.7778:#6ece58,0.8889:#b5de2b,1:#fde725"},
-    {"gray", "0:#000000,1:#ffffff"},
+    {"grey", "0:#000000,1:#ffffff"},
     {"marble", "0:#22262e,0.18:#5b626c,0.34:#a9adb1,0.5:#d8d6d0,0.75:#ece9e2,1:#f8f6f1"},
     {"rust", "0:#2a1410,0.25:#5c2713,0.45:#8f3f17,0.6:#b5622a,0.72:#7f7468,0.85:#8d9196,1:#b9bec4"},
     {"scales", "0:#0d1f14,0.3:#1f4a2b,0.48:#3f7d3a,0.6:#8fae4b,0.7:#d9cf7a,0.8:#6f8f45,1:#1b3a24"},
@@ -118,6 +118,7 @@ Color ColorRamp::linear(float value) const {
 }
 
 ColorRamp parse_color_ramp(std::string_view text) {
+  if (text == "gray") text = "grey";  // as recipes of version 0.1 spell it
   for (const NamedRamp& ramp : kNamedRamps) {
     if (ramp.name == text) return parse_stops(ramp.stops);
   }

@@ -36,7 +36,7 @@ class ColorRamp {
 // allowed.
 ColorRamp parse_color_ramp(std::string_view text);
 
-// viridis (perceptually even), gray, marble, rust, scales.
+// viridis (perceptually even), grey, marble, rust, scales.
 std::vector<std::string_view> ramp_names();
 
 }  // namespace solidnoise

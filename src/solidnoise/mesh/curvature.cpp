@@ -20,10 +20,10 @@ namespace solidnoise {
 namespace {
 
 // Appends the neighbours as the frame sees them, with weights that fall with the distance.
-void gather(const SurfaceMesh& surface, const TangentFrame& frame, std::uint32_t center,
+void gather(const SurfaceMesh& surface, const TangentFrame& frame, std::uint32_t centre,
             const std::vector<std::uint32_t>& around, std::vector<Neighbour>& neighbours) {
   neighbours.clear();
-  const Vec<3>& origin = surface.positions()[center];
+  const Vec<3>& origin = surface.positions()[centre];
   double largest = 0.0;
   for (const std::uint32_t other : around) {
     const Vec<3> d = surface.positions()[other] - origin;
@@ -45,8 +45,8 @@ std::vector<ShapeOperator> fit_shapes(const SurfaceMesh& surface, const TangentF
                       RingSearch& search = searches.local();
                       std::vector<Neighbour> neighbours;
                       for (std::size_t p = range.begin(); p < range.end(); ++p) {
-                        const auto center = static_cast<std::uint32_t>(p);
-                        gather(surface, frames[p], center, search.around(center, kNeighbours), neighbours);
+                        const auto centre = static_cast<std::uint32_t>(p);
+                        gather(surface, frames[p], centre, search.around(centre, kNeighbours), neighbours);
                         shapes[p] = fit_shape(neighbours);
                       }
                     });

@@ -11,14 +11,14 @@ constexpr int kMostRings = 8;
 
 }  // namespace
 
-const std::vector<std::uint32_t>& RingSearch::around(std::uint32_t center, std::size_t count) {
+const std::vector<std::uint32_t>& RingSearch::around(std::uint32_t centre, std::size_t count) {
   if (++search_ == 0) {
     std::fill(seen_.begin(), seen_.end(), 0);
     search_ = 1;
   }
   found_.clear();
-  seen_[center] = search_;
-  add_neighbours(center);
+  seen_[centre] = search_;
+  add_neighbours(centre);
   std::size_t begin = 0;
   for (int ring = 2; ring <= kMostRings && begin < found_.size(); ++ring) {
     if (ring > 2 && found_.size() >= count) break;

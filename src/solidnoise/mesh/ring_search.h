@@ -13,10 +13,10 @@ class RingSearch {
  public:
   explicit RingSearch(const Adjacency& neighbours) : neighbours_(neighbours), seen_(neighbours.size()) {}
 
-  // The points at one or two edges from `center`, and then those at more edges, ring by ring, until there are
+  // The points at one or two edges from `centre`, and then those at more edges, ring by ring, until there are
   // at least `count` or no more. From what a mesh has an excess of (the hub of a fan; more than some hundred)
   // an even selection is taken, so that the effort per point has a bound.
-  const std::vector<std::uint32_t>& around(std::uint32_t center, std::size_t count);
+  const std::vector<std::uint32_t>& around(std::uint32_t centre, std::size_t count);
 
  private:
   // Appends the points one edge from those of found_[begin ..], each once.

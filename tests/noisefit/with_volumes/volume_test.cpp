@@ -58,7 +58,7 @@ TEST_F(NoisefitVolume, DrawsSlicesOfBoth) {
   ASSERT_EQ(result.status, 0) << result.err;
   const Image sheet = read_image(folder_.path() / "sheet.exr");
   // Four panels of 32 pixels, each enlarged 7 times, and margins of 12. Volume and noise have values of both
-  // signs, which are dark and bright about a middle gray: the mean over a panel, inset apart, is neither.
+  // signs, which are dark and bright about a middle grey: the mean over a panel, inset apart, is neither.
   ASSERT_EQ(sheet.width, 12 + 4 * (32 * 7 + 12));
   for (int panel = 0; panel < 4; ++panel) {
     double mean = 0.0;

@@ -90,7 +90,7 @@ CrossSpectra<Dim> cross_spectra(std::span<const Exemplar<Dim>> exemplars, int pa
   for (const Exemplar<Dim>& exemplar : exemplars) {
     exemplar.validate("an exemplar");
     if (exemplar.channels.size() != exemplars.front().channels.size()) {
-      throw std::invalid_argument("the exemplars are of different kinds: some gray, some in colour");
+      throw std::invalid_argument("the exemplars are of different kinds: some grey, some in colour");
     }
     if (exemplar.shape().step != result.step) {
       throw std::invalid_argument("the exemplars have samples of different sizes");

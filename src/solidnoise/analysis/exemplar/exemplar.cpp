@@ -33,7 +33,7 @@ void require_opaque(const Image& image, const std::string& name) {
   }
 }
 
-bool is_gray(const Image& image) {
+bool is_grey(const Image& image) {
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
       const float red = image.at(x, y, 0);
@@ -87,7 +87,7 @@ Exemplar<2> exemplar_of_image(const Image& image, const ExemplarReading& reading
     refuse(name, fmt::format("has {} channels; it must have 1 or 3", image.channels));
   }
   if (image.channels % 2 == 0) require_opaque(image, name);
-  const int channels = image.channels <= 2 || is_gray(image) ? 1 : 3;
+  const int channels = image.channels <= 2 || is_grey(image) ? 1 : 3;
   Exemplar<2> result;
   for (int c = 0; c < channels; ++c) {
     DenseField<2>& field =

@@ -9,7 +9,7 @@
 
 namespace solidnoise {
 
-// A texture to learn from: channels of one shape, 1 (gray) or 3 (red, green, blue). Of a picture the first
+// A texture to learn from: channels of one shape, 1 (grey) or 3 (red, green, blue). Of a picture the first
 // axis is x, to the right, and the second y, up.
 template <int Dim>
 struct Exemplar {
@@ -40,7 +40,7 @@ Exemplar<2> read_exemplar(const std::filesystem::path& path, const ExemplarReadi
 // The samples in the middle of a volume's third axis, looked at along it.
 Exemplar<2> middle_slice(const Exemplar<3>& volume);
 
-// A picture of an exemplar's kind back as pixels, not encoded; 3 channels, gray ones equal.
+// A picture of an exemplar's kind back as pixels, not encoded; 3 channels, grey ones equal.
 Image image_of_exemplar(const Exemplar<2>& exemplar);
 
 extern template struct Exemplar<2>;

@@ -41,7 +41,7 @@ struct ColorDependence {
 };
 
 // The channels that an exemplar's noise is to be made of: those along the axes of a colour space, or the one
-// of a gray exemplar, with the axis (1, 1, 1).
+// of a grey exemplar, with the axis (1, 1, 1).
 struct ExemplarChannels {
   std::vector<std::vector<double>> directions;  // for CrossSpectra::spectrum
   std::vector<double> variances;                // of the samples along them

@@ -55,9 +55,9 @@ double GaborSpectrum::density(const Vec<3>& frequency) const {
       if (isotropic) {
         // The mean of the Gaussian over all directions of w.
         const double f = glm::length(frequency);
-        const double center = glm::length(w);
-        total += component.variance * std::exp(-sharpness * (f - center) * (f - center)) *
-                 mean_exponential_scaled(dimensions, 2.0 * sharpness * f * center);
+        const double centre = glm::length(w);
+        total += component.variance * std::exp(-sharpness * (f - centre) * (f - centre)) *
+                 mean_exponential_scaled(dimensions, 2.0 * sharpness * f * centre);
       } else {
         const double there = glm::dot(frequency - w, frequency - w);
         const double back = glm::dot(frequency + w, frequency + w);

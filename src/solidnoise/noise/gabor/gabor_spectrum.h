@@ -59,7 +59,7 @@ struct GaborSpectrum {
 // What a noise takes over from an exemplar: one spectrum per channel of a decorrelated colour space, and how
 // channels make colours: color = mean + sum over k of axes[k] n_k, with n_k the noise of channel k.
 struct ExemplarModel {
-  std::vector<GaborSpectrum> channels;    // 1 (gray) or 3
+  std::vector<GaborSpectrum> channels;    // 1 (grey) or 3
   std::vector<Vec<3>> axes{Vec<3>(1.0)};  // one per channel: its color
   Vec<3> mean{0.0};                       // linear light, unless the file says that values are raw
   bool raw_values = false;
