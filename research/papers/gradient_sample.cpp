@@ -52,19 +52,14 @@ GradientNoise<Dim> lattice_noise(GradientKind kind, std::uint64_t seed) {
 
 // Positions of the plane, in one batch per column.
 struct Column {
-  std::array<std::vector<float>, 3> offset;
-  Points<3> points;
+  std::vector<Vec<3>> positions;
 
   Column(const DenseField<2>& field, int column) {
-    points.count = static_cast<std::size_t>(field.count.y);
-    points.origin = field.step.x * column * kRight;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      for (int row = 0; row < field.count.y; ++row) {
-        offset[axis].push_back(static_cast<float>(field.step.y * row * kUp[static_cast<int>(axis)]));
-      }
-      points.offset[axis] = offset[axis].data();
+    for (int row = 0; row < field.count.y; ++row) {
+      positions.push_back(field.step.x * column * kRight + field.step.y * row * kUp);
     }
   }
+  Points<3> points() const { return {positions}; }
 };
 
 void fill_slice(GradientKind kind, std::uint64_t seed, DenseField<2>& field) {
@@ -72,7 +67,7 @@ void fill_slice(GradientKind kind, std::uint64_t seed, DenseField<2>& field) {
   const auto rows = static_cast<std::size_t>(field.count.y);
   for (int i = 0; i < field.count.x; ++i) {
     const Column column(field, i);
-    noise.evaluate(column.points,
+    noise.evaluate(column.points(),
                    {.values = std::span(field.values).subspan(static_cast<std::size_t>(i) * rows, rows)});
   }
 }
@@ -90,7 +85,7 @@ void fill_projected(GradientKind kind, std::uint64_t seed, DenseField<2>& field)
   for (int i = 0; i < field.count.x; ++i) {
     const Column column(field, i);
     SurfacePoints surface;
-    surface.positions = column.points;
+    surface.positions = column.points();
     surface.normal = {component, component, component};
     noise.evaluate(surface, std::span(field.values).subspan(static_cast<std::size_t>(i) * rows, rows));
   }

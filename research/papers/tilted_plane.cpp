@@ -40,16 +40,10 @@ GaborNoise<2> make_noise(const TiltedPlaneOptions& options, double filter) {
 
 // Values on a straight line of the plane, from x to the right in steps.
 std::vector<float> values_along(const GaborNoise<2>& noise, double x, double step, double depth, int count) {
-  std::vector<float> offset(static_cast<std::size_t>(count));
-  const std::vector<float> zero(offset.size());
-  for (std::size_t i = 0; i < offset.size(); ++i)
-    offset[i] = static_cast<float>(step * static_cast<double>(i));
-  Points<2> points;
-  points.origin = {x, depth};
-  points.offset = {offset.data(), zero.data()};
-  points.count = offset.size();
-  std::vector<float> values(offset.size());
-  noise.evaluate(points, {.values = values});
+  std::vector<Vec<2>> positions;
+  for (int i = 0; i < count; ++i) positions.emplace_back(x + step * i, depth);
+  std::vector<float> values(positions.size());
+  noise.evaluate(Points<2>{positions}, {.values = values});
   return values;
 }
 

@@ -28,17 +28,14 @@ VaryingGaborNoise<Dim> make_noise(ScaleTransition transition, std::uint64_t seed
 // Points of a batch and a parameter at each.
 template <int Dim>
 struct Batch {
-  std::array<std::vector<float>, Dim> offset;
+  std::vector<Vec<Dim>> positions;
   std::vector<float> frequency;
 
   std::vector<float> evaluate(const VaryingGaborNoise<Dim>& noise) const {
-    Points<Dim> points;
-    points.count = frequency.size();
-    for (std::size_t axis = 0; axis < Dim; ++axis) points.offset[axis] = offset[axis].data();
     VaryingParameters<Dim> parameters;
     parameters.frequency = frequency;
     std::vector<float> values(frequency.size());
-    noise.evaluate(points, parameters, values);
+    noise.evaluate(Points<Dim>{positions}, parameters, values);
     return values;
   }
 };
@@ -64,8 +61,9 @@ TransitionVariance transition_variance(ScaleTransition transition, double alpha,
     for (int axis = 0; axis < Dim; ++axis) count *= static_cast<std::size_t>(side);
     for (std::size_t i = 0; i < count; ++i) {
       std::size_t rest = i;
-      for (std::size_t axis = 0; axis < Dim; ++axis) {
-        batch.offset[axis].push_back(static_cast<float>(0.5 * radius * static_cast<double>(rest % side)));
+      Vec<Dim>& position = batch.positions.emplace_back();
+      for (int axis = 0; axis < Dim; ++axis) {
+        position[axis] = 0.5 * radius * static_cast<double>(rest % static_cast<std::size_t>(side));
         rest /= static_cast<std::size_t>(side);
       }
     }
@@ -132,8 +130,7 @@ VaryingStrip varying_strip(ScaleTransition transition, int columns, int rows, st
     strip.level.push_back(std::floor(level));
     strip.alpha.push_back(std::exp2(level - std::floor(level)) - 1.0);
     for (int row = 0; row < rows; ++row) {
-      batch.offset[0].push_back(static_cast<float>(column));
-      batch.offset[1].push_back(static_cast<float>(row));
+      batch.positions.emplace_back(column, row);
       batch.frequency.push_back(static_cast<float>(frequency));
     }
   }
