@@ -1,13 +1,16 @@
 #!/usr/bin/env bash
-# build.sh PRESET [CMAKE_OPTION...]: configures and builds in build/PRESET, through ccache where there is one.
+# build.sh PRESET[:TARGET,...] [CMAKE_OPTION...]: configures and builds in build/PRESET, all or these targets alone, through ccache
+# where there is one.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-preset=$1
+preset=${1%%:*}
+targets=${1#"$preset"}
 shift
 
 if command -v ccache >/dev/null; then
   export CMAKE_CXX_COMPILER_LAUNCHER=ccache
   export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1  # objects do not depend on the folder
+  export CCACHE_SLOPPINESS=pch_defines,time_macros  # precompiled headers may be trusted
 fi
 
 # One compiler per core, as long as each has 1 GB (OpenVDB's headers need most of it).
@@ -16,4 +19,5 @@ memory=$(awk '/^MemAvailable/ { print int($2 / 1048576) }' /proc/meminfo)
 ((memory >= jobs)) || jobs=$((memory > 0 ? memory : 1))
 
 cmake --preset "$preset" "$@"
-cmake --build --preset "$preset" --parallel "$jobs"
+targets=${targets#:}
+cmake --build --preset "$preset" --parallel "$jobs" ${targets:+--target ${targets//,/ }}

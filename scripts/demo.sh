@@ -5,7 +5,7 @@ set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 "$root/scripts/setup.sh"
-"$root/scripts/build.sh" release -DSOLIDNOISE_BUILD_TESTS=OFF
+"$root/scripts/build.sh" release:vdbnoise -DSOLIDNOISE_BUILD_TESTS=OFF
 [[ ! -e cloud.vdb && ! -e cloud.png ]] || echo "demo: replacing the cloud.vdb and cloud.png that are here"
 "$root/build/release/tools/vdbnoise" --out cloud.vdb --preview cloud.png --force "$@"
 

@@ -18,6 +18,8 @@ class Interrupter final : public openvdb::util::NullInterrupter {
   void start(const char* = nullptr) override {
     if (progress_ != nullptr && steps_ > 0) progress_->advance(std::min(begun_++, steps_), steps_);
   }
+  // As the type that OpenVDB's tools are compiled for in its library; others compile them anew, for a minute.
+  openvdb::util::NullInterrupter& base() { return *this; }
   bool wasInterrupted(int = -1) override { return progress_ != nullptr && progress_->cancelled(); }
 
  private:

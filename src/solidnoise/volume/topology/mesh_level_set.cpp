@@ -63,7 +63,7 @@ openvdb::FloatGrid::Ptr mesh_level_set(const TriangleMesh& mesh, double voxel, d
   Interrupter interrupter(progress);
   const auto half_width = static_cast<float>(band / voxel);
   const auto transform = openvdb::math::Transform::createLinearTransform(voxel);
-  const auto grid = openvdb::tools::meshToVolume<openvdb::FloatGrid>(interrupter, adapter, *transform,
+  const auto grid = openvdb::tools::meshToVolume<openvdb::FloatGrid>(interrupter.base(), adapter, *transform,
                                                                      half_width, half_width);
   throw_if_cancelled(progress);
   grid->setTransform(transform);
