@@ -10,6 +10,11 @@ find_package(nlohmann_json 3.11 CONFIG REQUIRED)
 # KissFFT's C++ header, for transforms in double precision: Debian's library is in single precision.
 find_path(KISSFFT_INCLUDE_DIR kissfft/kissfft.hh REQUIRED)
 
+# Debian's package has no version file: asking for a version would always fail. Its targets have no namespace.
+find_package(OpenMesh CONFIG REQUIRED)
+add_library(OpenMesh::OpenMesh INTERFACE IMPORTED)
+target_link_libraries(OpenMesh::OpenMesh INTERFACE OpenMeshCore OpenMeshTools)
+
 if(SOLIDNOISE_BUILD_VOLUME)
   # OpenVDB ships a find module, not a config file, in a folder of its own.
   file(GLOB _openvdb_modules /usr/lib/*/cmake/OpenVDB)
@@ -45,13 +50,6 @@ if(SOLIDNOISE_BUILD_TOOLS)
 endif()
 if(SOLIDNOISE_BUILD_TESTS)
   find_package(GTest CONFIG REQUIRED)
-  if(SOLIDNOISE_BUILD_MESH)
-    # A second opinion on meshes and their files. Debian's package has no version file: asking for a version would always
-    # fail. Its targets have no namespace.
-    find_package(OpenMesh CONFIG REQUIRED)
-    add_library(OpenMesh::OpenMesh INTERFACE IMPORTED)
-    target_link_libraries(OpenMesh::OpenMesh INTERFACE OpenMeshCore OpenMeshTools)
-  endif()
 endif()
 if(SOLIDNOISE_BUILD_BENCH)
   find_package(benchmark CONFIG REQUIRED)

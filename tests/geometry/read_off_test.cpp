@@ -60,9 +60,37 @@ TEST(ReadOff, ReadsEveryPrefix) {
 }
 
 TEST(ReadOff, SkipsWhatIsNoPartOfTheMesh) {
-  const MeshReading reading = read("OFF\n3 1 0\n0 0 0 7\n1 0 0\n0 1 0\n3 0 1 2 255 0 0\n");
+  const MeshReading reading =
+      read("OFF\n3 1 0\n0 0 0 7\n1 0 0\n0 1 0\n3 0 1 2 255 0 0\n# made by us\n1 2 3\n");
   EXPECT_EQ(reading.notes, (std::vector<std::string>{"numbers after those of the vertices are dropped",
-                                                     "the colours of faces are dropped"}));
+                                                     "the colours of faces are dropped",
+                                                     "what follows the last face is ignored"}));
+  EXPECT_EQ(reading.comments, std::vector<std::string>{"made by us"});
+}
+
+// OpenMesh's reader knows what a vertex has by the last file that it looked at, whichever that was.
+TEST(ReadOff, DoesNotDependOnTheFileBefore) {
+  const std::string normals = "NOFF\n3 1 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n3 0 1 2\n";
+  const std::string plain = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  for (const std::string& text : {normals, plain, normals, plain}) {
+    const PolygonMesh mesh = read(text).mesh;
+    EXPECT_EQ(mesh.positions, (std::vector<Vec<3>>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+    EXPECT_EQ(mesh.properties.size(), text == normals ? 3u : 0u);
+  }
+}
+
+TEST(ReadOff, KeepsDoublesAndHasZeroForNormalsThatAreNotFinite) {
+  const PolygonMesh mesh =
+      read(
+          "STNOFF\n3 1 0\n0.12345678901234 1e300 0 nan 1e39 1 0.5 0\n1\t0 0 0 0  1e-60 0 1\n0 "
+          "1 0 0 0 1 0 0\n3 0 1 2\n")
+          .mesh;
+  EXPECT_EQ(mesh.position_type, ScalarType::float64);
+  EXPECT_EQ(mesh.positions[0], (Vec<3>{0.12345678901234, 1e300, 0}));
+  EXPECT_EQ(values(mesh, "nx"), (std::vector<double>{0, 0, 0}));
+  EXPECT_EQ(values(mesh, "ny"), (std::vector<double>{0, 0, 0}));
+  EXPECT_EQ(values(mesh, "nz"), (std::vector<double>{1, 0, 1}));
+  EXPECT_EQ(values(mesh, "t"), (std::vector<double>{0, 1, 0}));
 }
 
 TEST(ReadOff, NamesLineAndElementOfAnError) {

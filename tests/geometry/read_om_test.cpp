@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include "solidnoise/geometry/om_format.h"
 #include "solidnoise/geometry/read_mesh.h"
 #include "support/mesh_text.h"
 #include "support/message_of.h"
@@ -22,35 +21,22 @@ std::string refusal(const std::string& bytes) {
   return message_of<std::runtime_error>([&] { read(bytes); });
 }
 
-std::string header(char kind, std::uint8_t version, std::uint32_t vertices, std::uint32_t faces,
-                   std::uint32_t edges) {
-  return std::string("OM") + kind + bytes_of(version) + bytes_of(vertices) + bytes_of(faces) +
-         bytes_of(edges);
-}
-
-std::string chunk(const OmChunk& chunk) {
-  return bytes_of(chunk.pack());
-}
-
-const OmChunk kPositions{.is_signed = true, .is_float = true, .dimensions = 3};
-const OmChunk kFaces{.entity = OmChunk::face, .type = OmChunk::topology};
-const OmChunk kHalfedges{
-    .entity = OmChunk::halfedge, .type = OmChunk::topology, .is_signed = true, .dimensions = 3};
+using OpenMesh::IO::OMFormat::mk_version;
 
 std::string positions(float z = 0.0f) {
-  std::string bytes = chunk(kPositions);
+  std::string bytes = om_chunk(kOmPositions);
   for (const float number : {0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, 1.0f, z}) bytes += bytes_of(number);
   return bytes;
 }
 
 TEST(ReadOm, ReadsFacesAsListsOfVertices) {
-  const std::string start = header('T', om_version(1, 0), 3, 1, 0) + positions() + chunk(kFaces);
+  const std::string start = om_header('T', mk_version(1, 0), 3, 1, 0) + positions() + om_chunk(kOmFaces);
   EXPECT_EQ(corners_of(read(start + std::string("\2\0\1", 3)).mesh, 0),
             (std::vector<std::uint32_t>{2, 0, 1}));
   EXPECT_EQ(refusal(start + std::string("\2\0\3", 3)),
             "mesh.om: face 0: it has vertex 3, but there are 3 vertices");
   EXPECT_EQ(refusal(start + std::string("\2\0", 2)), "mesh.om: the file ends at face 0 of 1");
-  EXPECT_EQ(refusal(header('P', om_version(1, 0), 3, 2000000000, 0) + positions() + chunk(kFaces)),
+  EXPECT_EQ(refusal(om_header('P', mk_version(1, 0), 3, 2000000000, 0) + positions() + om_chunk(kOmFaces)),
             "mesh.om: the file ends at face 0 of 2000000000");
 }
 
@@ -66,30 +52,38 @@ TEST(ReadOm, ReadsFacesAsLoopsOfHalfEdges) {
   std::string far = kTriangleHalfedges;
   far[1] = -2;
   EXPECT_EQ(refusal(om_triangle(far)), "mesh.om: face 0: it has vertex -2, but there are 3 vertices");
-  EXPECT_EQ(refusal(header('P', om_version(2, 2), 3, 1, 2000000000) + positions() + chunk(kHalfedges)),
-            "mesh.om: the file ends at half-edge 0 of 4000000000");
+  EXPECT_EQ(
+      refusal(om_header('P', mk_version(2, 2), 3, 1, 2000000000) + positions() + om_chunk(kOmHalfedges)),
+      "mesh.om: the file ends at half-edge 0 of 4000000000");
 }
 
 TEST(ReadOm, RefusesWhatIsNotThereOrNotKnown) {
   EXPECT_EQ(refusal("OFF"), "mesh.om: is not an OM file: it does not begin with 'OM'");
-  EXPECT_EQ(refusal(header('X', om_version(1, 2), 3, 1, 0)), "mesh.om: the kind of faces is unknown");
-  EXPECT_EQ(refusal(header('T', om_version(3, 1), 3, 1, 0)), "mesh.om: version 3.1 is unknown");
-  const std::string start = header('T', om_version(1, 2), 3, 1, 0);
+  EXPECT_EQ(refusal(om_header('X', mk_version(1, 2), 3, 1, 0)), "mesh.om: the kind of faces is unknown");
+  EXPECT_EQ(refusal(om_header('T', mk_version(3, 1), 3, 1, 0)), "mesh.om: version 3.1 is unknown");
+  const std::string start = om_header('T', mk_version(1, 2), 3, 1, 0);
   EXPECT_EQ(refusal(start), "mesh.om: the vertices have no positions");
   EXPECT_EQ(refusal(start + positions()), "mesh.om: the faces have no vertices");
-  EXPECT_EQ(refusal(start + positions(std::numeric_limits<float>::infinity())),
+  EXPECT_EQ(refusal(start + positions(std::numeric_limits<float>::infinity()) + om_chunk(kOmFaces) +
+                    std::string("\2\0\1", 3)),
             "mesh.om: vertex 2: its z is not finite");
-  EXPECT_EQ(refusal(header('T', om_version(1, 2), 2000000000, 1, 0) + positions()),
+  EXPECT_EQ(refusal(om_header('T', mk_version(1, 2), 2000000000, 1, 0) + positions()),
             "mesh.om: the file ends at vertex 3 of 2000000000");
-  EXPECT_EQ(refusal(start + chunk({.entity = OmChunk::vertex, .type = OmChunk::position, .bits = 0})),
-            "mesh.om: a number has an unknown type");
-  EXPECT_EQ(refusal(start + chunk({.entity = 3, .type = OmChunk::color})),
-            "mesh.om: unknown kind of element 3");
-  EXPECT_EQ(refusal(start + chunk({.named = true}) + "\7noi"), "mesh.om: the file ends in a name");
-  EXPECT_EQ(refusal(start + chunk({.named = true, .type = OmChunk::custom}) + "\5noise" +
-                    bytes_of(std::uint32_t{2000000000})),
+  OmChunk::Header whole = kOmPositions;
+  whole.float_ = 0;
+  EXPECT_EQ(refusal(start + om_chunk(whole)), "mesh.om: a number has an unknown type");
+  OmChunk::Header flat = kOmPositions;
+  flat.dim_ = OmChunk::Dim_2D;
+  EXPECT_EQ(refusal(start + om_chunk(flat)), "mesh.om: positions have 2 dimensions");
+  OmChunk::Header strange = kOmPositions;
+  strange.entity_ = 3;
+  EXPECT_EQ(refusal(start + om_chunk(strange)), "mesh.om: unknown kind of element 3");
+  OmChunk::Header named = om_chunk_of(OmChunk::Entity_Vertex, OmChunk::Type_Custom);
+  named.name_ = 1;
+  EXPECT_EQ(refusal(start + om_chunk(named) + "\7noi"), "mesh.om: the file ends in a name");
+  EXPECT_EQ(refusal(start + om_chunk(named) + "\5noise" + bytes_of(std::uint32_t{2000000000})),
             "mesh.om: the file ends in property 'noise'");
-  EXPECT_EQ(refusal(header('T', om_version(1, 2), 0, 0, 0)), "mesh.om: the mesh has no vertices");
+  EXPECT_EQ(refusal(om_header('T', mk_version(1, 2), 0, 0, 0)), "mesh.om: the mesh has no vertices");
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include <array>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -56,7 +57,7 @@ TEST(ReadStl, MergesCornersAtEqualPositions) {
   expect_square(read(kText).mesh);
   // Next to each other is not at the same place.
   std::vector<Facet> torn = kSquare;
-  torn[1][0][2] = std::numeric_limits<float>::denorm_min();
+  torn[1][1][0] = std::nextafter(1.0f, 2.0f);
   EXPECT_EQ(read(binary(torn)).mesh.positions.size(), 5u);
 }
 
@@ -67,6 +68,20 @@ TEST(ReadStl, TellsBinaryFilesThatBeginLikeText) {
   EXPECT_EQ(longer.notes, std::vector<std::string>{"4 bytes after the last facet are ignored"});
   expect_square(read("\n \n" + kText).mesh);
   EXPECT_EQ(read(kText + kText).mesh.face_count(), 4u) << "a file may hold several solids";
+}
+
+TEST(ReadStl, CountsTheFacetsThatItDrops) {
+  std::vector<Facet> facets = kSquare;
+  facets.push_back({{{5, 5, 5}, {0, 0, 0}, {5, 5, 5}}});
+  const MeshReading reading = read(binary(facets));
+  EXPECT_EQ(reading.mesh.face_count(), 2u);
+  EXPECT_EQ(reading.notes, std::vector<std::string>{"1 facets with two corners at one place are dropped"});
+}
+
+TEST(ReadStl, TakesNoFacetsFromNames) {
+  std::string text = kText;
+  text.replace(0, text.find('\n'), "solid outer router");
+  expect_square(read(text).mesh);
 }
 
 TEST(ReadStl, NotesColoursOfFacets) {
@@ -87,7 +102,8 @@ TEST(ReadStl, NamesFaceAndLineOfAnError) {
 
   EXPECT_EQ(refusal("solid\nfacet\nvertex 0 nan 0\n"), "mesh.stl:3: face 0: 'nan' is not a finite number");
   EXPECT_EQ(refusal("solid\nfacet\nvertex 0 0\n"), "mesh.stl:3: face 0: a vertex needs three coordinates");
-  EXPECT_EQ(refusal("solid\nfacet\nendloop\n"), "mesh.stl:3: face 0: it has no vertices");
+  EXPECT_EQ(refusal("solid\nfacet\nendloop\n"), "mesh.stl:3: face 0: it has 0 vertices; a facet has 3");
+  EXPECT_EQ(refusal("solid\nfacet\nvertex 0 1e39 0\n"), "mesh.stl:3: face 0: '1e39' is not a finite number");
   EXPECT_EQ(refusal("solid\nfacet\nvortex 0 0 0\n"), "mesh.stl:3: 'vortex' has no place in an STL file");
   EXPECT_EQ(refusal(kText.substr(0, kText.find("endsolid"))),
             "mesh.stl: the file ends at face 2, before 'endsolid'");

@@ -5,7 +5,8 @@
 #include <cstdint>
 #include <string>
 
-#include "solidnoise/geometry/om_format.h"
+#include <OpenMesh/Core/IO/OMFormat.hh>
+
 #include "solidnoise/geometry/polygon_mesh.h"
 #include "support/mesh_text.h"
 
@@ -65,20 +66,43 @@ inline std::string stl_text() {
   return text + "endsolid name\n";
 }
 
+// The head of an OM file, and of a chunk of one.
+inline std::string om_header(char kind, std::uint8_t version, std::uint32_t vertices, std::uint32_t faces,
+                             std::uint32_t edges) {
+  return std::string("OM") + kind + bytes_of(version) + bytes_of(vertices) + bytes_of(faces) +
+         bytes_of(edges);
+}
+using OmChunk = OpenMesh::IO::OMFormat::Chunk;
+inline std::string om_chunk(const OmChunk::Header& chunk) {
+  std::uint16_t bytes = 0;
+  OpenMesh::IO::OMFormat::operator<<(bytes, chunk);
+  return bytes_of(bytes);
+}
+inline constexpr OmChunk::Header om_chunk_of(OmChunk::Entity entity, OmChunk::Type type,
+                                             OmChunk::Dim dimensions = OmChunk::Dim_1D) {
+  OmChunk::Header chunk{};
+  chunk.entity_ = entity;
+  chunk.type_ = type;
+  chunk.signed_ = 1;
+  chunk.float_ = 1;
+  chunk.dim_ = dimensions;
+  return chunk;
+}
+inline constexpr OmChunk::Header kOmPositions =
+    om_chunk_of(OmChunk::Entity_Vertex, OmChunk::Type_Pos, OmChunk::Dim_3D);
+inline constexpr OmChunk::Header kOmFaces = om_chunk_of(OmChunk::Entity_Face, OmChunk::Type_Topology);
+inline constexpr OmChunk::Header kOmHalfedges =
+    om_chunk_of(OmChunk::Entity_Halfedge, OmChunk::Type_Topology, OmChunk::Dim_3D);
+
 // A triangle as an OM file of version 2, whose faces are loops of half-edges: 0 2 4 go around it, the others
 // back. A half-edge is the next one, the vertex it points to and the face.
 inline const std::string kTriangleHalfedges("\2\1\0\5\0\xff\4\2\0\1\1\xff\0\0\0\3\2\xff", 18);
 inline std::string om_triangle(const std::string& halfedges = kTriangleHalfedges, char first_of_face = 0) {
-  std::string bytes = "OMP" + bytes_of(om_version(2, 2));
-  for (const std::uint32_t count : {3u, 1u, 3u}) bytes += bytes_of(count);
-  bytes += bytes_of(OmChunk{.is_signed = true, .is_float = true, .dimensions = 3}.pack());
+  std::string bytes =
+      om_header('P', OpenMesh::IO::OMFormat::mk_version(2, 2), 3, 1, 3) + om_chunk(kOmPositions);
   for (const float number : {0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f}) bytes += bytes_of(number);
-  bytes += bytes_of(
-      OmChunk{.entity = OmChunk::halfedge, .type = OmChunk::topology, .is_signed = true, .dimensions = 3}
-          .pack());
-  bytes += halfedges;
-  bytes += bytes_of(OmChunk{.entity = OmChunk::face, .type = OmChunk::topology}.pack()) + first_of_face;
-  return bytes + bytes_of(OmChunk{.entity = OmChunk::end}.pack());
+  bytes += om_chunk(kOmHalfedges) + halfedges + om_chunk(kOmFaces) + first_of_face;
+  return bytes + om_chunk(om_chunk_of(OmChunk::Entity_Sentinel, OmChunk::Type_Pos));
 }
 
 }  // namespace solidnoise

@@ -10,6 +10,7 @@ namespace solidnoise {
 void write_ply(std::ostream& stream, const PolygonMesh& mesh, const MeshWriteOptions& options);
 void write_obj(std::ostream& stream, const PolygonMesh& mesh, const MeshWriteOptions& options);
 void write_off(std::ostream& stream, const PolygonMesh& mesh, const MeshWriteOptions& options);
+void write_stl(std::ostream& stream, const PolygonMesh& mesh);
 void write_om(std::ostream& stream, const PolygonMesh& mesh);
 
 }  // namespace solidnoise

@@ -7,26 +7,11 @@
 #include <cstring>
 #include <limits>
 #include <ostream>
-#include <type_traits>
 
 #include "solidnoise/geometry/scalar_type.h"
 
 namespace solidnoise {
 namespace {
-
-template <typename Number>
-Number convert(double value) {
-  using Limits = std::numeric_limits<Number>;
-  if constexpr (std::is_same_v<Number, double>) {
-    return value;
-  } else if constexpr (std::is_same_v<Number, float>) {
-    return nearest_float(value);
-  } else {
-    if (std::isnan(value)) return 0;
-    return static_cast<Number>(std::clamp(std::round(value), static_cast<double>(Limits::min()),
-                                          static_cast<double>(Limits::max())));
-  }
-}
 
 template <typename Number>
 void append_decimal(std::string& buffer, Number value) {
@@ -43,7 +28,8 @@ void NumberWriter::text(std::string_view text) {
 }
 
 void NumberWriter::decimal(double value, ScalarType type) {
-  visit_scalar_type(type, [&](auto number) { append_decimal(buffer_, convert<decltype(number)>(value)); });
+  visit_scalar_type(type,
+                    [&](auto number) { append_decimal(buffer_, nearest_number<decltype(number)>(value)); });
   flush_if_full();
 }
 
@@ -59,13 +45,13 @@ void NumberWriter::decimal(std::uint64_t value) {
 }
 
 void NumberWriter::decimal(double value) {
-  const auto single = convert<float>(value);
+  const auto single = nearest_number<float>(value);
   decimal(value, static_cast<double>(single) == value ? ScalarType::float32 : ScalarType::float64);
 }
 
 void NumberWriter::bytes(double value, ScalarType type) {
   visit_scalar_type(type, [&](auto number) {
-    const auto converted = convert<decltype(number)>(value);
+    const auto converted = nearest_number<decltype(number)>(value);
     char raw[sizeof converted];
     std::memcpy(raw, &converted, sizeof raw);
     if (order_ != std::endian::native) std::reverse(raw, raw + sizeof raw);

@@ -12,9 +12,9 @@ namespace solidnoise {
 
 struct MeshReading {
   PolygonMesh mesh;
-  std::vector<std::string>
-      comments;                    // PLY: comment and obj_info lines; OBJ, OFF: those before the first vertex
-  std::vector<std::string> notes;  // what the file has and the mesh has not, in plain words, one line each
+  std::vector<std::string> comments;  // PLY: comment and obj_info lines; OBJ: those before the first vertex;
+                                      // OFF: those and all that have a line of their own
+  std::vector<std::string> notes;     // what the file has and the mesh has not, in plain words, one line each
 };
 
 // Reads a mesh by the path's extension, in any case:
@@ -24,8 +24,14 @@ struct MeshReading {
 //         are found, or uint8 if they are whole numbers up to 255
 //   .off  ascii, with the prefixes ST, C and N in any combination: properties nx ny nz, red green blue alpha
 //         (as in OBJ), s t
-//   .stl  ascii and binary; corners of facets at equal positions become one vertex, in order of first use
-//   .om   binary, of versions 1 and 2: positions, faces, vertex normals and colours
+//   .stl  ascii and binary, in single precision; corners of facets at equal positions become one vertex, in
+//         order of first use, and facets with two corners at one are dropped and counted
+//   .om   binary, up to version 2.2: positions, faces, vertex normals and colours of three bytes, numbers
+//         that vertices have as properties
+// PLY and OBJ are read by ourselves: OpenMesh's readers round colours to 8 bits and positions to floats,
+// copy vertices, drop faces without a word, and some damaged files crash them. The other three are checked
+// first, and then read by OpenMesh.
+//
 // The vertices and faces are those of the file, in its order. Positions are kept in double precision;
 // PolygonMesh::position_type says what the file needs. Numbers are read as in the "C" locale always.
 //

@@ -18,6 +18,8 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr TextColor kNoColor{kNan, kNan, kNan, kNan};
 
+// By ourselves: OpenMesh's reader stops without a word at what is no number, drops faces of vertices that are
+// not there, has floats only, and gives no comments, which hold recipes; its writer refuses colours.
 class ObjReader {
  public:
   ObjReader(std::string_view bytes, const std::string& name) : lines_(bytes, name) {}

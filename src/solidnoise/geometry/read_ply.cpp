@@ -23,6 +23,9 @@ bool is_corner_list(const PlyProperty& property) {
   return property.count_type && (property.name == "vertex_indices" || property.name == "vertex_index");
 }
 
+// By ourselves: OpenMesh's reader rounds float colours to 8 bits and wraps those above 1, keeps scalars of
+// known types only, reads no triangle strips, and crashes where a header is damaged.
+
 // Reads what follows the header; Rows is PlyTextRows or PlyBinaryRows.
 template <typename Rows>
 class BodyReader {

@@ -1,18 +1,23 @@
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
-#include <limits>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
-#include <unordered_map>
+#include <string>
 #include <utility>
+#include <vector>
 
+#include <OpenMesh/Core/IO/reader/STLReader.hh>
 #include <fmt/format.h>
 
 #include "solidnoise/geometry/byte_reader.h"
+#include "solidnoise/geometry/mesh_importer.h"
 #include "solidnoise/geometry/mesh_readers.h"
+#include "solidnoise/geometry/openmesh_session.h"
+#include "solidnoise/geometry/scalar_type.h"
 #include "solidnoise/geometry/text_lines.h"
 
 namespace solidnoise {
@@ -22,34 +27,12 @@ constexpr std::size_t kHeaderBytes = 80;
 constexpr std::size_t kFacetBytes = 50;  // a normal and three corners of three floats each, and 16 bits
 constexpr std::size_t kFirstFacet = kHeaderBytes + sizeof(std::uint32_t);
 
-struct PositionHash {
-  std::size_t operator()(const Vec<3>& p) const {
-    std::uint64_t hash = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      hash ^= std::bit_cast<std::uint64_t>(p[axis]);
-      hash *= 0x9e3779b97f4a7c15u;  // 2^64 / golden ratio: spreads the high bits, which floats use
-      hash ^= hash >> 32;
-    }
-    return static_cast<std::size_t>(hash);
-  }
-};
-
-// Gives every position one vertex, in order of first use.
-class VertexMerger {
- public:
-  explicit VertexMerger(PolygonMesh& mesh) : mesh_(mesh) {}
-
-  std::uint32_t vertex_at(Vec<3> position) {
-    position += 0.0;  // makes -0 the same as 0
-    const auto [found, is_new] =
-        vertices_.try_emplace(position, static_cast<std::uint32_t>(mesh_.positions.size()));
-    if (is_new) mesh_.positions.push_back(position);
-    return found->second;
-  }
-
- private:
-  PolygonMesh& mesh_;
-  std::unordered_map<Vec<3>, std::uint32_t, PositionHash> vertices_;
+// A file's facets as OpenMesh's reader takes them, in bytes or in words.
+struct CheckedStl {
+  std::string facets;
+  std::size_t count = 0;
+  OpenMesh::IO::Options options;
+  std::vector<std::string> notes;
 };
 
 std::uint64_t promised_facets(std::string_view bytes) {
@@ -70,7 +53,7 @@ bool is_binary(std::string_view bytes) {
   return head.find("facet") == std::string_view::npos && head.find("endsolid") == std::string_view::npos;
 }
 
-MeshReading read_binary(std::string_view bytes, const std::string& name) {
+CheckedStl check_binary(std::string_view bytes, const std::string& name) {
   if (bytes.size() < kFirstFacet) {
     throw std::runtime_error(fmt::format("{}: is not an STL file, or ends within its header", name));
   }
@@ -80,44 +63,41 @@ MeshReading read_binary(std::string_view bytes, const std::string& name) {
     throw std::runtime_error(
         fmt::format("{}: the header promises {} facets, but there is room for {}", name, count, room));
   }
-  MeshReading reading;
-  VertexMerger merger(reading.mesh);
+  CheckedStl checked;
+  checked.count = count;
+  checked.options = OpenMesh::IO::Options::Binary;
   ByteReader reader(bytes.substr(kFirstFacet), std::endian::little);
   bool has_attributes = false;
   for (std::uint64_t facet = 0; facet < count; ++facet) {
     reader.take_bytes(3 * sizeof(float));  // the normal
-    std::array<std::uint32_t, 3> corners;
-    for (std::uint32_t& corner : corners) {
-      Vec<3> position;
-      for (int axis = 0; axis < 3; ++axis) position[axis] = static_cast<double>(reader.take<float>());
-      if (!std::isfinite(position.x) || !std::isfinite(position.y) || !std::isfinite(position.z)) {
-        throw std::runtime_error(
-            fmt::format("{}: face {}: a vertex has a position that is not finite", name, facet));
-      }
-      corner = merger.vertex_at(position);
+    for (int number = 0; number < 9; ++number) {
+      if (std::isfinite(reader.take<float>())) continue;
+      throw std::runtime_error(
+          fmt::format("{}: face {}: a vertex has a position that is not finite", name, facet));
     }
     has_attributes = reader.take<std::uint16_t>() != 0 || has_attributes;
-    reading.mesh.add_face(corners);
   }
-  if (has_attributes) reading.notes.push_back("the attributes (colours) of facets are dropped");
+  if (has_attributes) checked.notes.push_back("the attributes (colours) of facets are dropped");
   if (reader.left() > 0) {
-    reading.notes.push_back(fmt::format("{} bytes after the last facet are ignored", reader.left()));
+    checked.notes.push_back(fmt::format("{} bytes after the last facet are ignored", reader.left()));
   }
-  return reading;
+  checked.facets = bytes.substr(0, bytes.size() - reader.left());
+  return checked;
 }
 
 // solid NAME { facet normal x y z, outer loop, { vertex x y z }, endloop, endfacet } endsolid NAME, any
-// number of them.
-class TextReader {
+// number of them. OpenMesh takes every line that has the word `outer` in it, be it a part of the solid's
+// name, for one that three vertices follow: it is given the loops alone.
+class TextCheck {
  public:
-  TextReader(std::string_view bytes, const std::string& name) : lines_(bytes, name), merger_(reading_.mesh) {}
+  TextCheck(std::string_view bytes, const std::string& name) : lines_(bytes, name) {}
 
-  MeshReading read() {
+  CheckedStl check() {
     while (lines_.next()) {
       std::string_view text = lines_.line();
       const std::string_view keyword = take_word(text);
       if (keyword == "vertex") {
-        read_vertex(text);
+        check_vertex(text);
       } else if (keyword == "endloop") {
         end_loop();
       } else if (keyword == "endsolid") {
@@ -132,50 +112,60 @@ class TextReader {
     }
     if (in_solid_ || !corners_.empty()) {
       throw std::runtime_error(
-          fmt::format("{}: the file ends at face {}, before 'endsolid'", lines_.name(), face()));
+          fmt::format("{}: the file ends at face {}, before 'endsolid'", lines_.name(), checked_.count));
     }
-    return std::move(reading_);
+    return std::move(checked_);
   }
 
  private:
-  std::size_t face() const { return reading_.mesh.face_count(); }
-
-  void read_vertex(std::string_view text) {
-    Vec<3> position;
-    for (int axis = 0; axis < 3; ++axis) {
+  void check_vertex(std::string_view text) {
+    std::array<float, 3> corner;
+    for (float& number : corner) {
       const std::string_view word = take_word(text);
-      const std::optional<double> number = parse_double(word);
-      if (!number || !std::isfinite(*number)) {
+      const std::optional<double> parsed = parse_double(word);
+      number = parsed ? nearest_float(*parsed) : 0.0f;
+      if (!parsed || !std::isfinite(number)) {
         refuse(word.empty() ? std::string("a vertex needs three coordinates")
                             : fmt::format("'{}' is not a finite number", printable(word)));
       }
-      if (needs_float64(word, *number)) reading_.mesh.position_type = ScalarType::float64;
-      position[axis] = *number;
     }
-    corners_.push_back(merger_.vertex_at(position));
+    corners_.push_back(corner);
   }
 
   void end_loop() {
-    if (corners_.empty()) refuse("it has no vertices");
-    reading_.mesh.add_face(corners_);
+    if (corners_.size() != 3) refuse(fmt::format("it has {} vertices; a facet has 3", corners_.size()));
+    checked_.facets += "outer loop\n";
+    for (const auto& [x, y, z] : corners_) checked_.facets += fmt::format("vertex {} {} {}\n", x, y, z);
+    ++checked_.count;
     corners_.clear();
   }
 
   [[noreturn]] void refuse(const std::string& what) const {
-    lines_.refuse(fmt::format("face {}: {}", face(), what));
+    lines_.refuse(fmt::format("face {}: {}", checked_.count, what));
   }
 
   TextLines lines_;
-  MeshReading reading_;
-  VertexMerger merger_;
-  std::vector<std::uint32_t> corners_;  // of this facet
+  CheckedStl checked_;
+  std::vector<std::array<float, 3>> corners_;  // of this facet
   bool in_solid_ = false;
 };
 
 }  // namespace
 
+// Corners at one position, to the last bit but for the sign of 0, become one vertex in OpenMesh, too.
 MeshReading read_stl(std::string_view bytes, const std::string& name) {
-  return is_binary(bytes) ? read_binary(bytes, name) : TextReader(bytes, name).read();
+  CheckedStl checked = is_binary(bytes) ? check_binary(bytes, name) : TextCheck(bytes, name).check();
+  MeshImporter importer(name);
+  {
+    const OpenMeshSession session;
+    std::istringstream stream(std::move(checked.facets));
+    OpenMesh::IO::STLReader().read(stream, importer, checked.options);
+  }
+  MeshReading reading{importer.take_mesh(), {}, std::move(checked.notes)};
+  if (const std::size_t dropped = checked.count - reading.mesh.face_count(); dropped > 0) {
+    reading.notes.push_back(fmt::format("{} facets with two corners at one place are dropped", dropped));
+  }
+  return reading;
 }
 
 }  // namespace solidnoise

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <stdexcept>
+#include <type_traits>
 
 #include "solidnoise/geometry/polygon_mesh.h"
 
@@ -48,6 +50,21 @@ inline float nearest_float(double value) {
   using Limits = std::numeric_limits<float>;
   if (!(std::abs(value) > static_cast<double>(Limits::max()))) return static_cast<float>(value);
   return value > 0.0 ? Limits::infinity() : -Limits::infinity();
+}
+
+// The number of a type that is nearest; 0 in integers for what is not a number.
+template <typename Number>
+Number nearest_number(double value) {
+  using Limits = std::numeric_limits<Number>;
+  if constexpr (std::is_same_v<Number, double>) {
+    return value;
+  } else if constexpr (std::is_same_v<Number, float>) {
+    return nearest_float(value);
+  } else {
+    if (std::isnan(value)) return 0;
+    return static_cast<Number>(std::clamp(std::round(value), static_cast<double>(Limits::min()),
+                                          static_cast<double>(Limits::max())));
+  }
 }
 
 }  // namespace solidnoise

@@ -32,10 +32,6 @@ void require_sound_properties(const PolygonMesh& mesh) {
 
 void write_mesh(const std::filesystem::path& path, const PolygonMesh& mesh, const MeshWriteOptions& options) {
   const MeshFormat format = mesh_format(path);
-  if (format == MeshFormat::stl) {
-    throw std::runtime_error(fmt::format(
-        "{}: STL cannot hold shared vertices and colours; write .ply, .obj, .off or .om", path.string()));
-  }
   require_sound_properties(mesh);
   write_output(path, {options.existing, options.progress},
                [&](std::ostream& stream) { write_mesh(stream, format, mesh, options); });
@@ -52,7 +48,7 @@ void write_mesh(std::ostream& stream, MeshFormat format, const PolygonMesh& mesh
     case MeshFormat::off:
       return write_off(stream, mesh, options);
     case MeshFormat::stl:
-      throw std::invalid_argument("STL cannot hold shared vertices and colours");
+      return write_stl(stream, mesh);
     case MeshFormat::om:
       return write_om(stream, mesh);
   }

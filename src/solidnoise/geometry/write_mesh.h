@@ -14,7 +14,7 @@ namespace solidnoise {
 
 struct MeshWriteOptions {
   PlyEncoding ply = PlyEncoding::binary_little_endian;
-  std::vector<std::string> comments = {};  // PLY, OBJ, OFF: at the head, a line each
+  std::vector<std::string> comments = {};  // PLY, OBJ: at the head, OFF: at the end; a line each
   Existing existing = Existing::refuse;
   Progress* progress = nullptr;  // asked for cancellation while writing
 };
@@ -23,21 +23,23 @@ struct MeshWriteOptions {
 //   .ply  positions of position_type, then every property by name, type and order
 //   .obj  positions; red green blue, scaled to 1, after them; nx ny nz as normals of the same numbers; no
 //         faces without vertices
-//   .off  positions; nx ny nz; red green blue alpha in 8 bits (opaque if there is no alpha); s t
-//   .om   positions of position_type; nx ny nz; red green blue in 8 bits. OpenMesh's version 1, whose faces
-//         are lists of vertices, because version 2 can hold manifolds only
-// Formats but PLY leave out other properties. Texts have the shortest decimals that read back as the same
-// number; OBJ and OFF have 0 for values that are not finite. Values that their type cannot hold are clamped;
-// integers are rounded. STL holds no shared vertices and no colours, and is not written.
+//   .off  positions as float32; nx ny nz; red green blue alpha in 8 bits (opaque if there is no alpha); s t
+//   .stl  the faces, cut into triangles, in single precision; binary
+//   .om   positions of position_type; nx ny nz; red green blue in 8 bits; all others by name and type.
+//         OpenMesh's version 2.2
+// Formats but PLY and OM leave out other properties. PLY and OBJ, which are ours, have the shortest decimals
+// that read back as the same number; OFF, which OpenMesh writes as STL and OM, has nine digits, and its
+// comments at the end. Texts have 0 for values that are not finite, but PLY, and so have the normals of OM.
+// Values that their type cannot hold are clamped; integers are rounded.
 //
 // Throws std::runtime_error naming the path (also for an unknown extension), OutputExists, Cancelled;
 // std::invalid_argument for a property whose count is not that of the vertices, or that has a name which is
-// empty, has blanks, or is that of another or of a coordinate, and in OM for a face of more than 65535
-// vertices.
+// empty, has blanks, or is that of another or of a coordinate; in OFF and STL for a position beyond float32;
+// in OM for a face without vertices, and for so few edges that its integers cannot number the vertices.
 void write_mesh(const std::filesystem::path& path, const PolygonMesh& mesh,
                 const MeshWriteOptions& options = {});
 
-// The same to a stream, which should throw on errors. STL throws std::invalid_argument.
+// The same to a stream, which should throw on errors.
 void write_mesh(std::ostream& stream, MeshFormat format, const PolygonMesh& mesh,
                 const MeshWriteOptions& options = {});
 
