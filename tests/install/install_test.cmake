@@ -21,6 +21,17 @@ foreach(program IN LISTS programs)
   endif()
 endforeach()
 
+# What OpenMesh has written is a mesh with noise.
+if(EXISTS ${WORK}/consumer/bake_mesh)
+  execute_process(COMMAND ${WORK}/consumer/bake_mesh ${CONSUMER}/../../meshes/torus.obj ${WORK}/marble.om COMMAND_ERROR_IS_FATAL ANY)
+  if(EXISTS ${prefix}/bin/meshnoise)
+    execute_process(COMMAND ${prefix}/bin/meshnoise info ${WORK}/marble.om OUTPUT_VARIABLE info COMMAND_ERROR_IS_FATAL ANY)
+    if(NOT info MATCHES "closed" OR NOT info MATCHES "noise +-" OR NOT info MATCHES "red")
+      message(FATAL_ERROR "The mesh that OpenMesh has written should be closed, with colours and noise: ${info}")
+    endif()
+  endif()
+endif()
+
 # The installed vdbnoise runs, and finds the image module, without the build tree.
 unset(ENV{SOLIDNOISE_IMAGE_MODULE})
 if(EXISTS ${prefix}/bin/vdbnoise AND image_module)
