@@ -36,7 +36,7 @@ BakeRecipe unusual_recipe() {
   recipe.direction = {.source = DirectionRecipe::Source::min_curvature, .axis = {1.0, 2.0, 3.0}, .smooth = 7};
   recipe.ramp = "0:#000,1:#fff";
   recipe.contrast = 1.3;
-  recipe.refine = {.mode = RefineRecipe::Mode::rounds, .rounds = 2};
+  recipe.refine = {.mode = RefineRecipe::Mode::rounds, .rounds = 2, .method = RefineOptions::Method::sqrt3};
   recipe.displace = -0.01;
   recipe.up = UpAxis::z;
   return recipe;

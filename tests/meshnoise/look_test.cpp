@@ -97,6 +97,27 @@ TEST(BakeLook, RefinesWithoutMovingOrChangingTheOldVertices) {
   }
 }
 
+// OpenMesh's subdividers: those that smooth draw vertices towards the inside.
+TEST(BakeLook, RefinesByTheMethodsOfOpenMesh) {
+  const std::vector<std::string> flags{"--noise", "solid", "--frequency", "3", "--bias", "0"};
+  const PolygonMesh coarse = baked_with(flags);
+  const std::size_t count = coarse.positions.size();
+  for (const std::string method : {"longest-edge", "sqrt3", "loop"}) {
+    for (const std::string amount : {"1", "auto"}) {
+      std::vector<std::string> refining = flags;
+      refining.insert(refining.end(), {"--refine", amount, "--refine-method", method});
+      const PolygonMesh fine = baked_with(refining);
+      ASSERT_GT(fine.positions.size(), count) << method;
+      for (std::size_t v = 0; v < count; ++v) {
+        ASSERT_EQ(numbers_of(fine, "label")[v], numbers_of(coarse, "label")[v]) << method;
+        if (method != "longest-edge") continue;
+        ASSERT_EQ(fine.positions[v], coarse.positions[v]);
+        ASSERT_EQ(numbers_of(fine, "noise")[v], numbers_of(coarse, "noise")[v]);
+      }
+    }
+  }
+}
+
 // Root mean square distance of the vertices from the index on from the torus of radii 1 and 0.4.
 double distance_from_torus(const PolygonMesh& mesh, std::size_t first) {
   double sum = 0.0;

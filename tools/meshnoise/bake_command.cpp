@@ -69,8 +69,10 @@ void check_consistency(const FlagSet& flags, const BakeRecipe& recipe) {
       throw UsageError(fmt::format("{} applies to --noise oriented and to flat exemplars only", flag));
     }
   }
-  if (flags.given("--refine-shape") && recipe.refine.mode == RefineRecipe::Mode::off) {
-    throw UsageError("--refine-shape has no effect without --refine");
+  for (const char* flag : {"--refine-shape", "--refine-method"}) {
+    if (flags.given(flag) && recipe.refine.mode == RefineRecipe::Mode::off) {
+      throw UsageError(fmt::format("{} has no effect without --refine", flag));
+    }
   }
   for (const char* flag : {"--bandwidth", "--impulses", "--error"}) {
     const bool applies = std::string_view(flag) == "--bandwidth" ? has_bandwidth(recipe.noise.kind)
@@ -91,9 +93,10 @@ void check_outputs(const BakeOptions& options) {
   if (options.out == "-" && options.write_recipe == "-") {
     throw UsageError("--out and --write-recipe cannot both be the standard output");
   }
-  if (!options.out.empty()) require_mesh_name(options.out);
+  const bool displaces = options.recipe.displace != 0.0;
+  if (!options.out.empty()) require_mesh_name(options.out, displaces ? Shows::shape : Shows::colors);
   if (!options.keep.empty() && !holds_numbers(options.out)) {
-    throw UsageError("--keep has no effect where --out is no .ply, which alone holds such numbers");
+    throw UsageError("--keep has no effect where --out is no .ply or .om, which alone hold such numbers");
   }
   if (!options.preview.empty()) require_preview(options.preview);
   require_outputs({options.out, options.preview, options.write_recipe}, options.existing);

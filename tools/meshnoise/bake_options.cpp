@@ -80,15 +80,18 @@ std::vector<std::string> parse_names(const std::string& flag, const std::string&
 
 void declare_output(FlagSet& flags, BakeOptions& options) {
   flags.group("Output");
-  keep(flags, "--out", "FILE",
-       "Where the mesh goes: .ply, .obj, .off or .om; - for a .ply on the standard output", options.out);
+  keep(
+      flags, "--out", "FILE",
+      "Where the mesh goes: .ply, .obj, .off or .om, with --displace also .stl; - for a .ply on the standard "
+      "output",
+      options.out);
   keep(flags, "--preview", "FILE.png", "A picture of the mesh in its colours, rendered by Embree",
        options.preview);
   flags.toggle("--force", "Replace files that exist", [&] { options.existing = Existing::replace; });
-  flags.text(
-      "--keep", "NAMES",
-      fmt::format("Numbers to put into a .ply, with commas between: {}", fmt::join(keepable_names(), ", ")),
-      [&](const std::string& text) { options.keep = parse_names("--keep", text); });
+  flags.text("--keep", "NAMES",
+             fmt::format("Numbers to put into a .ply or .om, with commas between: {}",
+                         fmt::join(keepable_names(), ", ")),
+             [&](const std::string& text) { options.keep = parse_names("--keep", text); });
 }
 
 void declare_recipes(FlagSet& flags, BakeOptions& options) {
@@ -241,6 +244,11 @@ void declare_look(FlagSet& flags, BakeRecipe& recipe) {
                [&](double value) { recipe.contrast = value; });
   flags.text("--refine", "auto|N", "Split edges until the noise shows on the mesh, or N times (default off)",
              [&](const std::string& text) { set_refine(recipe.refine, text); });
+  declare_choice(
+      flags, "--refine-method", kRefineMethodChoices,
+      "With --refine: our own, for any mesh, or OpenMesh's, for manifolds of triangles; sqrt3 and loop "
+      "smooth (default own)",
+      recipe.refine.method);
   declare_choice(flags, "--refine-shape", kPlacementChoices,
                  "With --refine: new vertices lie on the edges, or on the smooth surface through their ends "
                  "(default edges)",

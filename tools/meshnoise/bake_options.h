@@ -17,9 +17,9 @@ struct BakeOptions {
 
   Task task = Task::bake;
   BakeRecipe recipe;
-  std::string out;           // .ply, .obj, .off or .om; "-" for a .ply on the standard output; empty: none
-  std::string preview;       // .png; empty: none
-  std::string write_recipe;  // .json, "-" for the standard output; empty: none
+  std::string out;      // .ply, .obj, .off, .stl or .om; "-" for a .ply on the standard output; empty: none
+  std::string preview;  // .png; empty: none
+  std::string write_recipe;       // .json, "-" for the standard output; empty: none
   std::vector<std::string> keep;  // names of numbers that the mesh shall have
   Existing existing = Existing::refuse;
   int threads = 0;  // 0: as many as the machine has

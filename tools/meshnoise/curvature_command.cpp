@@ -70,7 +70,7 @@ int run_curvature(const std::vector<std::string>& arguments) {
   }
   if (out.empty() && preview.empty())
     throw UsageError("--out is missing; say where the mesh goes: --out c.ply");
-  if (!out.empty()) require_mesh_name(out);
+  if (!out.empty()) require_mesh_name(out, Shows::colors);
   if (!preview.empty()) require_preview(preview);
   require_outputs({out, preview}, existing);
 

@@ -9,7 +9,7 @@
 
 namespace solidnoise {
 
-void require_mesh_name(const std::string& out) {
+void require_mesh_name(const std::string& out, Shows shows) {
   if (out == "-") {
     if (isatty(STDOUT_FILENO) == 0) return;
     throw UsageError("--out is -, and the standard output is a terminal; send it to a file or a program");
@@ -18,13 +18,14 @@ void require_mesh_name(const std::string& out) {
     throw UsageError(fmt::format(
         "--out is {}; it must end in .ply, .obj, .off or .om, or be - for the standard output", out));
   }
-  if (mesh_format(out) == MeshFormat::stl) {
+  if (shows == Shows::colors && mesh_format(out) == MeshFormat::stl) {
     throw UsageError(fmt::format("--out is {}; .stl holds no colours: use .ply, .obj, .off or .om", out));
   }
 }
 
 bool holds_numbers(const std::string& out) {
-  return out == "-" || (is_mesh_path(out) && mesh_format(out) == MeshFormat::ply);
+  if (out == "-") return true;
+  return is_mesh_path(out) && (mesh_format(out) == MeshFormat::ply || mesh_format(out) == MeshFormat::om);
 }
 
 void write_output_mesh(const std::string& out, const PolygonMesh& mesh, const MeshWriteOptions& options) {

@@ -7,11 +7,15 @@
 
 namespace solidnoise {
 
-// Refuses a name of --out before any work: throws UsageError if no mesh with colours can have it, or if it is
-// "-" and the standard output is a terminal.
-void require_mesh_name(const std::string& out);
+// What a file is to show: an .stl has no colours.
+enum class Shows { colors, shape };
 
-// Whether the file of this name holds all numbers of the vertices: a .ply does, and "-" is one.
+// Refuses a name of --out before any work: throws UsageError if no mesh that shows this can have it, or if it
+// is
+// "-" and the standard output is a terminal.
+void require_mesh_name(const std::string& out, Shows shows);
+
+// Whether the file of this name holds all numbers of the vertices: a .ply and an .om do, and "-" is a .ply.
 bool holds_numbers(const std::string& out);
 
 // Writes a mesh as write_mesh does; "-" is a .ply on the standard output.

@@ -135,18 +135,20 @@ const Keepable& find_keepable(const std::string& name) {
       fmt::format("keep is {}; it must be one of {}", name, fmt::join(keepable_names(), ", ")));
 }
 
-// Normals between those of the edges' ends. The normals of what is cut up would be those of flat faces, and
+// Normals between those of the parents. The normals of what is cut up would be those of flat faces, and
 // the noise of the tangent plane would jump from face to face.
 void carry_normals(const RefinedMesh& refined, std::vector<Vec<3>>& normals) {
   constexpr double kShortest = 1e-6;  // of the sum of two: they are opposite
-  normals.reserve(normals.size() + refined.edges.size());
-  for (const auto& [a, b] : refined.edges) {
-    const Vec<3> sum = normals[a] + normals[b];
-    normals.push_back(glm::length(sum) > kShortest ? glm::normalize(sum) : normals[a]);
+  normals.reserve(normals.size() + refined.parents.size());
+  for (const Parents& parents : refined.parents) {
+    const Vec<3>& first = normals[parents.vertices().front()];
+    Vec<3> sum = first;
+    for (const std::uint32_t vertex : parents.vertices().subspan(1)) sum += normals[vertex];
+    normals.push_back(glm::length(sum) > kShortest ? glm::normalize(sum) : first);
   }
 }
 
-// What is measured on a mesh, for the mesh that is made of it by halving edges.
+// What is measured on a mesh, for the mesh that is made of it by refining.
 VertexGuides carry(const RefinedMesh& refined, VertexGuides guides) {
   carry_normals(refined, guides.normals);
   if (!guides.directions.empty()) guides.directions = refined.carry_lines(std::move(guides.directions));
@@ -161,7 +163,7 @@ VertexGuides carry(const RefinedMesh& refined, VertexGuides guides) {
 // The mesh with edges that are short enough for frequencies up to `highest` times the principal one.
 RefinedMesh refine_mesh(const PolygonMesh& mesh, const RefineRecipe& recipe, const VertexNumber& frequency,
                         double highest) {
-  const RefineOptions options{.placement = recipe.placement};
+  const RefineOptions options{.method = recipe.method, .placement = recipe.placement};
   if (recipe.mode == RefineRecipe::Mode::rounds) return subdivide(mesh, recipe.rounds, options);
   constexpr double kCyclesPerEdge = 0.5;
   std::vector<double> target(mesh.positions.size());

@@ -56,6 +56,9 @@ void BakeRecipe::validate() const {
   }
   require_positive("contrast", contrast);
   if (refine.mode == RefineRecipe::Mode::rounds) require_in_range("refine", refine.rounds, 1, 8, "rounds");
+  if (refine.method != RefineOptions::Method::own && refine.placement != RefineOptions::Placement::on_edges) {
+    throw std::invalid_argument("placement is smooth; it applies where the method of refining is own");
+  }
   require_finite("displace", displace);
 }
 

@@ -31,7 +31,8 @@ struct RefineRecipe {
   enum class Mode { off, automatic, rounds };
 
   Mode mode = Mode::off;
-  int rounds = 1;                                                           // of halving every edge, 1 to 8
+  int rounds = 1;  // see subdivide(), 1 to 8
+  RefineOptions::Method method = RefineOptions::Method::own;
   RefineOptions::Placement placement = RefineOptions::Placement::on_edges;  // of new vertices
 
   friend bool operator==(const RefineRecipe&, const RefineRecipe&) = default;

@@ -106,6 +106,7 @@ Json to_json(const BakeRecipe& recipe) {
   json["contrast"] = recipe.contrast;
   json["refine"] = {{"mode", name_of(kRefineChoices, recipe.refine.mode)},
                     {"rounds", recipe.refine.rounds},
+                    {"method", name_of(kRefineMethodChoices, recipe.refine.method)},
                     {"placement", name_of(kPlacementChoices, recipe.refine.placement)}};
   json["displace"] = recipe.displace;
   json["up"] = name_of(kUpAxisChoices, recipe.up);
@@ -139,6 +140,7 @@ BakeRecipe bake_recipe_from_json(const Json& json) {
   if (auto refine = reader.object("refine")) {
     refine->read("mode", kRefineChoices, recipe.refine.mode);
     refine->read("rounds", recipe.refine.rounds);
+    refine->read("method", kRefineMethodChoices, recipe.refine.method);
     refine->read("placement", kPlacementChoices, recipe.refine.placement);
     refine->finish();
   }

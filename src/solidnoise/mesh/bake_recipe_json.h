@@ -35,6 +35,12 @@ inline constexpr Choices<RefineRecipe::Mode, 3> kRefineChoices{{
     {RefineRecipe::Mode::automatic, "auto"},
     {RefineRecipe::Mode::rounds, "rounds"},
 }};
+inline constexpr Choices<RefineOptions::Method, 4> kRefineMethodChoices{{
+    {RefineOptions::Method::own, "own"},
+    {RefineOptions::Method::longest_edge, "longest-edge"},
+    {RefineOptions::Method::sqrt3, "sqrt3"},
+    {RefineOptions::Method::loop, "loop"},
+}};
 inline constexpr Choices<RefineOptions::Placement, 2> kPlacementChoices{{
     {RefineOptions::Placement::on_edges, "edges"},
     {RefineOptions::Placement::smooth, "smooth"},
@@ -48,7 +54,8 @@ inline constexpr Choices<RefineOptions::Placement, 2> kPlacementChoices{{
 //    "frequency": [4, 32], "bandwidth": 1, "magnitude": 1, "bias": 0,
 //    "by": {"source": "mean-curvature", "percentiles": [5, 95], "gamma": 1}, "smooth": 2, "smooth_radius": 0,
 //    "direction": {"source": "axis", "axis": [0, 1, 0], "smooth": 10},
-//    "ramp": "rust", "contrast": 1, "refine": {"mode": "off", "rounds": 1}, "displace": 0, "up": "y"}
+//    "ramp": "rust", "contrast": 1, "refine": {"mode": "off", "rounds": 1, "method": "own", "placement":
+//    "edges"}, "displace": 0, "up": "y"}
 // A parameter is one number, or two for what it is at both ends of what it follows. "by" has "attribute", the
 // name of a number of the vertices, in place of "source" where it follows that. Every key but "solidnoise"
 // may be left out; without "frequency" it is

@@ -19,6 +19,7 @@
 
 #include "solidnoise/core/check.h"
 #include "solidnoise/geometry/scalar_type.h"
+#include "solidnoise/mesh/refine_by_openmesh.h"
 #include "solidnoise/mesh/surface_mesh.h"
 
 namespace solidnoise {
@@ -125,16 +126,11 @@ class Refiner {
 
   void add_vertices(const std::vector<std::array<std::uint32_t, 2>>& ends) {
     const std::size_t old = result_.positions.size();
-    if (ends.size() > options_.most_vertices || old > options_.most_vertices - ends.size()) {
-      throw std::invalid_argument(
-          fmt::format("refining takes more than {} vertices: the edges that are asked for are too short",
-                      options_.most_vertices));
-    }
+    require_vertices(old + ends.size(), options_);
     const std::size_t count = old + ends.size();
     result_.positions.resize(count);
     normals_.resize(count);
     targets_.resize(count);
-    for (VertexProperty& property : result_.properties) property.values.resize(count);
     tbb::parallel_for(std::size_t{0}, ends.size(), [&](std::size_t i) {
       const auto [a, b] = ends[i];
       result_.positions[old + i] = middle_of(a, b);
@@ -142,13 +138,8 @@ class Refiner {
       const double length = glm::length(normal);
       normals_[old + i] = length > 0.0 ? normal / length : normals_[a];
       targets_[old + i] = 0.5 * (targets_[a] + targets_[b]);
-      for (VertexProperty& property : result_.properties) {
-        const double mean = 0.5 * (property.values[a] + property.values[b]);
-        property.values[old + i] = is_float(property.type) ? mean : std::round(mean);
-      }
     });
-    make_unit(old);
-    edges_.insert(edges_.end(), ends.begin(), ends.end());
+    for (const auto& [a, b] : ends) parents_.emplace_back(a, b);
   }
 
   Vec<3> middle_of(std::uint32_t a, std::uint32_t b) const {
@@ -159,22 +150,6 @@ class Refiner {
     const Vec<3> bend =
         glm::dot(q - p, normals_[a]) * normals_[a] + glm::dot(p - q, normals_[b]) * normals_[b];
     return middle - 0.125 * bend;
-  }
-
-  // Brings the means of normals that a file has, from vertex `first` on, back to length 1.
-  void make_unit(std::size_t first) {
-    std::array<VertexProperty*, 3> parts{};
-    for (VertexProperty& property : result_.properties) {
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (property.name == kNormalNames[axis] && is_float(property.type)) parts[axis] = &property;
-      }
-    }
-    if (parts[0] == nullptr || parts[1] == nullptr || parts[2] == nullptr) return;
-    for (std::size_t v = first; v < result_.positions.size(); ++v) {
-      const double length = std::hypot(parts[0]->values[v], parts[1]->values[v], parts[2]->values[v]);
-      if (!(length > 0.0)) continue;
-      for (VertexProperty* const part : parts) part->values[v] /= length;
-    }
   }
 
   // Replaces each triangle by its parts, in its place.
@@ -229,45 +204,83 @@ class Refiner {
       if (is_cut_.empty() || is_cut_[f] == 0) result_.add_face(mesh_.face(f));
       for (; piece != pieces_.end() && piece->face == f; ++piece) result_.add_face(piece->corners);
     }
-    return {std::move(result_), std::move(edges_)};
+    RefinedMesh refined{std::move(result_), std::move(parents_)};
+    refined.carry_properties();
+    return refined;
   }
 
   const PolygonMesh& mesh_;
   const RefineOptions& options_;
-  std::vector<double> targets_;                      // of the result's vertices
-  std::vector<Vec<3>> normals_;                      // of the result's vertices, the surface's
-  PolygonMesh result_;                               // its faces are those of the mesh until assemble()
-  std::vector<std::array<std::uint32_t, 2>> edges_;  // of the new vertices
-  std::vector<char> is_cut_;                         // of the mesh's faces
-  std::vector<Piece> pieces_;                        // of those that are cut, in their order
+  std::vector<double> targets_;   // of the result's vertices
+  std::vector<Vec<3>> normals_;   // of the result's vertices, the surface's
+  PolygonMesh result_;            // its faces are those of the mesh until assemble()
+  std::vector<Parents> parents_;  // of the new vertices
+  std::vector<char> is_cut_;      // of the mesh's faces
+  std::vector<Piece> pieces_;     // of those that are cut, in their order
 };
 
 template <typename Number>
-std::vector<Number> carry_means(std::vector<Number> numbers,
-                                const std::vector<std::array<std::uint32_t, 2>>& edges) {
-  numbers.reserve(numbers.size() + edges.size());
-  for (const auto& [a, b] : edges) numbers.push_back(Number{0.5} * (numbers[a] + numbers[b]));
+std::vector<Number> carry_means(std::vector<Number> numbers, const std::vector<Parents>& parents) {
+  numbers.reserve(numbers.size() + parents.size());
+  for (const Parents& of_vertex : parents) numbers.push_back(of_vertex.mean(numbers));
   return numbers;
+}
+
+// The parts of the normals that a file has, if it has all three as floats.
+std::array<VertexProperty*, 3> find_normals(PolygonMesh& mesh) {
+  std::array<VertexProperty*, 3> parts{};
+  for (VertexProperty& property : mesh.properties) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (property.name == kNormalNames[axis] && is_float(property.type)) parts[axis] = &property;
+    }
+  }
+  if (parts[0] == nullptr || parts[1] == nullptr || parts[2] == nullptr) return {};
+  return parts;
 }
 
 }  // namespace
 
 std::vector<float> RefinedMesh::carry(std::vector<float> numbers) const {
-  return carry_means(std::move(numbers), edges);
+  return carry_means(std::move(numbers), parents);
 }
 
 std::vector<double> RefinedMesh::carry(std::vector<double> numbers) const {
-  return carry_means(std::move(numbers), edges);
+  return carry_means(std::move(numbers), parents);
+}
+
+void RefinedMesh::carry_properties() {
+  const std::array<VertexProperty*, 3> normals = find_normals(mesh);
+  for (const Parents& of_vertex : parents) {
+    for (VertexProperty& property : mesh.properties) {
+      const double mean = of_vertex.mean(property.values);
+      property.values.push_back(is_float(property.type) ? mean : std::round(mean));
+    }
+    if (normals[0] == nullptr) continue;
+    const double length =
+        std::hypot(normals[0]->values.back(), normals[1]->values.back(), normals[2]->values.back());
+    if (!(length > 0.0)) continue;
+    for (VertexProperty* const part : normals) part->values.back() /= length;
+  }
 }
 
 std::vector<Vec<3>> RefinedMesh::carry_lines(std::vector<Vec<3>> directions) const {
-  directions.reserve(directions.size() + edges.size());
-  for (const auto& [a, b] : edges) {
-    // The one of the two signs makes an angle of at most a right one, and the sum at least sqrt(2) long.
-    const double sign = glm::dot(directions[a], directions[b]) < 0.0 ? -1.0 : 1.0;
-    directions.push_back(glm::normalize(directions[a] + sign * directions[b]));
+  directions.reserve(directions.size() + parents.size());
+  for (const Parents& of_vertex : parents) {
+    // The one of the two signs makes an angle of at most a right one, and the sum no shorter.
+    Vec<3> sum = directions[of_vertex.vertices().front()];
+    for (const std::uint32_t vertex : of_vertex.vertices().subspan(1)) {
+      sum += (glm::dot(sum, directions[vertex]) < 0.0 ? -1.0 : 1.0) * directions[vertex];
+    }
+    directions.push_back(glm::normalize(sum));
   }
   return directions;
+}
+
+void require_vertices(std::size_t count, const RefineOptions& options) {
+  if (count <= options.most_vertices) return;
+  throw std::invalid_argument(
+      fmt::format("refining takes more than {} vertices: the edges that are asked for are too short",
+                  options.most_vertices));
 }
 
 RefinedMesh refine(const PolygonMesh& mesh, std::span<const double> target, const RefineOptions& options) {
@@ -283,11 +296,13 @@ RefinedMesh refine(const PolygonMesh& mesh, std::span<const double> target, cons
   }
   std::vector<double> targets(target.begin(), target.end());
   if (target.size() == 1) targets.assign(vertices, target[0]);
+  if (options.method != RefineOptions::Method::own) return refine_by_openmesh(mesh, targets, options);
   return Refiner(mesh, std::move(targets), options).split_long_edges();
 }
 
 RefinedMesh subdivide(const PolygonMesh& mesh, int rounds, const RefineOptions& options) {
   require_in_range("the rounds of refining", rounds, 0, 16);
+  if (options.method != RefineOptions::Method::own) return subdivide_by_openmesh(mesh, rounds, options);
   return Refiner(mesh, std::vector<double>(mesh.positions.size(), 1.0), options).halve_edges(rounds);
 }
 

@@ -16,25 +16,56 @@ struct RefineOptions {
     on_edges,  // in the middle of the edge: the shape stays as it is
     smooth,    // on a curve through the edge's ends, perpendicular to the surface's normals there
   };
+  // Ours takes any mesh. The others are OpenMesh's and take triangles that make a manifold, in which vertices
+  // at equal positions stay apart.
+  enum class Method {
+    own,           // all edges that are too long at once, in rounds
+    longest_edge,  // the longest edge first, one by one (Rivara 1984): the fewest vertices
+    sqrt3,         // Kobbelt 2000: a round takes three times the triangles; smooths, moving all vertices
+    loop,          // Loop 1987: a round takes four times the triangles; smooths, moving all vertices
+  };
 
-  Placement placement = Placement::on_edges;
-  std::size_t most_vertices = 50'000'000;  // more is refused, >= 1
+  Method method = Method::own;
+  Placement placement = Placement::on_edges;  // of the own method
+  std::size_t most_vertices = 50'000'000;     // more is refused, >= 1
+};
+
+// Those that a new vertex is between: the ends of the edge that it halves; by the square root of three, the
+// corners of a triangle, or an edge's ends with the nearer one twice.
+class Parents {
+ public:
+  Parents(std::uint32_t a, std::uint32_t b) : vertices_{a, b, a}, count_(2) {}
+  Parents(std::uint32_t a, std::uint32_t b, std::uint32_t c) : vertices_{a, b, c}, count_(3) {}
+
+  std::span<const std::uint32_t> vertices() const { return std::span(vertices_).first(count_); }
+  // The mean of what they have.
+  template <typename Number>
+  Number mean(const std::vector<Number>& numbers) const {
+    Number sum = numbers[vertices_[0]];
+    for (const std::uint32_t vertex : vertices().subspan(1)) sum += numbers[vertex];
+    return sum / static_cast<Number>(count_);
+  }
+
+ private:
+  std::array<std::uint32_t, 3> vertices_;
+  std::uint32_t count_;
 };
 
 // A mesh with more vertices, and where these come from.
 struct RefinedMesh {
   PolygonMesh mesh;
-  // For each new vertex, in order, the ends of the edge that it halves; these may be new vertices themselves,
-  // of smaller indices.
-  std::vector<std::array<std::uint32_t, 2>> edges;
+  // Of each new vertex, in order; they may be new vertices themselves, of smaller indices.
+  std::vector<Parents> parents;
 
-  // Numbers that the vertices had before, with the means of the ends' for the new ones. What is measured on
-  // the mesh as it was, such as curvature, is better carried over than measured again: edges stay where they
-  // were, and cutting them up makes them sharper.
+  // Numbers that the vertices had before, with the means of the parents' for the new ones. What is measured
+  // on the mesh as it was, such as curvature, is better carried over than measured again: edges stay where
+  // they were, and cutting them up makes them sharper.
   std::vector<float> carry(std::vector<float> numbers) const;
   std::vector<double> carry(std::vector<double> numbers) const;
-  // The same for lines, of either sign and length 1: a direction between those of the ends.
+  // The same for lines, of either sign and length 1: a direction between those of the parents.
   std::vector<Vec<3>> carry_lines(std::vector<Vec<3>> directions) const;
+  // The same for the mesh's properties: nx ny nz at length 1, integers rounded.
+  void carry_properties();
 };
 
 // Splits edges until none is longer than the target, world units. `target` has one length per vertex, and the
@@ -51,12 +82,19 @@ struct RefinedMesh {
 // triangles"), with the surface's normals n at its ends:
 //   (a + b) / 2 - (((b - a).n_a) n_a + ((a - b).n_b) n_b) / 8.
 //
+// OpenMesh's methods have one density for the whole mesh: `longest_edge` splits edges that are longer than
+// the smallest target, the others make as many rounds as the edge that is longest over its target needs if
+// each makes edges 2 or sqrt(3) times shorter. Vertices keep their indices, and properties are carried, as
+// above.
+//
 // Throws std::invalid_argument: a target that is not positive, naming the vertex; a number of targets that is
-// neither 1 nor that of the vertices; more vertices than allowed; what SurfaceMesh throws.
+// neither 1 nor that of the vertices; more vertices than allowed; what SurfaceMesh throws; a mesh that is no
+// manifold of triangles, naming the face, where OpenMesh's methods need one.
 RefinedMesh refine(const PolygonMesh& mesh, std::span<const double> target,
                    const RefineOptions& options = {});
 
-// Halves every edge, `rounds` times (0 to 16): each triangle becomes 4^rounds. The rest is as for refine().
+// Halves every edge, `rounds` times (0 to 16): each triangle becomes 4^rounds, by `sqrt3` 3^rounds; by
+// `longest_edge` edges are split that are longer than the longest over 2^rounds. The rest is as for refine().
 RefinedMesh subdivide(const PolygonMesh& mesh, int rounds, const RefineOptions& options = {});
 
 }  // namespace solidnoise
