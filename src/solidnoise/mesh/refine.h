@@ -20,7 +20,7 @@ struct RefineOptions {
   // at equal positions stay apart.
   enum class Method {
     own,           // all edges that are too long at once, in rounds
-    longest_edge,  // the longest edge first, one by one (Rivara 1984): the fewest vertices
+    longest_edge,  // the longest edge of all first, one by one: the fewest vertices
     sqrt3,         // Kobbelt 2000: a round takes three times the triangles; smooths, moving all vertices
     loop,          // Loop 1987: a round takes four times the triangles; smooths, moving all vertices
   };
