@@ -57,6 +57,20 @@ TEST(ReadOm, ReadsFacesAsLoopsOfHalfEdges) {
       "mesh.om: the file ends at half-edge 0 of 4000000000");
 }
 
+// OpenMesh would end the name at the zero, and look for another property.
+TEST(ReadOm, DropsNumbersWhoseNameIsNoWord) {
+  for (const std::string& name : {std::string("a\0b", 3), std::string("a b")}) {
+    std::string bytes = om_triangle();
+    OmChunk::Header named = om_chunk_of(OmChunk::Entity_Vertex, OmChunk::Type_Custom);
+    named.name_ = 1;
+    bytes.resize(bytes.size() - 2);  // what ends the file
+    bytes += om_chunk(named) + '\3' + name + "\5float" + bytes_of(std::uint32_t{12}) + std::string(12, '\1');
+    const MeshReading reading = read(bytes);
+    EXPECT_TRUE(reading.mesh.properties.empty());
+    EXPECT_EQ(reading.notes.size(), 1u);
+  }
+}
+
 TEST(ReadOm, RefusesWhatIsNotThereOrNotKnown) {
   EXPECT_EQ(refusal("OFF"), "mesh.om: is not an OM file: it does not begin with 'OM'");
   EXPECT_EQ(refusal(om_header('X', mk_version(1, 2), 3, 1, 0)), "mesh.om: the kind of faces is unknown");

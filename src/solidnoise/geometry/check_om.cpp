@@ -113,8 +113,11 @@ class OmCheck {
     reader_.take_bytes(size);
     const auto* const known = std::find_if(kCustomTypes.begin(), kCustomTypes.end(),
                                            [&](const auto& entry) { return entry.first == type_name; });
-    const bool has_blanks = name.empty() || name.find_first_of(" \t\r\n\v\f") != std::string::npos;
-    if (chunk.entity_ == Chunk::Entity_Vertex && known != kCustomTypes.end() && !has_blanks &&
+    // OpenMesh ends names at a zero.
+    const bool is_word = !name.empty() && std::none_of(name.begin(), name.end(), [](char c) {
+      return static_cast<unsigned char>(c) <= ' ';
+    });
+    if (chunk.entity_ == Chunk::Entity_Vertex && known != kCustomTypes.end() && is_word &&
         size == size_of(known->second) * vertices() && !is_kept(name)) {
       checked_.properties.emplace_back(name, known->second);
       copy_chunk();
