@@ -86,6 +86,9 @@ TEST(ReadOm, RefusesWhatIsNotThereOrNotKnown) {
   OmChunk::Header whole = kOmPositions;
   whole.float_ = 0;
   EXPECT_EQ(refusal(start + om_chunk(whole)), "mesh.om: a number has an unknown type");
+  OmChunk::Header large = kOmFaces;
+  large.bits_ = OmChunk::Integer_64;
+  EXPECT_EQ(refusal(start + positions() + om_chunk(large)), "mesh.om: a number has an unknown type");
   OmChunk::Header flat = kOmPositions;
   flat.dim_ = OmChunk::Dim_2D;
   EXPECT_EQ(refusal(start + om_chunk(flat)), "mesh.om: positions have 2 dimensions");

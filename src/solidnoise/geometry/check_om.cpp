@@ -231,7 +231,11 @@ class OmCheck {
     return chunk.bits_ == Chunk::Float_32 ? sizeof(float) : sizeof(double);
   }
 
-  static std::uint64_t integer_size(const Chunk::Header& chunk) { return std::uint64_t{1} << chunk.bits_; }
+  // The format has integers of 64 bits, and OpenMesh throws at them.
+  std::uint64_t integer_size(const Chunk::Header& chunk) const {
+    if (chunk.bits_ > Chunk::Integer_32) refuse("a number has an unknown type");
+    return std::uint64_t{1} << chunk.bits_;
+  }
 
   std::string read_string() {
     if (reader_.left() < 1) refuse("the file ends in a name");
