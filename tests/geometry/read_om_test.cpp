@@ -57,14 +57,15 @@ TEST(ReadOm, ReadsFacesAsLoopsOfHalfEdges) {
       "mesh.om: the file ends at half-edge 0 of 4000000000");
 }
 
-// OpenMesh would end the name at the zero, and look for another property.
-TEST(ReadOm, DropsNumbersWhoseNameIsNoWord) {
-  for (const std::string& name : {std::string("a\0b", 3), std::string("a b")}) {
+// OpenMesh would end the name at the zero, and look for another property; no mesh can have two of a name.
+TEST(ReadOm, DropsNumbersThatCannotBeNamedSo) {
+  for (const std::string& name : {std::string("a\0b", 3), std::string("a b"), std::string("z")}) {
     std::string bytes = om_triangle();
     OmChunk::Header named = om_chunk_of(OmChunk::Entity_Vertex, OmChunk::Type_Custom);
     named.name_ = 1;
     bytes.resize(bytes.size() - 2);  // what ends the file
-    bytes += om_chunk(named) + '\3' + name + "\5float" + bytes_of(std::uint32_t{12}) + std::string(12, '\1');
+    bytes += om_chunk(named) + static_cast<char>(name.size()) + name + "\5float" +
+             bytes_of(std::uint32_t{12}) + std::string(12, '\1');
     const MeshReading reading = read(bytes);
     EXPECT_TRUE(reading.mesh.properties.empty());
     EXPECT_EQ(reading.notes.size(), 1u);

@@ -113,17 +113,20 @@ class OmCheck {
     reader_.take_bytes(size);
     const auto* const known = std::find_if(kCustomTypes.begin(), kCustomTypes.end(),
                                            [&](const auto& entry) { return entry.first == type_name; });
-    // OpenMesh ends names at a zero.
-    const bool is_word = !name.empty() && std::none_of(name.begin(), name.end(), [](char c) {
-      return static_cast<unsigned char>(c) <= ' ';
-    });
-    if (chunk.entity_ == Chunk::Entity_Vertex && known != kCustomTypes.end() && is_word &&
+    if (chunk.entity_ == Chunk::Entity_Vertex && known != kCustomTypes.end() && can_be_named(name) &&
         size == size_of(known->second) * vertices() && !is_kept(name)) {
       checked_.properties.emplace_back(name, known->second);
       copy_chunk();
     } else {
       note(fmt::format("property '{}' is dropped", printable(name)));
     }
+  }
+
+  // Words that are no coordinate's name. OpenMesh ends names at a zero.
+  static bool can_be_named(const std::string& name) {
+    return !name.empty() && name != "x" && name != "y" && name != "z" &&
+           std::none_of(name.begin(), name.end(),
+                        [](char c) { return static_cast<unsigned char>(c) <= ' '; });
   }
 
   bool is_kept(const std::string& name) const {
