@@ -4,7 +4,7 @@
 
 #include "common/flag_set.h"
 #include "common/usage_error.h"
-#include "solidnoise/recipe/choices.h"
+#include "solidnoise/core/choices.h"
 
 namespace solidnoise {
 

@@ -19,7 +19,8 @@
 #include "common/usage_error.h"
 #include "solidnoise/core/check.h"
 #include "solidnoise/noise/cheapest_generator.h"
-#include "solidnoise/recipe/choices.h"
+#include "solidnoise/noise/gabor/gabor_fields.h"
+#include "solidnoise/noise/gradient/gradient_fields.h"
 #include "solidnoise/recipe/exemplar_model_json.h"
 #include "solidnoise/recipe/noise_recipe_json.h"
 

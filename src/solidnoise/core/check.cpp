@@ -2,38 +2,47 @@
 
 #include <cmath>
 #include <stdexcept>
-#include <string>
 
 #include <fmt/format.h>
 
 namespace solidnoise {
-namespace {
 
-[[noreturn]] void refuse(std::string_view field, double value, const std::string& allowed,
-                         std::string_view unit) {
-  const std::string suffix = unit.empty() ? std::string() : fmt::format(" ({})", unit);
-  throw std::invalid_argument(fmt::format("{} is {}; it must be {}{}", field, value, allowed, suffix));
+bool Interval::contains(double value) const {
+  return std::isfinite(value) && (without_least ? value > least : value >= least) && value <= most;
 }
 
-}  // namespace
+std::string Interval::text() const {
+  const bool is_bounded_above = std::isfinite(most);
+  if (!std::isfinite(least)) return is_bounded_above ? fmt::format("at most {}", most) : "a finite number";
+  if (without_least) {
+    return is_bounded_above ? fmt::format("greater than {} and at most {}", least, most)
+                            : fmt::format("greater than {}", least);
+  }
+  return is_bounded_above ? fmt::format("between {} and {}", least, most) : fmt::format("at least {}", least);
+}
+
+void require(std::string_view field, double value, const Interval& allowed, std::string_view unit) {
+  if (allowed.contains(value)) return;
+  const bool is_any = !std::isfinite(allowed.least) && !std::isfinite(allowed.most);
+  const std::string suffix = unit.empty() || is_any ? std::string() : fmt::format(" ({})", unit);
+  throw std::invalid_argument(fmt::format("{} is {}; it must be {}{}", field, value, allowed.text(), suffix));
+}
 
 void require_finite(std::string_view field, double value) {
-  if (!std::isfinite(value)) refuse(field, value, "a finite number", {});
+  require(field, value, kFinite);
 }
 
 void require_positive(std::string_view field, double value, std::string_view unit) {
-  if (!std::isfinite(value) || value <= 0.0) refuse(field, value, "greater than 0", unit);
+  require(field, value, kPositive, unit);
 }
 
 void require_at_least(std::string_view field, double value, double lowest, std::string_view unit) {
-  if (!std::isfinite(value) || value < lowest) refuse(field, value, fmt::format("at least {}", lowest), unit);
+  require(field, value, at_least(lowest), unit);
 }
 
 void require_in_range(std::string_view field, double value, double lowest, double highest,
                       std::string_view unit) {
-  if (!std::isfinite(value) || value < lowest || value > highest) {
-    refuse(field, value, fmt::format("between {} and {}", lowest, highest), unit);
-  }
+  require(field, value, between(lowest, highest), unit);
 }
 
 }  // namespace solidnoise

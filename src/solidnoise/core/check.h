@@ -1,12 +1,35 @@
 #pragma once
 
+#include <limits>
+#include <string>
 #include <string_view>
 
 namespace solidnoise {
 
+// The numbers that an option may have. Not-a-number and infinity are never among them.
+struct Interval {
+  double least = -std::numeric_limits<double>::infinity();
+  double most = std::numeric_limits<double>::infinity();
+  bool without_least = false;
+
+  bool contains(double value) const;
+  // "greater than 0", "at least 0", "between 0.05 and 4", "a finite number".
+  std::string text() const;
+};
+
+inline constexpr Interval kFinite{};
+inline constexpr Interval kPositive{.least = 0.0, .without_least = true};
+constexpr Interval at_least(double least) {
+  return {.least = least};
+}
+constexpr Interval between(double least, double most) {
+  return {.least = least, .most = most};
+}
+
 // Checks of options. Each throws std::invalid_argument with one line: the field, its value, what is allowed.
-// `field` is the option's name as the user knows it; `unit` is added in parentheses where it is not empty.
-// Not-a-number and infinity are always refused.
+// `field` is the option's name as the user knows it; `unit` is added in parentheses where it is not empty and
+// not every finite number is allowed.
+void require(std::string_view field, double value, const Interval& allowed, std::string_view unit = {});
 void require_finite(std::string_view field, double value);
 void require_positive(std::string_view field, double value, std::string_view unit = {});
 void require_at_least(std::string_view field, double value, double lowest, std::string_view unit = {});

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "solidnoise/core/choices.h"
 #include "solidnoise/mesh/bake_recipe.h"
-#include "solidnoise/recipe/choices.h"
 #include "solidnoise/recipe/json.h"
 
 namespace solidnoise {

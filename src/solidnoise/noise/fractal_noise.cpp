@@ -5,7 +5,7 @@
 #include <memory>
 #include <span>
 
-#include "solidnoise/core/check.h"
+#include "solidnoise/noise/noise_fields.h"
 
 namespace solidnoise {
 namespace {
@@ -64,9 +64,7 @@ class FractalBlock final : public FieldBlock<Dim> {
 }  // namespace
 
 void FractalOptions::validate() const {
-  require_in_range("octaves", octaves, 1, 16);
-  require_in_range("lacunarity", lacunarity, 1.0 + 1e-9, 64.0, "frequency ratio of octaves");
-  require_positive("gain", gain, "amplitude ratio of octaves");
+  require_fields(*this);
 }
 
 std::vector<double> FractalOptions::amplitudes() const {

@@ -105,6 +105,18 @@ ExemplarModel exemplar_model_from_json(JsonReader& reader) {
   return model;
 }
 
+Json JsonForm<ExemplarModel>::write(const ExemplarModel& model) {
+  return to_json(model);
+}
+
+void JsonForm<ExemplarModel>::read(JsonReader& reader, const std::string& key, ExemplarModel& model) {
+  if (auto object = reader.object(key)) model = exemplar_model_from_json(*object);
+}
+
+Json JsonForm<ExemplarModel>::schema() {
+  return {{"type", "object"}};
+}
+
 Json exemplar_file_to_json(const ExemplarModel& model) {
   Json json = recipe_header();
   json["exemplar"] = to_json(model);

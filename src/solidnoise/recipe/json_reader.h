@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
@@ -10,8 +11,8 @@
 #include <nlohmann/json.hpp>
 
 #include "solidnoise/core/box.h"
+#include "solidnoise/core/choices.h"
 #include "solidnoise/core/vec.h"
-#include "solidnoise/recipe/choices.h"
 #include "solidnoise/recipe/json.h"
 
 namespace solidnoise {
@@ -48,6 +49,11 @@ class JsonReader {
   void read(const std::string& key, Vec<Dim>& value) {
     double* const components = &value[0];
     read_numbers(key, components, Dim);
+  }
+
+  template <std::size_t Count>
+  void read(const std::string& key, std::array<double, Count>& numbers) {
+    read_numbers(key, numbers.data(), Count);
   }
 
   template <typename Enum, std::size_t Count>

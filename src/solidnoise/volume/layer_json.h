@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "solidnoise/core/choices.h"
 #include "solidnoise/field/layer.h"
-#include "solidnoise/recipe/choices.h"
 #include "solidnoise/recipe/json.h"
 #include "solidnoise/recipe/json_reader.h"
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "solidnoise/recipe/choices.h"
+#include "solidnoise/core/choices.h"
 #include "solidnoise/recipe/json.h"
 #include "solidnoise/volume/volume_recipe.h"
 

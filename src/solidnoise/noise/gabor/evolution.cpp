@@ -17,7 +17,6 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double kMostTurns = 1e6;  // per unit of time, and per loop
 constexpr int kLoopBits = 30;
 constexpr std::uint64_t kLoopParts = std::uint64_t{1} << kLoopBits;
 
@@ -41,9 +40,8 @@ std::uint64_t part_of_loop(double time, double loop) {
 }  // namespace
 
 void Evolution::validate() const {
-  require_in_range("evolve", rate, 0.0, kMostTurns, "turns per unit of time");
+  require_fields(*this);
   require_finite("time", time);
-  require_at_least("loop", loop, 0.0, "units of time; 0 for none");
   if (loop > 0.0 && rate == 0.0) {
     throw std::invalid_argument(fmt::format("loop is {}; it must be 0 where evolve is", loop));
   }

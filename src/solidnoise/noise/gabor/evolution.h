@@ -1,8 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
+
+#include "solidnoise/core/fields.h"
 
 namespace solidnoise {
+
+// The most turns per unit of time, and per loop.
+inline constexpr double kMostTurns = 1e6;
 
 // How the impulses of a Gabor noise turn as time passes, each at a rate of its own:
 //   isotropic kernels:  the weight is W_i sqrt(2) cos(2 pi (a_i + rate_i t)), a_i uniform on [0, 1),
@@ -26,6 +32,17 @@ struct Evolution {
 
   friend bool operator==(const Evolution&, const Evolution&) = default;
 };
+
+// The time is not part of a recipe: whoever makes frames says when a noise is looked at.
+constexpr auto fields_of(std::type_identity<Evolution>) {
+  return list_fields(field("evolve", &Evolution::rate, between(0.0, kMostTurns), "turns per unit of time",
+                           "Impulses turn at rates of this standard deviation; each frame has the noise's "
+                           "spectrum")
+                         .without_flag(),
+                     field("loop", &Evolution::loop, at_least(0.0), "units of time; 0 for none",
+                           "Time after which the noise repeats")
+                         .without_flag());
+}
 
 // Correlation of the noise with itself `lag` units of time later, at the same place; in space and time the
 // covariance is this times the noise's own. With s the rate,

@@ -16,6 +16,7 @@
 #include "solidnoise/core/random.h"
 #include "solidnoise/noise/convolution/impulse_statistics.h"
 #include "solidnoise/noise/convolution/kernel_cells.h"
+#include "solidnoise/noise/gabor/gabor_fields.h"
 #include "solidnoise/noise/gabor/spectrum_bands.h"
 #include "solidnoise/noise/gabor/wave_kernel.h"
 #include "solidnoise/noise/kernel/compact_kernel.h"
@@ -147,12 +148,7 @@ GaborSpectrum SpectrumNoiseOptions::spectrum() const {
 void SpectrumNoiseOptions::validate() const {
   model.validate();
   require_in_range("channel", channel, 0, static_cast<double>(model.channels.size() - 1), "of the model");
-  require_positive("frequency", frequency, "cycles per world unit");
-  require_in_range("error", error, 1e-4, 0.5, "relative RMS error");
-  require_in_range("impulses", impulses, 0.0, 100000.0, "mean impulses per kernel; 0 chooses");
-  for (int axis = 0; axis < 4; ++axis) {
-    require_at_least("period", period[axis], 0.0, "world units; 0 for none");
-  }
+  require_fields(*this);
   evolution.validate();
 }
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "solidnoise/recipe/choices.h"
+#include "solidnoise/core/choices.h"
 #include "solidnoise/recipe/json.h"
 #include "solidnoise/recipe/json_reader.h"
 #include "solidnoise/volume/modify/modification.h"
