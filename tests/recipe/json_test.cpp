@@ -1,5 +1,6 @@
 #include "solidnoise/recipe/json.h"
 
+#include <chrono>
 #include <stdexcept>
 #include <string>
 
@@ -44,6 +45,53 @@ TEST(Json, RefusesAKeyGivenTwice) {
 
 TEST(Json, RefusesTreesTooDeepForARecipe) {
   EXPECT_EQ(message_of(std::string(100000, '[')), "nested too deeply to be a recipe");
+}
+
+TEST(Json, RefusesMoreKeysInOneObjectThanARecipeHas) {
+  std::string text = "{\"k\": 0";
+  for (int i = 0; i < 100000; ++i) text += ", \"" + std::to_string(i) + "\": 0";
+  EXPECT_EQ(message_of(text + "}"), "too many keys in one object to be a recipe");
+}
+
+// A parser that looked at all that came before at the end of each object took minutes for this.
+TEST(Json, ReadsManyObjectsInTimeThatGrowsWithTheirNumber) {
+  const auto seconds = [](int count) {
+    std::string text = "{\"a\": [{}";
+    for (int i = 0; i < count; ++i) text += ", {\"b\": [" + std::to_string(i) + "]}";
+    const auto start = std::chrono::steady_clock::now();
+    parse_json(text + "]}");
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  // Quadratic time is 256 times as long for 16 times as many; 64 leaves room for a machine that is busy.
+  EXPECT_LT(seconds(80000), 64.0 * seconds(5000) + 0.5);
+}
+
+TEST(Json, AMessageAboutAPathGetsTheLineOfIt) {
+  const std::string text =
+      "{\n"
+      "  \"a\": {\"b\": [1,\n"
+      "    {\"c\": \"}] \\\" ,\",\n"
+      "     \"d\": -1}]},\n"
+      "  \"e\": 2\n"
+      "}\n";
+  EXPECT_EQ(with_line(text, "e is 2; no"), "line 5: e is 2; no");
+  EXPECT_EQ(with_line(text, "a.b is [1]; no"), "line 2: a.b is [1]; no");
+  EXPECT_EQ(with_line(text, "a.b[1] is {}; no"), "line 3: a.b[1] is {}; no");
+  EXPECT_EQ(with_line(text, "a.b[1].d is -1; no"), "line 4: a.b[1].d is -1; no");
+  EXPECT_EQ(with_line(text, "a.b[1].x is missing"), "line 3: a.b[1].x is missing");
+  EXPECT_EQ(with_line(text, "a.b[7].d is -1"), "line 2: a.b[7].d is -1");
+  EXPECT_EQ(with_line(text, "the whole is wrong"), "the whole is wrong");
+  EXPECT_EQ(with_line("{\"a\": [", "a[3].b is wrong"), "line 1: a[3].b is wrong");
+}
+
+TEST(Json, MessagesShowLittleOfALongValueAndNoControlCharacters) {
+  EXPECT_EQ(shown(std::string("a\nb\x1b")), "\"a\\nb\\u001b\"");
+  // 39 letters of two bytes and the quote are 79 bytes; the next letter would end at 81.
+  std::string umlauts;
+  for (int i = 0; i < 100; ++i) umlauts += "\u00fc";
+  EXPECT_EQ(shown(umlauts), "\"" + umlauts.substr(0, 78) + "...");
+  EXPECT_LT(message_of("{\"a\": " + std::string(5000, 'x') + "}").size(), 250u);
+  EXPECT_LT(message_of("{\"a\": \"" + std::string(5000, 'x')).size(), 250u);
 }
 
 }  // namespace

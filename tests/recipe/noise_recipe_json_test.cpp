@@ -97,5 +97,15 @@ TEST(NoiseRecipeJson, RefusesUnknownKeysAndSaysWhichThereAre) {
       "octaves, lacunarity, gain, renormalize");
 }
 
+TEST(NoiseRecipeJson, AsksWhetherAKnownKeyWasMeant) {
+  EXPECT_EQ(message_of(R"({"type": "gabor", "bandwith": 1})"),
+            "noise.bandwith is unknown; did you mean bandwidth?");
+  EXPECT_EQ(message_of(R"({"type": "gabor", "lop": 1})"), "noise.lop is unknown; did you mean loop?");
+  const std::string odd = message_of(R"({"type": "gabor", "a\n)" + std::string(500, 'x') + R"(": 1})");
+  EXPECT_EQ(odd.find('\n'), std::string::npos);
+  EXPECT_TRUE(odd.starts_with("noise.a\\nxxx"));
+  EXPECT_LT(odd.size(), 300u);
+}
+
 }  // namespace
 }  // namespace solidnoise

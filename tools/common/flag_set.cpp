@@ -10,6 +10,7 @@
 
 #include "common/parse_value.h"
 #include "common/usage_error.h"
+#include "solidnoise/core/nearest_word.h"
 
 namespace solidnoise {
 namespace {
@@ -31,22 +32,6 @@ class HelpFormatter : public CLI::Formatter {
     return usage + " [FLAG...]\n";
   }
 };
-
-// Number of letters to insert, delete or replace to get from one word to the other.
-std::size_t edit_distance(const std::string& from, const std::string& to) {
-  std::vector<std::size_t> row(to.size() + 1);
-  for (std::size_t j = 0; j <= to.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= from.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= to.size(); ++j) {
-      const std::size_t replaced = diagonal + (from[i - 1] == to[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
-    }
-  }
-  return row[to.size()];
-}
 
 std::vector<std::string> words_of(const std::string& text) {
   std::istringstream stream(text);
@@ -116,15 +101,10 @@ struct FlagSet::Parser {
       return UsageError(fmt::format("{} is not expected here: it follows no flag", argument));
     }
     const std::string name = argument.substr(0, argument.find('='));
-    constexpr std::size_t kMostTypingErrors = 2;
-    const Flag* nearest = nullptr;
-    std::size_t least = kMostTypingErrors + 1;
-    for (const Flag& flag : flags) {
-      const std::size_t distance = edit_distance(name, flag.name);
-      if (distance < least) nearest = &flag;
-      least = std::min(least, distance);
-    }
-    const std::string hint = nearest ? fmt::format("; did you mean {}?", nearest->name) : std::string();
+    std::vector<std::string_view> names;
+    for (const Flag& flag : flags) names.push_back(flag.name);
+    const std::string_view nearest = nearest_word(name, names);
+    const std::string hint = nearest.empty() ? std::string() : fmt::format("; did you mean {}?", nearest);
     return UsageError(fmt::format("{} is not a flag of {}{}", name, app.get_name(), hint));
   }
 

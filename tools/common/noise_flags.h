@@ -1,15 +1,19 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "common/flag_set.h"
 #include "solidnoise/noise/noise_recipe.h"
 
 namespace solidnoise {
 
-// Declares the flags of a noise, which act on `recipe` when they are applied. A flag that the noise has no
-// use for is refused then.
+// Declares the flags of a noise, those of the tables of all noises, which act on `recipe` when they are
+// applied. A flag that the noise has no use for is refused then.
 void declare_noise_flags(FlagSet& flags, NoiseRecipe& recipe);
+
+// These flags.
+std::vector<std::string> noise_flags();
 
 // Declares --generator. Declare it after all other flags of the noise and of its dimensions.
 void declare_generator_flag(FlagSet& flags, NoiseRecipe& recipe, const int& dims);

@@ -21,7 +21,7 @@ std::string read_recipe(const std::filesystem::path& path, std::string_view text
         "{}: made by version {} of the algorithms, this is version {}; the values will not be the same",
         path.string(), algorithm, kAlgorithmVersion);
   } catch (const std::invalid_argument& error) {
-    throw std::runtime_error(fmt::format("{}: {}", path.string(), error.what()));
+    throw std::runtime_error(fmt::format("{}: {}", path.string(), with_line(text, error.what())));
   }
 }
 

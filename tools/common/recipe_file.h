@@ -12,7 +12,7 @@ namespace solidnoise {
 // Parses the text of a recipe that was found in a file and gives it to `use`. Returns what is to be said
 // about it: that other values will come out of it than when it was written; empty if there is nothing. What
 // `use` throws as std::invalid_argument, and errors of the JSON, become a std::runtime_error that names the
-// path.
+// path and the line.
 std::string read_recipe(const std::filesystem::path& path, std::string_view text,
                         const std::function<void(const Json&)>& use);
 

@@ -12,11 +12,8 @@
 #include <nlohmann/json.hpp>
 
 #include "solidnoise/noise/error_budget.h"
-#include "solidnoise/noise/gabor/gabor_noise.h"
-#include "solidnoise/noise/gabor/oriented_gabor_noise.h"
-#include "solidnoise/noise/gabor/spectrum_noise.h"
-#include "solidnoise/noise/gradient/gradient_noise.h"
 #include "solidnoise/noise/interpolation/interpolation_plan.h"
+#include "solidnoise/noise/noise_entries.h"
 #include "solidnoise/recipe/noise_recipe_json.h"
 #include "solidnoise/volume/volume_field.h"
 #include "solidnoise/volume/volume_recipe_json.h"
@@ -24,63 +21,17 @@
 namespace solidnoise {
 namespace {
 
-// Lengths in world units, frequencies in cycles per world unit, the density in impulses per world unit^Dim,
-// the filter as the standard deviation of a Gaussian.
-template <typename Noise>
-void describe_impulses(const Noise& noise, Json& json) {
-  json["impulses_per_kernel"] = noise.impulses_per_kernel();
-  json["impulse_density"] = noise.impulse_density();
-  json["filter"] = noise.options().filter;
-}
-
-template <int Dim>
-void describe_kernel(const GaborNoiseOptions& options, Json& json) {
-  const GaborNoise<Dim> noise(options);
-  json["kernel"]["kind"] = "isotropic Gabor";
-  json["kernel"]["frequency"] = noise.kernel().frequency();
-  json["kernel"]["a"] = noise.kernel().a();
-  json["kernel"]["radius"] = noise.radius();
-  json["kernel"]["degree"] = noise.compact_kernel().degree();
-  json["kernel"]["relative_error"] = noise.compact_kernel().relative_error();
-  describe_impulses(noise, json);
-}
-
-template <int Dim>
-void describe_kernel(const OrientedGaborNoiseOptions& options, Json& json) {
-  const OrientedGaborNoise<Dim> noise(options);
-  json["kernel"]["kind"] = "oriented Gabor, random phase";
-  json["kernel"]["frequency"] = noise.frequency();
-  json["kernel"]["a"] = noise.kernel().a();
-  json["kernel"]["radius"] = noise.radius();
-  json["kernel"]["half_width"] = noise.envelope().radius();
-  json["kernel"]["degree"] = noise.envelope().degree();
-  json["kernel"]["relative_error"] = noise.options().error;
-  describe_impulses(noise, json);
-}
-
-template <int Dim>
-void describe_kernel(const GradientNoiseOptions& options, Json& json) {
-  const GradientNoise<Dim> noise(options);
-  constexpr double kRadiusInSpacings = 2.0;
-  const Vec<Dim>& spacing = noise.lattice_spacing();
-  json["kernel"]["kind"] = "radial gradient";
-  json["kernel"]["frequency"] = noise.options().frequency;
-  json["kernel"]["radius"] = kRadiusInSpacings * spacing[0];
-  for (int axis = 0; axis < Dim; ++axis) json["lattice_spacing"].push_back(spacing[axis]);
-}
-
-// A noise by example has 3 dimensions.
-template <int Dim>
-void describe_kernel(const SpectrumNoiseOptions& options, Json& json) {
-  const SpectrumNoise<3> noise(options);
-  json["kernel"]["kind"] = "oriented Gabor by example, random phase";
-  json["kernel"]["bands"] = noise.spectrum().bands.size();
-  std::size_t components = 0;
-  for (const SpectrumBand& band : noise.spectrum().bands) components += band.components.size();
-  json["kernel"]["components"] = components;
-  json["kernel"]["frequency"] = options.frequency;
-  json["kernel"]["relative_error"] = options.error;
-  json["impulses_per_kernel"] = noise.impulses_per_kernel();
+// The kernel of the first octave; the others have theirs, smaller by the lacunarity.
+void describe_kernel(const NoiseRecipe& recipe, int dims, Json& json) {
+  const auto of_kernel = [&](const char* key, const auto& value) { json["kernel"][key] = value; };
+  const auto of_noise = [&](const char* key, const auto& value) { json[key] = value; };
+  const auto describe = [&]<typename Options>(const Options& whole) {
+    using Entry = NoiseEntry<Options>;
+    const Options options = with_truncation_share(whole);
+    dims == 3 ? Entry::template describe<3>(options, of_kernel, of_noise)
+              : Entry::template describe<4>(options, of_kernel, of_noise);
+  };
+  std::visit(describe, recipe.noise);
 }
 
 // Rates in turns per unit of time, the half-life of the correlation in units of time.
@@ -168,17 +119,12 @@ Json describe_varying(const VolumeRecipe& recipe, const VolumePlan& plan, double
   return json;
 }
 
-// The kernel is that of the first octave; the others have theirs, smaller by the lacunarity.
 Json describe_noise(const VolumeRecipe& recipe, const VolumePlan& plan, double largest_voxel) {
   if (recipe.parameters.vary_kernel()) return describe_varying(recipe, plan, largest_voxel);
   Json json = Json::object();
   json["type"] = noise_type(recipe.noise);
   json["dims"] = recipe.dims;
-  const auto by_type = [&](const auto& whole) {
-    const auto options = with_truncation_share(whole);
-    recipe.dims == 3 ? describe_kernel<3>(options, json) : describe_kernel<4>(options, json);
-  };
-  std::visit(by_type, recipe.noise.noise);
+  describe_kernel(recipe.noise, recipe.dims, json);
   json["octaves"] = recipe.noise.fractal.octaves;
 
   if (evolves(recipe.noise)) describe_evolution(recipe.noise, json["evolution"]);

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "common/noise_flags.h"
 #include "common/usage_error.h"
 #include "solidnoise/core/check.h"
 #include "solidnoise/volume/layer_json.h"
@@ -60,10 +61,10 @@ void declare_layer_flags(FlagSet& flags, VolumeRecipe& recipe) {
 void check_layer_flags(const FlagSet& flags, const VolumeRecipe& recipe) {
   if (recipe.layers.empty()) return;
   if (!use_own_noise(recipe.layers)) {
-    for (const char* flag :
-         {"--noise", "--frequency", "--size", "--bandwidth", "--impulses", "--error", "--octaves",
-          "--lacunarity", "--gain", "--no-renormalize", "--period", "--weights", "--anisotropy",
-          "--direction", "--kernel", "--support", "--hash", "--evolve", "--loop"}) {
+    std::vector<std::string> without_effect = noise_flags();
+    without_effect.insert(without_effect.end(), {"--evolve", "--loop"});
+    for (const std::string& flag : without_effect) {
+      if (flag == "--seed") continue;  // it is mixed with those of the layers
       if (!flags.given(flag)) continue;
       throw UsageError(
           fmt::format("{} has no effect where each layer of the recipe has its own noise", flag));

@@ -130,7 +130,7 @@ concept HasFields = requires {
 // Calls visit(field, owner) for each field in order; `owner` is the object or the part of it that the field
 // is of, so that field.get(owner) is the value.
 template <typename Struct, typename Visit>
-void for_each_field(Struct& object, const Visit& visit) {
+void for_each_field(Struct&& object, const Visit& visit) {
   const auto visit_item = [&]<typename Item>(const Item& item) {
     if constexpr (requires { item.name; }) {
       visit(item, object);
@@ -139,7 +139,7 @@ void for_each_field(Struct& object, const Visit& visit) {
     }
   };
   std::apply([&](const auto&... items) { (visit_item(items), ...); },
-             fields_of(std::type_identity<std::remove_const_t<Struct>>()));
+             fields_of(std::type_identity<std::remove_cvref_t<Struct>>()));
 }
 
 // Calls visit(number) for each number that a value is made of. A struct of some has an overload beside it.

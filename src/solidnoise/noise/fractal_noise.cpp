@@ -5,8 +5,6 @@
 #include <memory>
 #include <span>
 
-#include "solidnoise/noise/noise_fields.h"
-
 namespace solidnoise {
 namespace {
 

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <memory>
+#include <type_traits>
 #include <vector>
 
+#include "solidnoise/core/fields.h"
 #include "solidnoise/noise/noise.h"
 
 namespace solidnoise {
@@ -24,6 +26,17 @@ struct FractalOptions {
 
   friend bool operator==(const FractalOptions&, const FractalOptions&) = default;
 };
+
+constexpr auto fields_of(std::type_identity<FractalOptions>) {
+  using Options = FractalOptions;
+  return list_fields(
+      field("octaves", &Options::octaves, between(1, 16), "", "Octaves that are summed"),
+      field("lacunarity", &Options::lacunarity, between(1.0 + 1e-9, 64.0), "frequency ratio of octaves",
+            "Frequency of an octave over that of the one before it"),
+      field("gain", &Options::gain, kPositive, "amplitude ratio of octaves",
+            "Amplitude of an octave over that of the one before it"),
+      field("renormalize", &Options::renormalize, "Keep the variance at 1, whatever the octaves"));
+}
 
 // A weighted sum of independent noises; 0 if there are none. Variances, spectra and fourth cumulants add.
 template <int Dim>

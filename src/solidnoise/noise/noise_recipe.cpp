@@ -2,44 +2,37 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "solidnoise/core/random.h"
 #include "solidnoise/noise/convolution/kernel_cells.h"
 #include "solidnoise/noise/error_budget.h"
-#include "solidnoise/noise/gabor/gabor_noise.h"
-#include "solidnoise/noise/gabor/oriented_gabor_noise.h"
-#include "solidnoise/noise/gabor/spectrum_noise.h"
-#include "solidnoise/noise/gradient/gradient_noise.h"
+#include "solidnoise/noise/noise_entries.h"
 
 namespace solidnoise {
 namespace {
 
-template <int Dim>
-std::unique_ptr<Noise<Dim>> make_single(const GaborNoiseOptions& options) {
-  return std::make_unique<GaborNoise<Dim>>(options);
-}
-
-template <int Dim>
-std::unique_ptr<Noise<Dim>> make_single(const OrientedGaborNoiseOptions& options) {
-  return std::make_unique<OrientedGaborNoise<Dim>>(options);
-}
-
-template <int Dim>
-std::unique_ptr<Noise<Dim>> make_single(const GradientNoiseOptions& options) {
-  return std::make_unique<GradientNoise<Dim>>(options);
-}
-
-template <int Dim>
-std::unique_ptr<Noise<Dim>> make_single(const SpectrumNoiseOptions& options) {
-  if constexpr (Dim == 2 || Dim == 3) {
-    return std::make_unique<SpectrumNoise<Dim>>(options);
+template <int Dim, typename Options>
+std::unique_ptr<Noise<Dim>> make_single(const Options& options) {
+  using Entry = NoiseEntry<Options>;
+  if constexpr (Entry::kLeastDimensions <= Dim && Dim <= Entry::kMostDimensions) {
+    return std::make_unique<typename Entry::template Noise<Dim>>(options);
   } else {
-    throw std::invalid_argument(fmt::format("a noise by example has 2 or 3 dimensions, not {}", Dim));
+    throw std::invalid_argument(fmt::format("{} has {} to {} dimensions, not {}", Entry::kTitle,
+                                            Entry::kLeastDimensions, Entry::kMostDimensions, Dim));
   }
+}
+
+// Those for which a test of their options' type is true: "gabor and gabor-oriented".
+template <typename Test>
+std::string list_noises(const char* separator, const Test& test) {
+  return fmt::format("{}", fmt::join(noise_names(test), separator));
 }
 
 }  // namespace
@@ -91,8 +84,8 @@ NoiseRecipe octave_of(const NoiseRecipe& recipe, int k) {
 }
 
 const Evolution* evolution_of(const NoiseRecipe& recipe) {
-  const auto find = [](const auto& options) -> const Evolution* {
-    if constexpr (requires { options.evolution; }) {
+  const auto find = []<typename Options>(const Options& options) -> const Evolution* {
+    if constexpr (CanEvolve<Options>) {
       return &options.evolution;
     } else {
       return nullptr;
@@ -117,24 +110,19 @@ NoiseRecipe at_time(const NoiseRecipe& recipe, double time) {
 }
 
 bool can_filter(const NoiseRecipe& recipe) {
-  return std::visit(
-      [](const auto& options) {
-        return requires {
-          options.filter;
-        };
-      },
-      recipe.noise);
+  return std::visit([]<typename Options>(const Options&) { return CanFilter<Options>; }, recipe.noise);
 }
 
 NoiseRecipe filtered(const NoiseRecipe& recipe, double deviation) {
   NoiseRecipe result = recipe;
   std::visit(
-      [deviation](auto& options) {
-        if constexpr (requires { options.filter; }) {
+      [deviation]<typename Options>(Options& options) {
+        if constexpr (CanFilter<Options>) {
           options.filter = std::hypot(options.filter, deviation);
         } else {
-          throw std::invalid_argument(
-              fmt::format("filter is {}; it must be 0 for noises but gabor and gabor-oriented", deviation));
+          constexpr auto can = []<typename Other>(std::type_identity<Other>) { return CanFilter<Other>; };
+          throw std::invalid_argument(fmt::format("filter is {}; it must be 0 for noises but {}", deviation,
+                                                  list_noises(" and ", can)));
         }
       },
       result.noise);
@@ -170,8 +158,12 @@ std::unique_ptr<Noise<Dim>> make_noise(const NoiseRecipe& recipe) {
 }
 
 void require_phase(const NoiseRecipe& recipe) {
-  if (!std::holds_alternative<OrientedGaborNoiseOptions>(recipe.noise)) {
-    throw std::invalid_argument("the noise has neither phase nor intensity; it must be gabor-oriented");
+  constexpr auto has = []<typename Options>(std::type_identity<Options>) { return HasPhase<Options>; };
+  const bool is_there = std::visit(
+      [&]<typename Options>(const Options&) { return has(std::type_identity<Options>()); }, recipe.noise);
+  if (!is_there) {
+    throw std::invalid_argument("the noise has neither phase nor intensity; it must be " +
+                                list_noises(" or ", has));
   }
   if (recipe.fractal.octaves != 1) {
     throw std::invalid_argument(fmt::format(
@@ -184,8 +176,16 @@ template <int Dim>
 std::unique_ptr<Noise<Dim>> make_quadrature(const NoiseRecipe& recipe) {
   recipe.validate();
   require_phase(recipe);
-  const auto& options = std::get<OrientedGaborNoiseOptions>(recipe.noise);
-  return std::make_unique<OrientedGaborNoise<Dim>>(with_truncation_share(options), -0.25);
+  constexpr double kQuarterWave = -0.25;
+  return std::visit(
+      [&]<typename Options>(const Options& options) -> std::unique_ptr<Noise<Dim>> {
+        if constexpr (HasPhase<Options>) {
+          using Made = typename NoiseEntry<Options>::template Noise<Dim>;
+          return std::make_unique<Made>(with_truncation_share(options), kQuarterWave);
+        }
+        return nullptr;  // refused above
+      },
+      recipe.noise);
 }
 
 template std::unique_ptr<Noise<1>> make_noise<1>(const NoiseRecipe&);

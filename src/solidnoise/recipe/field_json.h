@@ -1,11 +1,13 @@
 #pragma once
 
 #include <concepts>
+#include <cstddef>
 #include <optional>
-#include <stdexcept>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -175,6 +177,47 @@ Json schema_of() {
     describe_schema(schema, field.help, field.unit);
   });
   return object_schema(std::move(properties));
+}
+
+// One of several structs with tables: the key "type" has its name, which stands at the alternative's place in
+// `names`.
+template <typename... Structs>
+void write_alternative(const std::variant<Structs...>& variant, const std::vector<std::string_view>& names,
+                       Json& json) {
+  json["type"] = names[variant.index()];
+  std::visit([&](const auto& object) { write_fields(object, json); }, variant);
+}
+
+template <typename... Structs>
+void make_alternative(std::variant<Structs...>& variant, std::size_t index) {
+  std::size_t place = 0;
+  ((place++ == index ? static_cast<void>(variant = Structs{}) : void()), ...);
+}
+
+template <typename... Structs>
+void read_alternative(JsonReader& reader, const std::vector<std::string_view>& names,
+                      std::variant<Structs...>& variant) {
+  make_alternative(variant, reader.read_choice("type", names));
+  std::visit([&](auto& object) { read_fields(reader, object); }, variant);
+}
+
+// `others`: the schemas of further keys that each may have.
+template <typename... Structs>
+Json alternatives_schema(std::type_identity<std::variant<Structs...>>,
+                         const std::vector<std::string_view>& names, const Json& others = Json::object()) {
+  Json alternatives = Json::array();
+  std::size_t place = 0;
+  const auto add = [&](Json schema) {
+    Json properties = Json::object();
+    properties["type"] = words_schema({names[place++]});
+    properties.update(schema["properties"]);
+    properties.update(others);
+    schema["properties"] = std::move(properties);
+    schema["required"] = {"type"};
+    alternatives.push_back(std::move(schema));
+  };
+  (add(schema_of<Structs>()), ...);
+  return {{"oneOf", std::move(alternatives)}};
 }
 
 }  // namespace solidnoise

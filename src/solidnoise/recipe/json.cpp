@@ -1,8 +1,12 @@
 #include "solidnoise/recipe/json.h"
 
 #include <algorithm>
-#include <set>
+#include <charconv>
+#include <cstddef>
+#include <optional>
 #include <stdexcept>
+#include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -11,8 +15,161 @@
 namespace solidnoise {
 namespace {
 
-// Objects nested deeper than any recipe are refused before they cost memory.
-constexpr int kMaxDepth = 32;
+// Objects that are nested deeper, or have more keys, than any recipe are refused before they cost memory or
+// time: keys that keep their order are looked up one by one.
+constexpr std::size_t kMaxDepth = 32;
+constexpr std::size_t kMaxKeys = 1024;
+
+constexpr std::size_t kMostShown = 80;  // characters
+
+// Not in the middle of a character of several bytes.
+std::string cut(std::string text) {
+  if (text.size() <= kMostShown) return text;
+  std::size_t end = kMostShown;
+  while ((static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u) --end;
+  return text.substr(0, end) + "...";
+}
+
+// Goes through a text without keeping what is in it, but the keys of open objects.
+class KeyCheck final : public nlohmann::json_sax<Json> {
+ public:
+  bool null() override { return true; }
+  bool boolean(bool) override { return true; }
+  bool number_integer(number_integer_t) override { return true; }
+  bool number_unsigned(number_unsigned_t) override { return true; }
+  bool number_float(number_float_t, const string_t&) override { return true; }
+  bool string(string_t&) override { return true; }
+  bool binary(binary_t&) override { return true; }
+  bool start_object(std::size_t) override { return open(); }
+  bool end_object() override { return close(); }
+  bool start_array(std::size_t) override { return open(); }
+  bool end_array() override { return close(); }
+  // What is wrong with the text is said by the parser.
+  bool parse_error(std::size_t, const std::string&, const Json::exception&) override { return false; }
+
+  bool key(string_t& name) override {
+    std::unordered_set<std::string>& keys = keys_of_open_.back();
+    if (!keys.insert(name).second) {
+      throw std::invalid_argument(fmt::format("the key {} is given twice", shown(name)));
+    }
+    if (keys.size() > kMaxKeys) throw std::invalid_argument("too many keys in one object to be a recipe");
+    return true;
+  }
+
+ private:
+  bool open() {
+    keys_of_open_.emplace_back();
+    if (keys_of_open_.size() > kMaxDepth) {
+      throw std::invalid_argument("nested too deeply to be a recipe");
+    }
+    return true;
+  }
+  bool close() {
+    keys_of_open_.pop_back();
+    return true;
+  }
+
+  std::vector<std::unordered_set<std::string>> keys_of_open_;
+};
+
+// Walks through a text that is known to be JSON.
+class Walker {
+ public:
+  explicit Walker(std::string_view text) : text_(text) {}
+
+  std::size_t place() const { return at_; }
+
+  // Goes to the value under a key, or of an index, of what it stands at. False, and anywhere, if there is
+  // none.
+  bool enter(std::string_view key, std::size_t& place_of_key) {
+    if (!open('{')) return false;
+    while (next('}')) {
+      place_of_key = at_;
+      const bool found = quoted() == key;
+      skip_space();
+      ++at_;  // the colon
+      skip_space();
+      if (found) return true;
+      skip_value();
+    }
+    return false;
+  }
+  bool enter(std::size_t index) {
+    if (!open('[')) return false;
+    for (; next(']'); --index) {
+      if (index == 0) return true;
+      const std::size_t before = at_;
+      skip_value();
+      if (at_ == before) return false;
+    }
+    return false;
+  }
+
+ private:
+  char here() const { return at_ < text_.size() ? text_[at_] : '\0'; }
+  void skip_space() { at_ = std::min(text_.find_first_not_of(" \t\r\n", at_), text_.size()); }
+
+  bool open(char bracket) {
+    skip_space();
+    if (here() != bracket) return false;
+    ++at_;
+    return true;
+  }
+  // Whether there is another item before the closing bracket; goes to it.
+  bool next(char bracket) {
+    skip_space();
+    if (here() == ',') ++at_;
+    skip_space();
+    return at_ < text_.size() && here() != bracket;
+  }
+  std::string_view quoted() {
+    const std::size_t begin = ++at_;
+    while (at_ < text_.size() && text_[at_] != '"') at_ += text_[at_] == '\\' ? 2 : 1;
+    return text_.substr(begin, at_++ - begin);
+  }
+  void skip_value() {
+    int depth = 0;
+    do {
+      const char c = here();
+      if (c == '"') {
+        quoted();
+        continue;
+      }
+      if (depth == 0 && (c == ',' || c == ']' || c == '}')) return;
+      if (c == '[' || c == '{') ++depth;
+      if (c == ']' || c == '}') --depth;
+      ++at_;
+    } while (at_ < text_.size());
+  }
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+};
+
+// Where the innermost thing of a path that exists begins; nothing if there is none.
+std::optional<std::size_t> find_path(std::string_view text, std::string_view path) {
+  Walker walker(text);
+  std::optional<std::size_t> place;
+  while (!path.empty()) {
+    if (path[0] == '[') {
+      const std::size_t end = path.find(']');
+      if (end == std::string_view::npos) break;
+      std::size_t index = 0;
+      std::from_chars(path.data() + 1, path.data() + end, index);
+      if (!walker.enter(index)) break;
+      place = walker.place();
+      path.remove_prefix(end + 1);
+    } else {
+      if (path[0] == '.') path.remove_prefix(1);
+      const std::size_t end = std::min(path.find_first_of(".["), path.size());
+      std::size_t key = 0;
+      if (!walker.enter(path.substr(0, end), key)) break;
+      place = key;
+      path.remove_prefix(end);
+    }
+  }
+  return place;
+}
 
 void append(std::string& text, const Json& json, int indent) {
   const bool is_flat =
@@ -37,30 +194,41 @@ void append(std::string& text, const Json& json, int indent) {
   }
 }
 
-// The library's message without its own prefix, "[json.exception.parse_error.101] parse error ".
-std::string plain_message(const std::string& message) {
+// The library's message without its own prefix, "[json.exception.parse_error.101] parse error ", and without
+// all but the end of a long text that it could not read.
+std::string plain_message(std::string message) {
   const std::size_t end_of_prefix = message.find("] ");
-  return end_of_prefix == std::string::npos ? message : message.substr(end_of_prefix + 2);
+  if (end_of_prefix != std::string::npos) message.erase(0, end_of_prefix + 2);
+  constexpr std::string_view kRead = "last read: '";
+  const std::size_t read = message.find(kRead);
+  if (read == std::string::npos) return message;
+  const std::size_t begin = read + kRead.size();
+  const std::size_t end = std::max(begin, message.rfind('\''));
+  return message.substr(0, begin) + cut(message.substr(begin, end - begin)) + message.substr(end);
 }
 
 }  // namespace
 
 Json parse_json(std::string_view text) {
-  std::vector<std::set<std::string>> keys_of_open_objects;
-  const auto refuse_repeated_keys = [&](int depth, Json::parse_event_t event, Json& parsed) {
-    if (depth > kMaxDepth) throw std::invalid_argument("nested too deeply to be a recipe");
-    if (event == Json::parse_event_t::object_start) keys_of_open_objects.emplace_back();
-    if (event == Json::parse_event_t::object_end) keys_of_open_objects.pop_back();
-    if (event == Json::parse_event_t::key && !keys_of_open_objects.back().insert(parsed).second) {
-      throw std::invalid_argument(fmt::format("the key {} is given twice", parsed.dump()));
-    }
-    return true;
-  };
+  KeyCheck check;
+  Json::sax_parse(text, &check);
   try {
-    return Json::parse(text, refuse_repeated_keys);
+    return Json::parse(text);
   } catch (const Json::exception& error) {
     throw std::invalid_argument(plain_message(error.what()));
   }
+}
+
+std::string with_line(std::string_view text, const std::string& message) {
+  const std::string_view path = std::string_view(message).substr(0, message.find(' '));
+  const std::optional<std::size_t> place = find_path(text, path);
+  if (!place) return message;
+  const auto line = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(*place), '\n') + 1;
+  return fmt::format("line {}: {}", line, message);
+}
+
+std::string shown(const Json& json) {
+  return cut(json.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 std::string format_json(const Json& json) {

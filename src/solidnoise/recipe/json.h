@@ -13,8 +13,18 @@ using Json = nlohmann::ordered_json;
 // Version of the recipes' form, under the key "solidnoise" of each of them. A reader refuses any other.
 inline constexpr int kRecipeVersion = 1;
 
-// Parses a text. Throws std::invalid_argument with line and column; a key given twice is refused too.
+// Parses a text. Throws std::invalid_argument with line and column; a key given twice is refused too, and
+// more keys in one object than any recipe has.
 Json parse_json(std::string_view text);
+
+// A message about a part of the text that begins with its path, as those of readers do
+// ("layers[1].warp.amount is -1; ..."), with the line: "line 12: layers[1].warp.amount is -1; ...". The line
+// is that of the innermost thing around it where the path does not exist; the message stays as it is where
+// not even that does.
+std::string with_line(std::string_view text, const std::string& message);
+
+// What messages show of a value or a key: in JSON's form, control characters escaped, 80 characters at most.
+std::string shown(const Json& json);
 
 // The text of a recipe: indented, arrays of numbers in one line. Doubles are written with the fewest digits
 // that read back as the same double.

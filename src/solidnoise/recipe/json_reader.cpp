@@ -8,17 +8,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "solidnoise/core/nearest_word.h"
+
 namespace solidnoise {
-namespace {
-
-// What a message shows of a value: long ones are cut.
-std::string shown(const Json& json) {
-  constexpr std::size_t kMostCharacters = 60;
-  const std::string text = json.dump();
-  return text.size() <= kMostCharacters ? text : text.substr(0, kMostCharacters) + "...";
-}
-
-}  // namespace
 
 JsonReader::JsonReader(const Json& object, std::string path) : object_(object), path_(std::move(path)) {
   if (object.is_object()) return;
@@ -158,8 +150,13 @@ std::vector<JsonReader> JsonReader::objects(const std::string& key) {
 void JsonReader::finish() const {
   for (const auto& item : object_.items()) {
     if (std::find(known_keys_.begin(), known_keys_.end(), item.key()) != known_keys_.end()) continue;
-    throw std::invalid_argument(fmt::format("{} is unknown; the keys here are {}", path_of(item.key()),
-                                            fmt::join(known_keys_, ", ")));
+    const std::string quoted = shown(item.key());
+    const std::string path = path_of(quoted.substr(1, quoted.size() - 1 - (quoted.ends_with('"') ? 1 : 0)));
+    const std::vector<std::string_view> known(known_keys_.begin(), known_keys_.end());
+    const std::string_view nearest = nearest_word(item.key(), known);
+    throw std::invalid_argument(
+        nearest.empty() ? fmt::format("{} is unknown; the keys here are {}", path, fmt::join(known, ", "))
+                        : fmt::format("{} is unknown; did you mean {}?", path, nearest));
   }
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "solidnoise/noise/noise_recipe.h"
+#include "solidnoise/recipe/field_json.h"
 #include "solidnoise/recipe/json.h"
 #include "solidnoise/recipe/json_reader.h"
 
@@ -11,15 +13,23 @@ namespace solidnoise {
 // The JSON form of a noise, a flat object:
 //   {"type": "gabor", "frequency": 8, "bandwidth": 1, ..., "seed": 7, "octaves": 3, "lacunarity": 2, "gain":
 //   0.5}
-// "type" is gabor, gabor-oriented, kensler or spectrum (a noise by example, whose model is the object
-// "exemplar", see exemplar_model_json.h); the other keys are the fields of its options struct and of
-// FractalOptions, and each may be left out; "evolve" and "loop" are the rate and the loop of its Evolution.
-// The time of that is not part of the form: it is for whoever makes frames to say when a noise is looked at.
-// Reading back what was written gives an equal recipe, to the last bit.
+// "type" is the name of its entry (noise_entries.h): gabor, gabor-oriented, kensler or spectrum, a noise by
+// example, whose model is the object "exemplar", see exemplar_model_json.h. The other keys are those of the
+// tables of its options and of FractalOptions, and each may be left out. The time of an evolution is not part
+// of the form: it is for whoever makes frames to say when a noise is looked at. Reading back what was written
+// gives an equal recipe, to the last bit.
 Json to_json(const NoiseRecipe& recipe);
 
 // Throws std::invalid_argument: wrong type, unknown key, value out of range, each with its path in the tree.
 NoiseRecipe noise_recipe_from_json(JsonReader& reader);
+
+// As a field of other structs.
+template <>
+struct JsonForm<NoiseRecipe> {
+  static Json write(const NoiseRecipe& recipe) { return to_json(recipe); }
+  static void read(JsonReader& reader, const std::string& key, NoiseRecipe& recipe);
+  static Json schema();
+};
 
 // The "type" of a noise, and a noise of default options for a type. The latter throws std::invalid_argument.
 std::string_view noise_type(const NoiseRecipe& recipe);

@@ -2,9 +2,10 @@
 
 #include <stdexcept>
 
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 
-#include "solidnoise/noise/gabor/gabor_fields.h"
+#include "solidnoise/noise/gabor/gabor_entries.h"
 
 namespace solidnoise {
 
@@ -18,6 +19,16 @@ void OrientedGaborNoiseOptions::validate() const {
   evolution.validate();
   if (glm::dot(direction, direction) == 0.0)
     throw std::invalid_argument("direction is 0; it must have a length");
+}
+
+std::string NoiseEntry<GaborNoiseOptions>::why_fixed(const GaborNoiseOptions& options) {
+  return options.weights == ImpulseWeights::uniform ? "uniform weights" : "";
+}
+
+std::string NoiseEntry<OrientedGaborNoiseOptions>::why_fixed(const OrientedGaborNoiseOptions& options) {
+  if (options.anisotropy == 0.0 || options.anisotropy == 1.0) return "";
+  return fmt::format("an anisotropy of {}; it must be 0, all directions alike, or 1, one direction",
+                     options.anisotropy);
 }
 
 }  // namespace solidnoise

@@ -16,7 +16,7 @@
 #include "solidnoise/core/random.h"
 #include "solidnoise/noise/convolution/impulse_statistics.h"
 #include "solidnoise/noise/convolution/kernel_cells.h"
-#include "solidnoise/noise/gabor/gabor_fields.h"
+#include "solidnoise/noise/gabor/gabor_entries.h"
 #include "solidnoise/noise/gabor/spectrum_bands.h"
 #include "solidnoise/noise/gabor/wave_kernel.h"
 #include "solidnoise/noise/kernel/compact_kernel.h"

@@ -1,6 +1,6 @@
 #include "solidnoise/noise/gradient/gradient_noise_options.h"
 
-#include "solidnoise/noise/gradient/gradient_fields.h"
+#include "solidnoise/noise/gradient/gradient_entry.h"
 
 namespace solidnoise {
 

@@ -3,11 +3,14 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <variant>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "solidnoise/core/check.h"
+#include "solidnoise/noise/noise_entries.h"
 #include "solidnoise/volume/parameters/parameter_range.h"
 
 namespace solidnoise {
@@ -29,36 +32,22 @@ void validate_map(const std::string& field, const std::optional<ParameterGrid>& 
   }
 }
 
-double filter_of(const NoiseRecipe& recipe) {
-  const auto find = [](const auto& options) {
-    if constexpr (requires { options.filter; }) return options.filter;
-    return 0.0;
-  };
-  return std::visit(find, recipe.noise);
-}
-
 // What noise there is, if it is none that can vary.
 std::string unfit(const NoiseRecipe& recipe) {
-  constexpr char kWhat[] = "; it must be gabor or gabor-oriented";
-  if (std::holds_alternative<GradientNoiseOptions>(recipe.noise))
-    return fmt::format("kensler noise{}", kWhat);
-  if (std::holds_alternative<SpectrumNoiseOptions>(recipe.noise)) {
-    return fmt::format("a noise by example{}", kWhat);
-  }
-  if (evolves(recipe)) return "noise that evolves; dims 4 changes with time too";
-  if (std::visit([](const auto& options) { return options.period != Vec<4>(0.0); }, recipe.noise)) {
-    return "noise that has a period";
-  }
-  if (filter_of(recipe) != 0.0) return "noise that is filtered";
-  if (const auto* const gabor = std::get_if<GaborNoiseOptions>(&recipe.noise)) {
-    return gabor->weights == ImpulseWeights::uniform ? "uniform weights" : "";
-  }
-  const double anisotropy = std::get<OrientedGaborNoiseOptions>(recipe.noise).anisotropy;
-  if (anisotropy != 0.0 && anisotropy != 1.0) {
-    return fmt::format("an anisotropy of {}; it must be 0, all directions alike, or 1, one direction",
-                       anisotropy);
-  }
-  return "";
+  const auto say = [&]<typename Options>(const Options& options) -> std::string {
+    if constexpr (CanVary<Options>) {
+      if (evolves(recipe)) return "noise that evolves; dims 4 changes with time too";
+      if (options.period != Vec<4>(0.0)) return "noise that has a period";
+      if constexpr (CanFilter<Options>) {
+        if (options.filter != 0.0) return "noise that is filtered";
+      }
+      return NoiseEntry<Options>::why_fixed(options);
+    } else {
+      const auto fit = noise_names([]<typename Other>(std::type_identity<Other>) { return CanVary<Other>; });
+      return fmt::format("{}; it must be {}", NoiseEntry<Options>::kTitle, fmt::join(fit, " or "));
+    }
+  };
+  return std::visit(say, recipe.noise);
 }
 
 }  // namespace

@@ -1,0 +1,42 @@
+#include "solidnoise/core/nearest_word.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace solidnoise {
+namespace {
+
+// Number of letters to insert, delete or replace to get from one word to the other.
+std::size_t edit_distance(std::string_view from, std::string_view to) {
+  std::vector<std::size_t> row(to.size() + 1);
+  for (std::size_t j = 0; j <= to.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= from.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= to.size(); ++j) {
+      const std::size_t replaced = diagonal + (from[i - 1] == to[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
+    }
+  }
+  return row[to.size()];
+}
+
+}  // namespace
+
+std::string_view nearest_word(std::string_view typed, std::span<const std::string_view> words) {
+  constexpr std::size_t kShort = 4;  // letters
+  constexpr std::size_t kLongest = 100;
+  if (typed.size() > kLongest) return {};
+  std::string_view nearest;
+  std::size_t least = typed.size() <= kShort ? 2 : 3;
+  for (const std::string_view word : words) {
+    const std::size_t distance = edit_distance(typed, word);
+    if (distance < least) nearest = word;
+    least = std::min(least, distance);
+  }
+  return nearest;
+}
+
+}  // namespace solidnoise

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace solidnoise {
+
+// The one of `words` that `typed` was probably meant to be: the nearest within two letters that are inserted,
+// deleted or replaced, one in words of up to four letters. Empty if there is none.
+std::string_view nearest_word(std::string_view typed, std::span<const std::string_view> words);
+
+}  // namespace solidnoise
