@@ -261,7 +261,7 @@ bool FlagSet::given(const std::string& flag) const {
 std::string FlagSet::name_flag(const std::string& message) const {
   std::string flag = "--" + message.substr(0, message.find(' '));
   const std::size_t length_of_field = flag.size() - 2;
-  std::replace(flag.begin(), flag.end(), '_', '-');
+  for (const char separator : {'_', '.'}) std::replace(flag.begin(), flag.end(), separator, '-');
   return given(flag) ? flag + message.substr(length_of_field) : message;
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
 #include <string_view>
 #include <tuple>
 #include <type_traits>
@@ -32,7 +33,7 @@ struct AnyValue {};
 // One field. `Member` is a pointer to a member, or an array of those of several numbers that are one field.
 // `Allowed` is an Interval (of a number, or of each of several), Choices of an enumeration, or AnyValue.
 template <typename Struct, typename Member, typename Allowed>
-struct Field {
+struct FieldRow {
   std::string_view name;  // in JSON and messages; the flag is --name, with dashes for underscores
   Member member;
   Allowed allowed;
@@ -41,13 +42,13 @@ struct Field {
   bool (*is_written)(const Struct&) = nullptr;  // whether JSON has it; null: always
   bool has_flag = true;
 
-  constexpr Field written_if(bool (*condition)(const Struct&)) const {
-    Field copy = *this;
+  constexpr FieldRow written_if(bool (*condition)(const Struct&)) const {
+    FieldRow copy = *this;
     copy.is_written = condition;
     return copy;
   }
-  constexpr Field without_flag() const {
-    Field copy = *this;
+  constexpr FieldRow without_flag() const {
+    FieldRow copy = *this;
     copy.has_flag = false;
     return copy;
   }
@@ -80,23 +81,23 @@ using ValueOf = std::remove_cvref_t<decltype(std::declval<F>().get(std::declval<
 template <typename Struct, typename Value>
 constexpr auto field(std::string_view name, Value Struct::*member, Interval allowed, std::string_view unit,
                      std::string_view help) {
-  return Field<Struct, Value Struct::*, Interval>{name, member, allowed, unit, help};
+  return FieldRow<Struct, Value Struct::*, Interval>{name, member, allowed, unit, help};
 }
 template <typename Struct, std::size_t Count>
 constexpr auto field(std::string_view name, std::array<double Struct::*, Count> members, Interval allowed,
                      std::string_view unit, std::string_view help) {
-  return Field<Struct, std::array<double Struct::*, Count>, Interval>{name, members, allowed, unit, help};
+  return FieldRow<Struct, std::array<double Struct::*, Count>, Interval>{name, members, allowed, unit, help};
 }
 // One of some words.
 template <typename Struct, typename Enum, std::size_t Count>
 constexpr auto field(std::string_view name, Enum Struct::*member, const Choices<Enum, Count>& choices,
                      std::string_view help) {
-  return Field<Struct, Enum Struct::*, Choices<Enum, Count>>{name, member, choices, {}, help};
+  return FieldRow<Struct, Enum Struct::*, Choices<Enum, Count>>{name, member, choices, {}, help};
 }
 // Whatever the type can hold: a yes or no, a text, a seed, a struct with a table of its own.
 template <typename Struct, typename Value>
 constexpr auto field(std::string_view name, Value Struct::*member, std::string_view help) {
-  return Field<Struct, Value Struct::*, AnyValue>{name, member, {}, {}, help};
+  return FieldRow<Struct, Value Struct::*, AnyValue>{name, member, {}, {}, help};
 }
 
 // A struct whose fields stand among those of the struct that it is in.
@@ -156,13 +157,18 @@ void for_each_number(const Value& value, const Visit& visit) {
   }
 }
 
-// Throws std::invalid_argument for a number that its field does not allow.
+// Throws std::invalid_argument for a number that its field does not allow, also for one of a struct that has
+// a table but no validate() of its own: "direction.smooth is -1; ...".
 template <HasFields Struct>
-void require_fields(const Struct& object) {
-  for_each_field(object, [](const auto& field, const auto& owner) {
+void require_fields(const Struct& object, const std::string& path = {}) {
+  for_each_field(object, [&](const auto& field, const auto& owner) {
+    const auto& value = field.get(owner);
+    using Value = std::remove_cvref_t<decltype(value)>;
+    const std::string name = path + std::string(field.name);
     if constexpr (std::is_same_v<std::remove_cvref_t<decltype(field.allowed)>, Interval>) {
-      for_each_number(field.get(owner),
-                      [&](double number) { require(field.name, number, field.allowed, field.unit); });
+      for_each_number(value, [&](double number) { require(name, number, field.allowed, field.unit); });
+    } else if constexpr (HasFields<Value> && !requires { value.validate(); }) {
+      require_fields(value, name + ".");
     }
   });
 }

@@ -9,15 +9,10 @@
 
 #include "solidnoise/core/check.h"
 #include "solidnoise/image/color_ramp.h"
+#include "solidnoise/mesh/bake_fields.h"
 
 namespace solidnoise {
 namespace {
-
-void require_range(std::string_view field, const ParameterRange& range, double least, double most,
-                   std::string_view unit = {}) {
-  require_in_range(field, range.from, least, most, unit);
-  require_in_range(field, range.to, least, most, unit);
-}
 
 void refuse_variation(std::string_view field, const ParameterRange& range) {
   if (!range.varies()) return;
@@ -29,24 +24,17 @@ void refuse_variation(std::string_view field, const ParameterRange& range) {
 
 void BakeRecipe::validate() const {
   noise.validate();
-  if (frequency) require_range("frequency", *frequency, 1e-9, 1e9, "cycles per world unit");
-  require_range("detail", detail, 1e-3, 1e3);
+  if (refine.mode == RefineRecipe::Mode::rounds) require_in_range("refine", refine.rounds, 1, 8, "rounds");
+  require_fields(*this);
   if (frequency && detail != ParameterRange{}) {
     throw std::invalid_argument("detail has no effect where there is a frequency; leave one of them out");
   }
-  require_range("bandwidth", bandwidth, 0.1, 4.0, "octaves");
-  require_range("magnitude", magnitude, 0.0, 1e6);
-  require_range("bias", bias, -1e6, 1e6);
   if (!may_vary(noise.kind)) {
     if (frequency) refuse_variation("frequency", *frequency);
     refuse_variation("detail", detail);
     refuse_variation("bandwidth", bandwidth);
   }
   by.validate();
-  require_in_range("smooth", smooth, 0, 10000, "rounds");
-  require_at_least("smooth_radius", smooth_radius, 0.0, "world units");
-  require_in_range("direction_smooth", direction.smooth, 0, 10000, "rounds");
-  for (int axis = 0; axis < 3; ++axis) require_finite("direction", direction.axis[axis]);
   if (glm::length(direction.axis) == 0.0)
     throw std::invalid_argument("direction is 0 0 0; it must point somewhere");
   if (!has_exemplar_colors()) {
@@ -54,12 +42,9 @@ void BakeRecipe::validate() const {
   } else if (noise.kind != SurfaceNoiseKind::spectrum) {
     throw std::invalid_argument("ramp is exemplar; only a noise by example has such colours");
   }
-  require_positive("contrast", contrast);
-  if (refine.mode == RefineRecipe::Mode::rounds) require_in_range("refine", refine.rounds, 1, 8, "rounds");
   if (refine.method != RefineOptions::Method::own && refine.placement != RefineOptions::Placement::on_edges) {
     throw std::invalid_argument("placement is smooth; it applies where the method of refining is own");
   }
-  require_finite("displace", displace);
 }
 
 bool BakeRecipe::steers() const {

@@ -1,50 +1,10 @@
 #pragma once
 
-#include "solidnoise/core/choices.h"
+#include "solidnoise/mesh/bake_fields.h"
 #include "solidnoise/mesh/bake_recipe.h"
 #include "solidnoise/recipe/json.h"
 
 namespace solidnoise {
-
-inline constexpr Choices<SurfaceNoiseKind, 6> kSurfaceNoiseChoices{{
-    {SurfaceNoiseKind::surface, "surface"},
-    {SurfaceNoiseKind::oriented, "oriented"},
-    {SurfaceNoiseKind::solid, "solid"},
-    {SurfaceNoiseKind::kensler, "kensler"},
-    {SurfaceNoiseKind::kensler_solid, "kensler-solid"},
-    {SurfaceNoiseKind::spectrum, "spectrum"},
-}};
-
-// An attribute is given by its name instead.
-inline constexpr Choices<SteeringSource, 5> kSteeringChoices{{
-    {SteeringSource::mean_curvature, "mean-curvature"},
-    {SteeringSource::gaussian_curvature, "gaussian-curvature"},
-    {SteeringSource::max_curvature, "max-curvature"},
-    {SteeringSource::abs_curvature, "abs-curvature"},
-    {SteeringSource::height, "height"},
-}};
-
-inline constexpr Choices<DirectionRecipe::Source, 3> kDirectionChoices{{
-    {DirectionRecipe::Source::axis, "axis"},
-    {DirectionRecipe::Source::max_curvature, "max-curvature"},
-    {DirectionRecipe::Source::min_curvature, "min-curvature"},
-}};
-
-inline constexpr Choices<RefineRecipe::Mode, 3> kRefineChoices{{
-    {RefineRecipe::Mode::off, "off"},
-    {RefineRecipe::Mode::automatic, "auto"},
-    {RefineRecipe::Mode::rounds, "rounds"},
-}};
-inline constexpr Choices<RefineOptions::Method, 4> kRefineMethodChoices{{
-    {RefineOptions::Method::own, "own"},
-    {RefineOptions::Method::longest_edge, "longest-edge"},
-    {RefineOptions::Method::sqrt3, "sqrt3"},
-    {RefineOptions::Method::loop, "loop"},
-}};
-inline constexpr Choices<RefineOptions::Placement, 2> kPlacementChoices{{
-    {RefineOptions::Placement::on_edges, "edges"},
-    {RefineOptions::Placement::smooth, "smooth"},
-}};
 
 // The JSON form of a bake:
 //   {"solidnoise": 1, "algorithm": 1,
@@ -66,5 +26,8 @@ Json to_json(const BakeRecipe& recipe);
 // Throws std::invalid_argument with the path in the tree: another version, wrong type, unknown key, value out
 // of range.
 BakeRecipe bake_recipe_from_json(const Json& json);
+
+// The JSON Schema of a bake.
+Json bake_recipe_schema();
 
 }  // namespace solidnoise

@@ -1,15 +1,14 @@
 #include "solidnoise/mesh/surface_recipe.h"
 
 #include "solidnoise/core/random.h"
+#include "solidnoise/mesh/bake_fields.h"
 #include "solidnoise/noise/convolution/kernel_cells.h"
 #include "solidnoise/noise/gabor/spectrum_noise.h"
-#include "solidnoise/noise/gabor/surface_gabor_options.h"
 
 namespace solidnoise {
 
 void SurfaceNoiseRecipe::validate() const {
-  fractal.validate();
-  SurfaceGaborOptions{.error = error, .impulses = impulses, .layer = layer}.validate();
+  require_fields(*this);
   if (kind == SurfaceNoiseKind::spectrum)
     SpectrumNoiseOptions{.model = exemplar, .channel = channel}.validate();
 }

@@ -74,4 +74,13 @@ constexpr auto fields_of_place() {
                            "Length along each axis after which the noise repeats"));
 }
 
+// Those of noises that are sums over random impulses.
+template <typename Options>
+constexpr auto fields_of_impulses() {
+  return list_fields(field("error", &Options::error, between(1e-4, 0.5), "relative RMS error",
+                           "What may be given up to save time"),
+                     field("impulses", &Options::impulses, between(0.0, 100000.0),
+                           "mean impulses per kernel; 0 chooses", "As few as look Gaussian, or so many"));
+}
+
 }  // namespace solidnoise

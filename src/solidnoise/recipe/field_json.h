@@ -25,13 +25,13 @@ namespace solidnoise {
 // these: to be specialised beside its type, with
 //   static Json write(const Value& value);
 //   static void read(JsonReader& reader, const std::string& key, Value& value);  // no key: leaves it
-//   static Json schema();
+//   static Json schema();  // or schema(const Interval& allowed), of numbers
 template <typename Value>
 struct JsonForm;
 
 template <typename Value>
-concept HasJsonForm = requires {
-  JsonForm<Value>::schema();
+concept HasJsonForm = requires(const Value& value) {
+  JsonForm<Value>::write(value);
 };
 
 template <typename Type>
@@ -128,7 +128,9 @@ Json schema_of();
 
 template <typename Value>
 Json schema_of_value(const Interval& allowed = {}) {
-  if constexpr (HasJsonForm<Value>) {
+  if constexpr (requires { JsonForm<Value>::schema(allowed); }) {
+    return JsonForm<Value>::schema(allowed);
+  } else if constexpr (HasJsonForm<Value>) {
     return JsonForm<Value>::schema();
   } else if constexpr (HasFields<Value>) {
     return schema_of<Value>();

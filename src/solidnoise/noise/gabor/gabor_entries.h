@@ -21,14 +21,6 @@ inline constexpr Choices<ImpulseWeights, 2> kImpulseWeightChoices{{
     {ImpulseWeights::uniform, "uniform"},
 }};
 
-template <typename Options>
-constexpr auto fields_of_impulses() {
-  return list_fields(field("error", &Options::error, between(1e-4, 0.5), "relative RMS error",
-                           "What may be given up to save time"),
-                     field("impulses", &Options::impulses, between(0.0, 100000.0),
-                           "mean impulses per kernel; 0 chooses", "As few as look Gaussian, or so many"));
-}
-
 // What both kinds of Gabor noise have.
 template <typename Options>
 constexpr auto fields_of_band() {

@@ -1,0 +1,140 @@
+#pragma once
+
+#include <array>
+#include <type_traits>
+
+#include "solidnoise/core/fields.h"
+#include "solidnoise/mesh/bake_recipe.h"
+#include "solidnoise/noise/noise_entry.h"
+
+namespace solidnoise {
+
+// The tables of a bake's recipe, and its words.
+
+inline constexpr Choices<SurfaceNoiseKind, 6> kSurfaceNoiseChoices{{
+    {SurfaceNoiseKind::surface, "surface"},
+    {SurfaceNoiseKind::oriented, "oriented"},
+    {SurfaceNoiseKind::solid, "solid"},
+    {SurfaceNoiseKind::kensler, "kensler"},
+    {SurfaceNoiseKind::kensler_solid, "kensler-solid"},
+    {SurfaceNoiseKind::spectrum, "spectrum"},
+}};
+
+// An attribute is given by its name instead.
+inline constexpr Choices<SteeringSource, 5> kSteeringChoices{{
+    {SteeringSource::mean_curvature, "mean-curvature"},
+    {SteeringSource::gaussian_curvature, "gaussian-curvature"},
+    {SteeringSource::max_curvature, "max-curvature"},
+    {SteeringSource::abs_curvature, "abs-curvature"},
+    {SteeringSource::height, "height"},
+}};
+
+inline constexpr Choices<DirectionRecipe::Source, 3> kDirectionChoices{{
+    {DirectionRecipe::Source::axis, "axis"},
+    {DirectionRecipe::Source::max_curvature, "max-curvature"},
+    {DirectionRecipe::Source::min_curvature, "min-curvature"},
+}};
+
+inline constexpr Choices<RefineRecipe::Mode, 3> kRefineChoices{{
+    {RefineRecipe::Mode::off, "off"},
+    {RefineRecipe::Mode::automatic, "auto"},
+    {RefineRecipe::Mode::rounds, "rounds"},
+}};
+inline constexpr Choices<RefineOptions::Method, 4> kRefineMethodChoices{{
+    {RefineOptions::Method::own, "own"},
+    {RefineOptions::Method::longest_edge, "longest-edge"},
+    {RefineOptions::Method::sqrt3, "sqrt3"},
+    {RefineOptions::Method::loop, "loop"},
+}};
+inline constexpr Choices<RefineOptions::Placement, 2> kPlacementChoices{{
+    {RefineOptions::Placement::on_edges, "edges"},
+    {RefineOptions::Placement::smooth, "smooth"},
+}};
+
+template <typename Visit>
+void for_each_number(const ParameterRange& range, const Visit& visit) {
+  visit(range.from);
+  visit(range.to);
+}
+
+constexpr auto fields_of(std::type_identity<SurfaceNoiseRecipe>) {
+  using Recipe = SurfaceNoiseRecipe;
+  constexpr auto is_by_example = [](const Recipe& recipe) {
+    return recipe.kind == SurfaceNoiseKind::spectrum;
+  };
+  return list_fields(
+      field("noise", &Recipe::kind, kSurfaceNoiseChoices,
+            "surface: of the tangent plane; oriented: its waves follow a direction; solid: the field that "
+            "volumes have; kensler, kensler-solid: gradient noise, projected or solid; spectrum: by example"),
+      field("exemplar", &Recipe::exemplar, "Of spectrum: what noisefit wrote").written_if(is_by_example),
+      field("channel", &Recipe::channel, at_least(0.0), "of the model",
+            "Of spectrum: channel of the exemplar")
+          .written_if(is_by_example),
+      fields_of_impulses<Recipe>(),
+      field("layer", &Recipe::layer, between(0.1, 1.0), "kernel radii",
+            "surface, oriented: half the layer that impulses come from"),
+      field("seed", &Recipe::seed, "Another seed makes another noise"), part(&Recipe::fractal));
+}
+
+constexpr auto fields_of(std::type_identity<Steering>) {
+  return list_fields(
+      field("attribute", &Steering::attribute, "A number of the vertices, in place of a source")
+          .written_if([](const Steering& by) { return by.source == SteeringSource::attribute; }),
+      field("source", &Steering::source, kSteeringChoices, "What ranges follow")
+          .written_if([](const Steering& by) { return by.source != SteeringSource::attribute; }),
+      field("percentiles", std::array{&Steering::low_percentile, &Steering::high_percentile},
+            between(0.0, 100.0), "",
+            "Shares of the surface, percent, below which and above which a range is at its ends"),
+      field("gamma", &Steering::gamma, kPositive, "", "Exponent of the weight between the ends"));
+}
+
+constexpr auto fields_of(std::type_identity<DirectionRecipe>) {
+  using Recipe = DirectionRecipe;
+  return list_fields(field("source", &Recipe::source, kDirectionChoices,
+                           "Waves travel along the axis, or along a principal curvature"),
+                     field("axis", &Recipe::axis, kFinite, "", "An axis, laid into the tangent plane"),
+                     field("smooth", &Recipe::smooth, between(0, 10000), "rounds",
+                           "Smoothing of a direction that follows the curvature"));
+}
+
+constexpr auto fields_of(std::type_identity<RefineRecipe>) {
+  using Recipe = RefineRecipe;
+  return list_fields(field("mode", &Recipe::mode, kRefineChoices,
+                           "Split edges until the noise shows on the mesh, or so often"),
+                     field("rounds", &Recipe::rounds, between(1, 8), "rounds", "Of splitting every edge"),
+                     field("method", &Recipe::method, kRefineMethodChoices,
+                           "How edges are split: by our own rule, or by a subdivider of OpenMesh"),
+                     field("placement", &Recipe::placement, kPlacementChoices,
+                           "New vertices lie on the edges, or on the smooth surface through their ends"));
+}
+
+constexpr auto fields_of(std::type_identity<BakeRecipe>) {
+  using Recipe = BakeRecipe;
+  return list_fields(
+      field("description", &Recipe::description, "For people; changes nothing")
+          .written_if([](const Recipe& recipe) { return !recipe.description.empty(); }),
+      field("surface", &Recipe::noise, "The noise"),
+      field("frequency", &Recipe::frequency, between(1e-9, 1e9), "cycles per world unit",
+            "Principal frequency; left out, it suits the mesh"),
+      field("detail", &Recipe::detail, between(1e-3, 1e3), "", "Instead: frequency over what suits the mesh")
+          .written_if([](const Recipe& recipe) { return !recipe.frequency; }),
+      field("bandwidth", &Recipe::bandwidth, between(0.1, 4.0), "octaves",
+            "Width of the band at half amplitude"),
+      field("magnitude", &Recipe::magnitude, between(0.0, 1e6), "", "Standard deviation of the noise"),
+      field("bias", &Recipe::bias, between(-1e6, 1e6), "", "Added to the noise, in standard deviations"),
+      field("by", &Recipe::by, "What ranges follow"),
+      field("smooth", &Recipe::smooth, between(0, 10000), "rounds", "Smoothing of the curvature"),
+      field("smooth_radius", &Recipe::smooth_radius, at_least(0.0), "world units",
+            "More of it, over a distance that does not depend on the mesh"),
+      field("direction", &Recipe::direction, "Which way the waves of oriented noise travel"),
+      field("ramp", &Recipe::ramp,
+            "Colours: a name, stops such as 0:#000,1:#fff, or exemplar for those of a noise by example"),
+      field("contrast", &Recipe::contrast, kPositive, "",
+            "The ramp spans 2.5 over this in standard deviations to each side"),
+      field("refine", &Recipe::refine, "How densely the mesh is sampled before baking"),
+      field("displace", &Recipe::displace, kFinite, "world units",
+            "Move vertices along their normals, by this for a value of 1"),
+      field("up", &Recipe::up, kUpAxisChoices, "The up axis: of height, and of the preview"));
+}
+
+}  // namespace solidnoise
