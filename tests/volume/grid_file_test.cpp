@@ -68,7 +68,7 @@ TEST(GridFileJson, NamesThePlaceOfWhatIsWrong) {
   EXPECT_EQ(refusal(R"({"mask": {}})"), "mask.file is empty; it must be a .vdb");
   EXPECT_EQ(refusal(R"({"mask": {"file": 3}})"), "mask.file is 3; it must be a text");
   EXPECT_EQ(refusal(R"({"mask": {"file": "a.vdb", "gird": "x"}})"),
-            "mask.gird is unknown; the keys here are file, grid, digest");
+            "mask.gird is unknown; did you mean grid?");
   EXPECT_EQ(refusal(R"({"mask": "a.vdb"})"), "mask is \"a.vdb\"; it must be an object");
 }
 

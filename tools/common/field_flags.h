@@ -1,13 +1,14 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstdint>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 #include "common/flag_set.h"
@@ -41,16 +42,19 @@ Value vector_of(const std::vector<double>& numbers) {
   return vector;
 }
 
-// Fields that can have a flag: numbers, words and seeds. Flags of others are declared by hand.
-template <typename F, typename Struct>
-concept HasFlagForm = std::is_enum_v<ValueOf<F, Struct>> || std::same_as<ValueOf<F, Struct>, std::uint64_t> ||
-    std::same_as<std::remove_cvref_t<decltype(std::declval<F>().allowed)>, Interval>;
+// Fields that can have a flag: words, seeds, numbers and vectors. Flags of others are declared by hand.
+template <typename Value>
+concept HasFlagForm = std::is_enum_v<Value> || std::same_as<Value, std::uint64_t> ||
+    std::same_as<Value, int> || std::same_as<Value, double> || std::same_as<Value, std::optional<double>> ||
+    std::same_as<Value, std::array<double, 2>> || requires {
+  Value::length();
+};
 
 // Calls visit(field, owner) for each field of a struct that has a flag.
 template <typename Struct, typename Visit>
 void for_each_flag(Struct&& object, const Visit& visit) {
   for_each_field(object, [&]<typename F, typename Owner>(const F& field, Owner& owner) {
-    if constexpr (HasFlagForm<F, Owner>) {
+    if constexpr (HasFlagForm<ValueOf<F, Owner>>) {
       if (field.has_flag) visit(field, owner);
     }
   });
@@ -94,10 +98,12 @@ void declare_field(FlagSet& flags, const F& field, const Struct& owner, const st
   }
 }
 
-// Declares the flags of the fields of a struct; they set it.
+// Declares the flags of the fields of a struct, of all or of those with these names; they set it.
 template <HasFields Struct>
-void declare_fields(FlagSet& flags, Struct& object) {
+void declare_fields(FlagSet& flags, Struct& object, std::initializer_list<std::string_view> names = {}) {
   for_each_flag(object, [&]<typename F, typename Owner>(const F& field, Owner& owner) {
+    const bool is_named = std::find(names.begin(), names.end(), field.name) != names.end();
+    if (names.size() > 0 && !is_named) return;
     declare_field(flags, field, Owner{}, "",
                   [field, &owner](const ValueOf<F, Owner>& value) { field.set(owner, value); });
   });

@@ -211,6 +211,10 @@ int run_bake(const std::vector<std::string>& arguments) {
     list_presets();
     return kDone;
   }
+  if (flags.given("--schema")) {
+    std::cout << format_json(bake_recipe_schema());
+    return kDone;
+  }
   if (in.empty()) throw UsageError("IN is missing; say which mesh: meshnoise bake in.ply --out out.ply");
   options.recipe = choose_recipe(flags);
   try {

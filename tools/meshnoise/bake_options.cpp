@@ -1,6 +1,7 @@
 #include "meshnoise/bake_options.h"
 
 #include <algorithm>
+#include <concepts>
 #include <cstdint>
 #include <sstream>
 #include <stdexcept>
@@ -9,6 +10,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "common/field_flags.h"
 #include "common/flag_targets.h"
 #include "common/parse_value.h"
 #include "common/recipe_file.h"
@@ -166,28 +168,16 @@ void declare_noise(FlagSet& flags, BakeRecipe& recipe) {
                   recipe.detail = range;
                 });
   flags.exclude({"--frequency", "--size", "--detail"});
-  declare_range(flags, "--bandwidth", "A[..B]",
-                "Width of the band at half amplitude, octaves, 0.1 to 4 (default 1)",
-                [&](const ParameterRange& range) { recipe.bandwidth = range; });
-  declare_range(flags, "--magnitude", "A[..B]", "Standard deviation of the noise (default 1)",
-                [&](const ParameterRange& range) { recipe.magnitude = range; });
-  declare_range(flags, "--bias", "A[..B]", "Added to the noise, in standard deviations (default 0)",
-                [&](const ParameterRange& range) { recipe.bias = range; });
-  flags.number("--impulses", "N", "Mean impulses under one kernel (default 0: as few as look Gaussian)",
-               [&](double value) { recipe.noise.impulses = value; });
-  flags.number("--error", "FRACTION", "Relative RMS error of the kernel, 0.0001 to 0.5 (default 0.02)",
-               [&](double value) { recipe.noise.error = value; });
-  flags.number("--layer", "RADII",
-               "surface, oriented: half the layer that impulses come from, in kernel radii (default 0.5)",
-               [&](double value) { recipe.noise.layer = value; });
-  flags.integer("--octaves", "COUNT", "Octaves, 1 to 16",
-                [&](int value) { recipe.noise.fractal.octaves = value; });
-  flags.number("--lacunarity", "RATIO", "Frequency of an octave over that of the one before it (default 2)",
-               [&](double value) { recipe.noise.fractal.lacunarity = value; });
-  flags.number("--gain", "RATIO", "Amplitude of an octave over that of the one before it (default 0.5)",
-               [&](double value) { recipe.noise.fractal.gain = value; });
-  flags.text("--seed", "SEED", "Another seed is another noise, 0 to 18446744073709551615",
-             [&](const std::string& text) { recipe.noise.seed = parse_unsigned("--seed", text); });
+  for_each_field(recipe, [&]<typename Owner>(const auto& field, Owner& owner) {
+    if constexpr (std::same_as<ValueOf<decltype(field), Owner>, ParameterRange>) {
+      if (field.name == "detail") return;
+      const std::string standard = fmt::format("{}", field.get(Owner{}).from);
+      declare_range(flags, flag_of(field.name), "A[..B]",
+                    help_of(field.help, field.unit, field.allowed, standard),
+                    [field, &owner](const ParameterRange& range) { field.set(owner, range); });
+    }
+  });
+  declare_fields(flags, recipe.noise);
 }
 
 void declare_steering(FlagSet& flags, BakeRecipe& recipe) {
@@ -196,22 +186,8 @@ void declare_steering(FlagSet& flags, BakeRecipe& recipe) {
              fmt::format("{}, or the name of a number of the vertices (default mean-curvature)",
                          fmt::join(names_of(kSteeringChoices), ", ")),
              [&](const std::string& text) { set_source(recipe.by, text); });
-  flags.numbers(
-      "--percentiles", "LOW HIGH", 2,
-      "Shares of the surface, percent, below which and above which a range is at its ends (default 5 95)",
-      [&](const std::vector<double>& v) {
-        recipe.by.low_percentile = v[0];
-        recipe.by.high_percentile = v[1];
-      });
-  flags.number("--gamma", "EXPONENT", "Of the weight between the ends (default 1)",
-               [&](double value) { recipe.by.gamma = value; });
-  flags.integer("--smooth", "ROUNDS", "Smoothing of the curvature (default 2)",
-                [&](int value) { recipe.smooth = value; });
-  flags.number("--smooth-radius", "UNITS",
-               "More of it, over a distance that does not depend on the mesh (default 0)",
-               [&](double value) { recipe.smooth_radius = value; });
-  declare_choice(flags, "--up", kUpAxisChoices, "The up axis: of height, and of the preview (default y)",
-                 recipe.up);
+  declare_fields(flags, recipe.by);
+  declare_fields(flags, recipe, {"smooth", "smooth_radius", "up"});
 }
 
 void declare_direction(FlagSet& flags, BakeRecipe& recipe) {
@@ -239,9 +215,7 @@ void declare_look(FlagSet& flags, BakeRecipe& recipe) {
         if (text != kExemplarRamp) parse_color_ramp(text);
         recipe.ramp = text;
       });
-  flags.number("--contrast", "FACTOR",
-               "The ramp spans 2.5 / FACTOR standard deviations to each side (default 1)",
-               [&](double value) { recipe.contrast = value; });
+  declare_fields(flags, recipe, {"contrast", "displace"});
   flags.text("--refine", "auto|N", "Split edges until the noise shows on the mesh, or N times (default off)",
              [&](const std::string& text) { set_refine(recipe.refine, text); });
   declare_choice(
@@ -253,9 +227,6 @@ void declare_look(FlagSet& flags, BakeRecipe& recipe) {
                  "With --refine: new vertices lie on the edges, or on the smooth surface through their ends "
                  "(default edges)",
                  recipe.refine.placement);
-  flags.number("--displace", "UNITS",
-               "Move vertices along their normals, by this for a value of 1 (default 0)",
-               [&](double value) { recipe.displace = value; });
 }
 
 void declare_run(FlagSet& flags, BakeOptions& options) {
@@ -264,6 +235,7 @@ void declare_run(FlagSet& flags, BakeOptions& options) {
                [&] { options.task = BakeOptions::Task::describe; });
   flags.toggle("--list-presets", "Print the presets",
                [&] { options.task = BakeOptions::Task::list_presets; });
+  flags.toggle("--schema", "Print the JSON Schema of recipes, with which editors complete them", [] {});
   flags.integer("--threads", "COUNT", "Threads to use (default: all)", [&](int value) {
     require_in_range("threads", value, 1, 4096);
     options.threads = value;

@@ -301,6 +301,10 @@ int run_make(const std::vector<std::string>& arguments) {
     list_presets();
     return kDone;
   }
+  if (flags.given("--schema")) {
+    std::cout << format_json(volume_recipe_schema());
+    return kDone;
+  }
   options.recipe = choose_recipe(flags, flags.given("--quiet"));
   try {
     flags.apply();

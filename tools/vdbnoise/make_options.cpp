@@ -157,6 +157,7 @@ void declare_run(FlagSet& flags, MakeOptions& options) {
                [&] { options.task = MakeOptions::Task::describe; });
   flags.toggle("--list-presets", "Print the presets",
                [&] { options.task = MakeOptions::Task::list_presets; });
+  flags.toggle("--schema", "Print the JSON Schema of recipes, with which editors complete them", [] {});
   flags.integer("--threads", "COUNT", "Threads to use (default: all)", [&](int value) {
     require_in_range("threads", value, 1, 4096);
     options.threads = value;

@@ -65,11 +65,13 @@ constexpr auto fields_of(std::type_identity<SurfaceNoiseRecipe>) {
   return list_fields(
       field("noise", &Recipe::kind, kSurfaceNoiseChoices,
             "surface: of the tangent plane; oriented: its waves follow a direction; solid: the field that "
-            "volumes have; kensler, kensler-solid: gradient noise, projected or solid; spectrum: by example"),
+            "volumes have; kensler, kensler-solid: gradient noise, projected or solid; spectrum: by example")
+          .without_flag(),
       field("exemplar", &Recipe::exemplar, "Of spectrum: what noisefit wrote").written_if(is_by_example),
       field("channel", &Recipe::channel, at_least(0.0), "of the model",
             "Of spectrum: channel of the exemplar")
-          .written_if(is_by_example),
+          .written_if(is_by_example)
+          .without_flag(),
       fields_of_impulses<Recipe>(),
       field("layer", &Recipe::layer, between(0.1, 1.0), "kernel radii",
             "surface, oriented: half the layer that impulses come from"),
@@ -81,7 +83,8 @@ constexpr auto fields_of(std::type_identity<Steering>) {
       field("attribute", &Steering::attribute, "A number of the vertices, in place of a source")
           .written_if([](const Steering& by) { return by.source == SteeringSource::attribute; }),
       field("source", &Steering::source, kSteeringChoices, "What ranges follow")
-          .written_if([](const Steering& by) { return by.source != SteeringSource::attribute; }),
+          .written_if([](const Steering& by) { return by.source != SteeringSource::attribute; })
+          .without_flag(),
       field("percentiles", std::array{&Steering::low_percentile, &Steering::high_percentile},
             between(0.0, 100.0), "",
             "Shares of the surface, percent, below which and above which a range is at its ends"),

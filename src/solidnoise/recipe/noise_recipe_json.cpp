@@ -51,6 +51,10 @@ void JsonForm<NoiseRecipe>::read(JsonReader& reader, const std::string& key, Noi
 }
 
 Json JsonForm<NoiseRecipe>::schema() {
+  return {{"$ref", "#/$defs/noise"}};
+}
+
+Json noise_recipe_schema() {
   return alternatives_schema(std::type_identity<NoiseVariant>(), noise_names(),
                              schema_of<FractalOptions>()["properties"]);
 }

@@ -23,7 +23,10 @@ Json to_json(const NoiseRecipe& recipe);
 // Throws std::invalid_argument: wrong type, unknown key, value out of range, each with its path in the tree.
 NoiseRecipe noise_recipe_from_json(JsonReader& reader);
 
-// As a field of other structs.
+// The JSON Schema of a noise.
+Json noise_recipe_schema();
+
+// As a field of other structs, with a schema that refers to the definition "noise".
 template <>
 struct JsonForm<NoiseRecipe> {
   static Json write(const NoiseRecipe& recipe) { return to_json(recipe); }

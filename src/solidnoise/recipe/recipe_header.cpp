@@ -1,6 +1,7 @@
 #include "solidnoise/recipe/recipe_header.h"
 
 #include <stdexcept>
+#include <string>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -29,6 +30,8 @@ void read_recipe_header(JsonReader& reader) {
   }
   int algorithm = kAlgorithmVersion;
   reader.read("algorithm", algorithm);
+  std::string schema;  // where editors find what keys there are
+  reader.read("$schema", schema);
 }
 
 int algorithm_of(const Json& json) {

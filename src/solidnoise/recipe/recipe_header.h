@@ -6,10 +6,10 @@
 namespace solidnoise {
 
 // What every whole recipe begins with: {"solidnoise": 1, "algorithm": 1, ...}. "algorithm" is
-// kAlgorithmVersion when the recipe was written.
+// kAlgorithmVersion when the recipe was written. "$schema" may name the recipe's JSON Schema, for editors.
 Json recipe_header();
 
-// Reads both keys. Throws std::invalid_argument where "solidnoise" is missing or another version.
+// Reads these keys. Throws std::invalid_argument where "solidnoise" is missing or another version.
 void read_recipe_header(JsonReader& reader);
 
 // The algorithm version that a recipe was written with; kAlgorithmVersion if it does not say.

@@ -1,33 +1,15 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
-#include "solidnoise/core/choices.h"
+#include "solidnoise/field/field_tables.h"
 #include "solidnoise/field/layer.h"
+#include "solidnoise/recipe/field_json.h"
 #include "solidnoise/recipe/json.h"
 #include "solidnoise/recipe/json_reader.h"
 
 namespace solidnoise {
-
-inline constexpr Choices<Layer::Fold, 4> kLayerFoldChoices{{
-    {Layer::Fold::none, "none"},
-    {Layer::Fold::ridged, "ridged"},
-    {Layer::Fold::billow, "billow"},
-    {Layer::Fold::turbulence, "turbulence"},
-}};
-
-inline constexpr Choices<Layer::Histogram, 2> kHistogramChoices{{
-    {Layer::Histogram::gaussian, "gaussian"},
-    {Layer::Histogram::uniform, "uniform"},
-}};
-
-inline constexpr Choices<Layer::Combine, 5> kLayerCombineChoices{{
-    {Layer::Combine::sum, "sum"},
-    {Layer::Combine::product, "product"},
-    {Layer::Combine::max, "max"},
-    {Layer::Combine::min, "min"},
-    {Layer::Combine::mix, "mix"},
-}};
 
 // The key "layers" of a recipe or a layer:
 //   "layers": [
@@ -38,8 +20,16 @@ inline constexpr Choices<Layer::Combine, 5> kLayerCombineChoices{{
 // Every key may be left out. Without layers the key is not written.
 void add_layers(Json& object, const std::vector<Layer>& layers);
 
-// Throws std::invalid_argument with the path in the tree: wrong type, unknown key, too many or too deep. What
-// validate_layers() checks beyond a single value is left to it.
+// Throws std::invalid_argument with the path in the tree: wrong type, unknown key. What validate_layers()
+// checks is left to it.
 void read_layers(JsonReader& reader, std::vector<Layer>& layers);
+
+// As a field, with a schema that refers to the definition "layer", for layers contain layers.
+template <>
+struct JsonForm<std::vector<Layer>> {
+  static Json write(const std::vector<Layer>& layers);
+  static void read(JsonReader& reader, const std::string& key, std::vector<Layer>& layers);
+  static Json schema();
+};
 
 }  // namespace solidnoise

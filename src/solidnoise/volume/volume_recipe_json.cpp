@@ -4,11 +4,11 @@
 #include <stdexcept>
 #include <string_view>
 #include <type_traits>
-#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "solidnoise/recipe/field_json.h"
 #include "solidnoise/recipe/json_reader.h"
 #include "solidnoise/recipe/noise_recipe_json.h"
 #include "solidnoise/recipe/recipe_header.h"
@@ -25,18 +25,6 @@ const std::vector<std::string_view> kShapeTypes{"box", "sphere", "ellipsoid", "m
 const std::vector<std::string_view> kShapingTypes{"raw", "remap", "veins", "cloud"};
 static_assert(std::variant_size_v<Shape> == 5 && std::variant_size_v<Shaping> == 4, "name each alternative");
 
-template <typename Variant, std::size_t... Is>
-Variant default_alternative(std::size_t index, std::index_sequence<Is...>) {
-  Variant variant;
-  ((Is == index ? static_cast<void>(variant.template emplace<Is>()) : void()), ...);
-  return variant;
-}
-
-template <typename Variant>
-Variant default_alternative(std::size_t index) {
-  return default_alternative<Variant>(index, std::make_index_sequence<std::variant_size_v<Variant>>());
-}
-
 Json shape_to_json(const Shape& shape) {
   Json json = Json::object();
   json["type"] = kShapeTypes[shape.index()];
@@ -49,7 +37,8 @@ Json shape_to_json(const Shape& shape) {
 }
 
 Shape shape_from_json(JsonReader& reader) {
-  Shape shape = default_alternative<Shape>(reader.read_choice("type", kShapeTypes));
+  Shape shape;
+  make_alternative(shape, reader.read_choice("type", kShapeTypes));
   if (auto* mesh = std::get_if<MeshShape>(&shape)) {
     reader.read("file", mesh->file);
     reader.read("digest", mesh->digest);
@@ -59,64 +48,9 @@ Shape shape_from_json(JsonReader& reader) {
   return shape;
 }
 
-Json shaping_to_json(const Shaping& shaping) {
-  Json json = Json::object();
-  json["type"] = kShapingTypes[shaping.index()];
-  if (const auto* raw = std::get_if<RawShaping>(&shaping)) json["range"] = name_of(kRangeChoices, raw->range);
-  if (const auto* remap = std::get_if<RemapShaping>(&shaping)) {
-    json["fold"] = name_of(kFoldChoices, remap->fold);
-    json["threshold"] = remap->threshold;
-    json["softness"] = remap->softness;
-    json["power"] = remap->power;
-    json["edge"] = remap->edge;
-    json["floor"] = remap->floor;
-  }
-  if (const auto* veins = std::get_if<VeinShaping>(&shaping)) {
-    json["direction"] = {veins->direction.x, veins->direction.y, veins->direction.z};
-    json["spacing"] = veins->spacing;
-    json["turbulence"] = veins->turbulence;
-    json["sharpness"] = veins->sharpness;
-    json["floor"] = veins->floor;
-  }
-  if (const auto* cloud = std::get_if<CloudShaping>(&shaping)) {
-    json["puffs"] = cloud->puffs;
-    json["lobes"] = cloud->lobes;
-    json["base"] = cloud->base;
-    json["edge"] = cloud->edge;
-    json["wisps"] = cloud->wisps;
-    json["core"] = cloud->core;
-    json["lean"] = cloud->lean;
-  }
-  return json;
-}
-
 Shaping shaping_from_json(JsonReader& reader) {
-  Shaping shaping = default_alternative<Shaping>(reader.read_choice("type", kShapingTypes));
-  if (auto* raw = std::get_if<RawShaping>(&shaping)) reader.read("range", kRangeChoices, raw->range);
-  if (auto* remap = std::get_if<RemapShaping>(&shaping)) {
-    reader.read("fold", kFoldChoices, remap->fold);
-    reader.read("threshold", remap->threshold);
-    reader.read("softness", remap->softness);
-    reader.read("power", remap->power);
-    reader.read("edge", remap->edge);
-    reader.read("floor", remap->floor);
-  }
-  if (auto* veins = std::get_if<VeinShaping>(&shaping)) {
-    reader.read("direction", veins->direction);
-    reader.read("spacing", veins->spacing);
-    reader.read("turbulence", veins->turbulence);
-    reader.read("sharpness", veins->sharpness);
-    reader.read("floor", veins->floor);
-  }
-  if (auto* cloud = std::get_if<CloudShaping>(&shaping)) {
-    reader.read("puffs", cloud->puffs);
-    reader.read("lobes", cloud->lobes);
-    reader.read("base", cloud->base);
-    reader.read("edge", cloud->edge);
-    reader.read("wisps", cloud->wisps);
-    reader.read("core", cloud->core);
-    reader.read("lean", cloud->lean);
-  }
+  Shaping shaping;
+  read_alternative(reader, kShapingTypes, shaping);
   reader.finish();
   std::visit([&](const auto& look) { reader.validate(look); }, shaping);
   return shaping;
@@ -170,7 +104,7 @@ Json to_json(const VolumeRecipe& recipe) {
   json["band_limit"] = recipe.band_limit;
   json["exact"] = recipe.exact;
   add_parameter_grids(json, recipe.parameters);
-  json["shaping"] = shaping_to_json(recipe.shaping);
+  write_alternative(recipe.shaping, kShapingTypes, json["shaping"]);
   if (!is_scalar(recipe)) json["output"] = format_outputs(recipe.output);
   if (recipe.speed != 1.0) json["speed"] = recipe.speed;
   if (recipe.boundary) add_boundary(json, *recipe.boundary);
@@ -237,6 +171,60 @@ VolumeRecipe volume_recipe_from_json(const Json& json) {
   reader.finish();
   reader.validate(recipe);
   return recipe;
+}
+
+Json volume_recipe_schema() {
+  const VolumeRecipe defaults;
+  Json properties = Json::object();
+  const auto add = [&](const char* key, Json schema, std::string_view help, std::string_view unit = {}) {
+    describe_schema(schema, help, unit);
+    properties[key] = std::move(schema);
+  };
+  const auto add_keys = [&](const Json& object) { properties.update(object["properties"]); };
+  const Json text{{"type", "string"}};
+  const Json yes_or_no{{"type", "boolean"}, {"default", false}};
+  const Json surface = schema_of<GridFile>();
+
+  add("description", text, "For people; changes nothing");
+  add("noise", {{"$ref", "#/$defs/noise"}}, "The noise");
+  add("layers", schema_of_value<std::vector<Layer>>(), "Their sum takes the noise's place");
+  add("dims", integer_schema(between(3, 4), false),
+      "Of the noise; 4: a frame of a noise that changes in time");
+  add("time", number_schema(kFinite), "Of the frame");
+  add("offset", numbers_schema(kFinite, 3), "Moves the noise", "world units");
+  add("band_limit", yes_or_no, "Filter the noise at the size of the voxels");
+  add("exact", yes_or_no, "Sum impulses at every voxel");
+  add_keys(schema_of<ParameterGrids>());
+  add("shaping", alternatives_schema(std::type_identity<Shaping>(), kShapingTypes),
+      "What becomes of the noise");
+  add("output", text, "value, gradient or both; curl; color; phase,intensity");
+  add("speed", number_schema(kPositive), "Of curl: root mean square", "world units per second");
+  add("boundary", surface, "Of curl: a level set that nothing flows through");
+  add("boundary_width", number_schema(kPositive), "Distance over which the velocity turns", "world units");
+  add("optical_depth", number_schema(kPositive), "Through the thickest column along the up axis");
+  add("density", number_schema(kPositive), "Instead: the largest density", "extinction per world unit");
+  add("density_factor", number_schema(kPositive), "What densities are multiplied by, where that is known");
+  add_keys(schema_of<Modification>());
+  add("shape",
+      {{"type", "object"},
+       {"properties",
+        {{"type", words_schema(kShapeTypes)}, {"file", text}, {"grid", text}, {"digest", text}}},
+       {"required", {"type"}},
+       {"additionalProperties", false}},
+      "Which voxels there are: of the box, of the inside of a mesh, or of a grid");
+  add("box", numbers_schema(kFinite, 6), "Two corners", "world units");
+  add("voxel", number_schema(kPositive), "Size of a voxel", "world units");
+  Json& dim = properties["dim"] = integer_schema(between(1, 1 << 20), false);
+  dim["default"] = defaults.dim;
+  describe_schema(dim, "Instead: voxels along the longest side", {});
+  add("up", words_schema(names_of(kUpAxisChoices)), "The up axis");
+  add("grid", text, "Name of the grid");
+  add("half", yes_or_no, "Store 16-bit floats");
+  add("codec", words_schema(names_of(kCodecChoices)), "Compression of the file");
+
+  Json schema = file_schema("A volume of noise, for vdbnoise", object_schema(std::move(properties)));
+  schema["$defs"] = {{"noise", noise_recipe_schema()}, {"layer", schema_of<Layer>()}};
+  return schema;
 }
 
 }  // namespace solidnoise

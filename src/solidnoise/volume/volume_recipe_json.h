@@ -5,6 +5,8 @@
 
 #include "solidnoise/core/choices.h"
 #include "solidnoise/recipe/json.h"
+#include "solidnoise/field/field_tables.h"
+#include "solidnoise/volume/volume_fields.h"
 #include "solidnoise/volume/volume_recipe.h"
 
 namespace solidnoise {
@@ -13,18 +15,6 @@ inline constexpr Choices<Codec, 3> kCodecChoices{{
     {Codec::blosc, "blosc"},
     {Codec::zip, "zip"},
     {Codec::none, "none"},
-}};
-
-inline constexpr Choices<RawShaping::Range, 3> kRangeChoices{{
-    {RawShaping::Range::signed_values, "signed"},
-    {RawShaping::Range::unit, "unit"},
-    {RawShaping::Range::raw, "raw"},
-}};
-
-inline constexpr Choices<RemapShaping::Fold, 3> kFoldChoices{{
-    {RemapShaping::Fold::none, "none"},
-    {RemapShaping::Fold::ridged, "ridged"},
-    {RemapShaping::Fold::billow, "billow"},
 }};
 
 // The JSON form of a volume:
@@ -44,5 +34,8 @@ Json to_json(const VolumeRecipe& recipe);
 // Throws std::invalid_argument with the path in the tree: another version, wrong type, unknown key, two keys
 // that contradict each other, value out of range.
 VolumeRecipe volume_recipe_from_json(const Json& json);
+
+// The JSON Schema of a volume.
+Json volume_recipe_schema();
 
 }  // namespace solidnoise

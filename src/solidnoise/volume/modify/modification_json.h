@@ -2,19 +2,12 @@
 
 #include <optional>
 
-#include "solidnoise/core/choices.h"
 #include "solidnoise/recipe/json.h"
 #include "solidnoise/recipe/json_reader.h"
 #include "solidnoise/volume/modify/modification.h"
+#include "solidnoise/volume/volume_fields.h"
 
 namespace solidnoise {
-
-inline constexpr Choices<Combine, 4> kCombineChoices{{
-    {Combine::replace, "replace"},
-    {Combine::add, "add"},
-    {Combine::multiply, "multiply"},
-    {Combine::erode, "erode"},
-}};
 
 // The keys that a modification adds to a recipe:
 //   "on": {"file": "smoke.vdb", "grid": "density"}, "combine": "erode", "amount": 0.5

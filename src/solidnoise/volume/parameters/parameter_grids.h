@@ -24,6 +24,9 @@ struct ParameterGrid {
   GridFile source;  // of floats
   std::optional<ValueMap> map;
 
+  // Throws std::invalid_argument where there is no file.
+  void validate() const { source.validate(); }
+
   friend bool operator==(const ParameterGrid&, const ParameterGrid&) = default;
 };
 

@@ -9,6 +9,10 @@
 
 namespace solidnoise {
 
+void GridFile::validate() const {
+  if (file.empty()) throw std::invalid_argument("file is empty; it must be a .vdb");
+}
+
 std::optional<GridFile> parse_grid_file(std::string_view text) {
   constexpr std::string_view kExtension = ".vdb";
   if (text.size() > kExtension.size() && text.ends_with(kExtension)) return GridFile{std::string(text)};

@@ -15,6 +15,9 @@ struct GridFile {
   std::string grid{};    // name in the file; empty: the first one that will do
   std::string digest{};  // file_digest() of it, where the volume exists already; empty: any file will do
 
+  // Throws std::invalid_argument where there is no file.
+  void validate() const;
+
   friend bool operator==(const GridFile&, const GridFile&) = default;
 };
 
