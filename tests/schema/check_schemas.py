@@ -17,7 +17,7 @@ def run(*command):
     return json.loads(subprocess.run(command, check=True, capture_output=True).stdout)
 
 
-schemas = {"volume": run(vdbnoise, "--schema"), "bake": run(meshnoise, "bake", "--schema")}
+schemas = {"volume": run(vdbnoise, "--schema"), "bake": run(meshnoise, "--schema")}
 for schema in schemas.values():
     Validator.check_schema(schema)
 failures = []

@@ -25,9 +25,12 @@ std::string number_name(std::string_view unit) {
 
 std::string help_of(std::string_view help, std::string_view unit, const Interval& allowed,
                     const std::string& default_value) {
+  std::string range(unit);
+  if (std::isfinite(allowed.most)) {
+    range += fmt::format("{}{:g} to {:g}", unit.empty() ? "" : "; ", allowed.least, allowed.most);
+  }
   std::string text(help);
-  if (!unit.empty()) text += fmt::format(", {}", unit);
-  if (std::isfinite(allowed.most)) text += fmt::format(", {:g} to {:g}", allowed.least, allowed.most);
+  if (!range.empty()) text += fmt::format(" [{}]", range);
   if (!default_value.empty()) text += fmt::format(" (default {})", default_value);
   return text;
 }

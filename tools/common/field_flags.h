@@ -25,7 +25,7 @@ std::string flag_of(std::string_view field);
 // What stands for a number of this unit: "OCTAVES".
 std::string number_name(std::string_view unit);
 
-// "Width of the band at half amplitude, octaves, 0.05 to 4 (default 1)". The default is left out where it is
+// "Width of the band at half amplitude [octaves; 0.05 to 4] (default 1)". The default is left out where it is
 // empty.
 std::string help_of(std::string_view help, std::string_view unit, const Interval& allowed,
                     const std::string& default_value);

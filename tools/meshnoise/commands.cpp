@@ -26,7 +26,7 @@ int run_meshnoise(const std::vector<std::string>& arguments) {
   if (command == "bake") return run_command("meshnoise bake", [&] { return run_bake(rest); });
   if (command == "curvature") return run_command("meshnoise curvature", [&] { return run_curvature(rest); });
   if (command == "info") return run_command("meshnoise info", [&] { return run_info(rest); });
-  if (command == "--list-presets") return run_bake(arguments);
+  if (command == "--list-presets" || command == "--schema") return run_bake(arguments);
   if (command == "--help" || command == "-h") throw TextRequested{kHelp};
   if (command == "--version") throw TextRequested{std::string(kMeshnoise) + "\n"};
   throw UsageError(fmt::format("{} is no command; it must be bake, curvature or info", command));

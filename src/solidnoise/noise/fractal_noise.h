@@ -32,9 +32,9 @@ constexpr auto fields_of(std::type_identity<FractalOptions>) {
   return list_fields(
       field("octaves", &Options::octaves, between(1, 16), "", "Octaves that are summed"),
       field("lacunarity", &Options::lacunarity, between(1.0 + 1e-9, 64.0), "frequency ratio of octaves",
-            "Frequency of an octave over that of the one before it"),
+            "How much finer each octave is than the one before it"),
       field("gain", &Options::gain, kPositive, "amplitude ratio of octaves",
-            "Amplitude of an octave over that of the one before it"),
+            "How much weaker each octave is than the one before it"),
       field("renormalize", &Options::renormalize, "Keep the variance at 1, whatever the octaves"));
 }
 
