@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "solidnoise/core/choices.h"
-#include "solidnoise/recipe/json.h"
 #include "solidnoise/field/field_tables.h"
+#include "solidnoise/recipe/json.h"
 #include "solidnoise/volume/volume_fields.h"
 #include "solidnoise/volume/volume_recipe.h"
 
