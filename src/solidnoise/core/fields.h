@@ -102,11 +102,11 @@ constexpr auto field(std::string_view name, Value Struct::*member, std::string_v
 
 // A struct whose fields stand among those of the struct that it is in.
 template <typename Struct, typename Value>
-struct Part {
+struct PartRow {
   Value Struct::*member;
 };
 template <typename Struct, typename Value>
-constexpr Part<Struct, Value> part(Value Struct::*member) {
+constexpr PartRow<Struct, Value> part(Value Struct::*member) {
   return {member};
 }
 
