@@ -80,7 +80,7 @@ TEST(ExemplarModelJson, MessagesGiveThePathTheValueAndWhatIsAllowed) {
     return message_of<std::invalid_argument>([&] { exemplar_file_from_json(parse_json(text)); });
   };
   EXPECT_EQ(refused(R"({"exemplar": {}})").substr(0, 12), "\"solidnoise\"");
-  EXPECT_EQ(refused(R"({"solidnoise": 2, "exemplar": {}})").substr(0, 15), "solidnoise is 2");
+  EXPECT_EQ(refused(R"({"solidnoise": 3, "exemplar": {}})").substr(0, 15), "solidnoise is 3");
   EXPECT_EQ(refused(R"({"solidnoise": 1})"), "exemplar is missing; it must be the model of an exemplar");
   EXPECT_EQ(refused(R"({"solidnoise": 1, "exemplar": {"channels": []}})"),
             "exemplar.channels is []; it must be an array of objects, of one at least");

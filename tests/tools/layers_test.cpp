@@ -77,7 +77,8 @@ TEST(Layers, WhatHasNoEffectIsRefused) {
       {{"--raw", "--warp", "0.1", "--band-limit"}, "--band-limit is true; it must be false"},
       {{"--recipe", "tree.json", "--fold", "billow"}, "--fold has no effect where the recipe has layers"},
       {{"--recipe", "own.json", "--frequency", "3"}, "--frequency has no effect where each layer"},
-      {{"--recipe", "bad.json"}, "bad.json: layers[1].noise.bandwidth is -1; it must be between 0.05 and 4"},
+      {{"--recipe", "bad.json"},
+       "bad.json: line 1: layers[1].noise.bandwidth is -1; it must be between 0.05 and 4"},
   };
   for (const Case& of : cases) {
     std::vector<std::string> arguments = of.arguments;

@@ -162,7 +162,7 @@ TEST(Sequence, SharesItsDensityScaleByTheRecipeAndBetweenShards) {
   };
   run(with(kBoiling, {"--frames", "12", "--out", "s.#.vdb"}));
   run(with(kBoiling, {"--frames", "1-48", "--write-recipe", "s.json"}));
-  EXPECT_NE(folder.read("s.json").find("density_factor"), std::string::npos);
+  EXPECT_NE(folder.read("s.json").find("\"factor\""), std::string::npos);
   run({"--recipe", "s.json", "--frames", "12", "--out", "again.#.vdb", "--quiet"});
   expect_same_grid(folder.file("s.12.vdb"), folder.file("again.12.vdb"));
   for (const std::string shard : {"1", "2", "3"}) {

@@ -219,7 +219,7 @@ TEST(Vdbnoise, ShapesStandOnTheUpAxis) {
   const auto box_of = [](const std::vector<std::string>& flags) {
     std::vector<std::string> arguments{"--describe", "--dim", "16"};
     arguments.insert(arguments.end(), flags.begin(), flags.end());
-    return parse_json(run_vdbnoise(arguments).out)["recipe"]["box"].get<std::vector<double>>();
+    return parse_json(run_vdbnoise(arguments).out)["recipe"]["domain"]["box"].get<std::vector<double>>();
   };
   const std::vector<double> y_up = box_of({});
   const std::vector<double> z_up = box_of({"--up", "z"});

@@ -101,15 +101,69 @@ TEST(VolumeRecipeJson, RoundTripsOutputs) {
   EXPECT_EQ(volume_recipe_from_json(to_json(both)).output, both.output);
   EXPECT_EQ(grid_names(both), (std::vector<std::string>{"gradient", "density"}));
 
-  // What was written before there were outputs is written still.
-  const Json plain = to_json(VolumeRecipe{});
-  EXPECT_EQ(plain.at("grid"), "density");
+  const Json plain = to_json(VolumeRecipe{}).at("grids").at(0);
+  EXPECT_EQ(plain.at("name"), "density");
   for (const char* key : {"output", "speed", "boundary"}) EXPECT_FALSE(plain.contains(key)) << key;
 }
 
+constexpr char kSeveral[] = R"({
+  "solidnoise": 2, "noise": {"type": "gabor", "seed": 7},
+  "fields": {"body": {"fold": "billow", "stretch": [1, 2, 1]}, "both": {"use": "body", "weight": 2}},
+  "grids": [
+    {"name": "density", "layers": [{"use": "both"}, {"place": "radius"}], "shaping": {"type": "remap"},
+     "scale": {"peak": 3}},
+    {"name": "heat", "noise": {"type": "kensler", "frequency": 3}, "sparse": true, "half": true},
+    {"name": "vel", "output": "curl", "drift": [0, 1, 0], "within": {"use": "body", "ramp": [[0, 0], [1, 1]]}}
+  ],
+  "domain": {"shape": {"type": "sphere"}, "dim": 40}
+})";
+
+TEST(VolumeRecipeJson, RoundTripsSeveralGrids) {
+  const VolumeRecipe recipe = volume_recipe_from_json(parse_json(kSeveral));
+  EXPECT_EQ(grid_names(recipe), (std::vector<std::string>{"density", "heat", "vel"}));
+  expect_round_trip(recipe);
+  const VolumeRecipe back = volume_recipe_from_json(to_json(recipe));
+  EXPECT_EQ(back.grids, recipe.grids);
+  EXPECT_EQ(back.fields, recipe.fields);
+  EXPECT_EQ(recipe_of_grid(back, "vel").drift, Vec<3>(0.0, 1.0, 0.0));
+  EXPECT_EQ(recipe_of_grid(back, "density").density.peak, 3.0);
+}
+
+// The list of a single grid is what the short form was read as, and it is what is written.
+TEST(VolumeRecipeJson, ReadsTheShortFormAsAListOfOneGrid) {
+  const auto read = [](const char* text) { return volume_recipe_from_json(parse_json(text)); };
+  const VolumeRecipe flat = read(R"({"solidnoise": 1, "layers": [{"fold": "ridged"}], "grid": "a",
+                                     "shaping": {"type": "remap", "edge": 2}, "density": 4, "dim": 30})");
+  const VolumeRecipe listed =
+      read(R"({"solidnoise": 2, "grids": [{"name": "a", "layers": [{"fold": "ridged"}],
+        "shaping": {"type": "remap", "edge": 2}, "scale": {"peak": 4}}], "domain": {"dim": 30}})");
+  EXPECT_EQ(format_json(to_json(flat)), format_json(to_json(listed)));
+  EXPECT_TRUE(listed.grids.empty());
+  EXPECT_EQ(listed.grid, "a");
+}
+
+TEST(VolumeRecipeJson, RefusesGridsThatDoNotGoTogether) {
+  const auto with = [](const std::string& rest) { return message_of(R"({"solidnoise": 2, )" + rest + "}"); };
+  EXPECT_EQ(with(R"("grids": [{"name": "a"}, {"name": "a"}])"),
+            "grids[1] is a; there is a grid of that name before it");
+  EXPECT_EQ(with(R"("grids": [{}, {"name": "b", "layers": [{"use": "nothing"}]}])"),
+            "grids[1].layers[0].use is nothing; there is no field of that name");
+  EXPECT_EQ(with(R"("fields": {"a": {"use": "b"}, "b": {"use": "a"}}, "grids": [{"layers": [{"use": "a"}]}])")
+                .substr(0, 7),
+            "fields.");
+  EXPECT_EQ(with(R"("grids": [{"drift": [0, 1, 0]}, {"name": "b"}])"),
+            "grids[0].drift applies to output curl only");
+  EXPECT_EQ(with(R"("grids": [{"layers": [{"place": "radius", "fold": "ridged"}]}])"),
+            "layers[0].fold has no effect on a place");
+  EXPECT_EQ(with(R"("grids": [{"shaping": {"type": "remap", "edge": -1}}])"),
+            "grids[0].shaping.edge is -1; it must be at least 0 (sigmas)");
+}
+
 TEST(VolumeRecipeJson, RefusesWhatIsNoRecipeOfThisVersion) {
-  EXPECT_EQ(message_of("{}"), "\"solidnoise\": 1 is missing; this is no recipe");
-  EXPECT_EQ(message_of(R"({"solidnoise": 2})"), "solidnoise is 2; this program reads recipes of version 1");
+  EXPECT_EQ(message_of("{}"), "\"solidnoise\": 2 is missing; this is no recipe");
+  EXPECT_EQ(message_of(R"({"solidnoise": 3})"),
+            "solidnoise is 3; this program reads recipes of versions 1 to 2");
+  EXPECT_EQ(message_of(R"({"solidnoise": 2})"), "accepted");
   EXPECT_EQ(message_of(R"({"solidnoise": "1"})"), "solidnoise is \"1\"; it must be a whole number");
   EXPECT_EQ(message_of("[1]"), "the recipe is [1]; it must be an object");
   EXPECT_EQ(message_of(R"({"solidnoise": 1})"), "accepted");

@@ -46,7 +46,8 @@ std::optional<VolumeRecipe> stored_recipe(const openvdb::FloatGrid& grid, const 
 
 bool holds_noise_itself(const VolumeRecipe& recipe) {
   const auto* raw = std::get_if<RawShaping>(&recipe.shaping);
-  return raw && raw->range == RawShaping::Range::raw && recipe.layers.empty() && !recipe.parameters.any();
+  return raw && raw->range == RawShaping::Range::raw && recipe.layers.empty() && !recipe.within &&
+         !recipe.parameters.any();
 }
 
 // The slice through the middle of a block, across z.
@@ -104,6 +105,7 @@ int run_analyze(const std::vector<std::string>& arguments) {
   AnalysisSubject subject;
   subject.grid = read_float_grid(file, grid_name);
   subject.recipe = stored_recipe(*subject.grid, file);
+  if (subject.recipe) subject.recipe = recipe_of_grid(*subject.recipe, subject.grid->getName());
   const openvdb::Vec3d voxel = subject.grid->voxelSize();
   if (subject.recipe) *subject.recipe = at_resolution(*subject.recipe, {voxel.x(), voxel.y(), voxel.z()});
   if (subject.recipe && holds_noise_itself(*subject.recipe))

@@ -115,7 +115,7 @@ Json describe_varying(const VolumeRecipe& recipe, const VolumePlan& plan, double
   json["dims"] = recipe.dims;
   json["octaves"] = recipe.noise.fractal.octaves;
   describe_parameters(*plan.parameters, json["from_grids"]);
-  describe_statistics(*make_volume_source(recipe, plan), largest_voxel, json);
+  describe_statistics(*make_varying_volume_noise(recipe, plan), largest_voxel, json);
   return json;
 }
 
@@ -152,11 +152,11 @@ Json describe_grid(const VolumePlan& plan) {
 Json describe_outputs(const VolumeRecipe& recipe) {
   const std::vector<std::string> names = grid_names(recipe);
   Json json = Json::array();
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    Json grid = Json::object();
-    grid["name"] = names[i];
-    grid["components"] = components_of(recipe.output[i]);
-    json.push_back(grid);
+  std::size_t i = 0;
+  for (const VolumeRecipe& single : recipes_of_grids(recipe)) {
+    for (const Output output : single.output) {
+      json.push_back({{"name", names[i++]}, {"components", components_of(output)}});
+    }
   }
   return json;
 }
@@ -166,13 +166,17 @@ Json describe_outputs(const VolumeRecipe& recipe) {
 Json describe_volume(const VolumeRecipe& recipe) {
   const VolumePlan plan = plan_volume(recipe);
   const Vec<3>& voxel = plan.frame.voxel_size();
+  const double largest = std::max({voxel.x, voxel.y, voxel.z});
   Json json = Json::object();
-  json["noise"] = describe_noise(at_resolution(recipe, voxel), plan, std::max({voxel.x, voxel.y, voxel.z}));
-  for (const NoiseRecipe& noise : noises_of(recipe.layers, recipe.noise)) {
-    VolumeRecipe layer = at_resolution(recipe, voxel);
-    layer.noise = noise;
-    layer.layers.clear();
-    json["layer_noises"].push_back(describe_noise(layer, plan, std::max({voxel.x, voxel.y, voxel.z})));
+  json["noise"] = describe_noise(at_resolution(recipe, voxel), plan, largest);
+  for (const VolumeRecipe& single : recipes_of_grids(recipe)) {
+    if (single.layers.empty() && recipe.grids.empty()) continue;
+    for (const NoiseRecipe& noise : noises_of(single)) {
+      VolumeRecipe layer = at_resolution(single, voxel);
+      layer.noise = noise;
+      layer.layers.clear();
+      json["layer_noises"].push_back(describe_noise(layer, plan, largest));
+    }
   }
   json["grid"] = describe_grid(plan);
   json["grids"] = describe_outputs(recipe);

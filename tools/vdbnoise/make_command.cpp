@@ -78,6 +78,15 @@ void check_consistency(const FlagSet& flags, const MakeOptions& options) {
       throw UsageError(fmt::format("{} has no effect where --shape is a grid, whose voxels are kept", flag));
     }
   }
+  if (!options.recipe.grids.empty()) {
+    for (const char* flag :
+         {"--output", "--speed", "--boundary", "--boundary-width", "--grid", "--raw", "--range", "--fold",
+          "--histogram", "--warp", "--optical-depth", "--density", "--density-factor", "--on"}) {
+      if (!flags.given(flag)) continue;
+      throw UsageError(
+          fmt::format("{} has no effect where the recipe makes several grids, each with its own", flag));
+    }
+  }
   check_modify_flags(flags, options.recipe);
   check_layer_flags(flags, options.recipe);
   check_parameter_flags(flags, options.recipe);
@@ -111,12 +120,7 @@ void check_memory(const MakeOptions& options, const VolumePlan& plan) {
 
 void write_recipe(const MakeOptions& options, const VolumePlan& plan) {
   if (options.write_recipe.empty()) return;
-  VolumeRecipe recipe = options.recipe;
-  recipe.shape = plan.shape;
-  if (plan.modification) recipe.modification = plan.modification->modification;
-  recipe.boundary = plan.boundary;
-  if (plan.parameters) recipe.parameters = plan.parameters->grids();
-  write_text_file(options.write_recipe, format_json(to_json(recipe)));
+  write_text_file(options.write_recipe, format_json(to_json(with_digests(options.recipe, plan))));
 }
 
 // All of the planned voxels, as they are before empty ones are dropped.
@@ -127,19 +131,20 @@ openvdb::FloatGrid::Ptr full_grid(const VolumePlan& plan) {
   return grid;
 }
 
-// A part is shown in its place in the volume, its densities as if they were all of it; their own scale they
-// get when merged.
+// Of several grids the first is shown. A part is shown in its place in the volume, its densities as if they
+// were all of it; their own scale they get when merged.
 Image picture(const Volume& volume, const VolumePlan& plan, const MakeOptions& options, Progress* progress) {
   openvdb::FloatGrid::ConstPtr frame = options.preview_frame;
-  if (options.part.whole()) return picture_of(volume, options.recipe, frame, progress);
+  const VolumeRecipe recipe = recipes_of_grids(options.recipe).front();
+  if (options.part.whole()) return picture_of(volume, recipe, frame, progress);
   if (!frame) frame = full_grid(plan);
-  const bool raw = std::holds_alternative<RawShaping>(options.recipe.shaping);
-  if (raw) return picture_of(volume, options.recipe, frame, progress);
+  const bool raw = std::holds_alternative<RawShaping>(recipe.shaping);
+  if (raw) return picture_of(volume, recipe, frame, progress);
   MeasuredGrid shown = volume.grids.front();
   const auto density = openvdb::gridPtrCast<openvdb::FloatGrid>(shown.grid)->deepCopy();
-  scale_density(options.recipe, *density, shown.moments.front());
+  scale_density(recipe, *density, shown.moments.front());
   shown.grid = density;
-  return picture_of({{shown}}, options.recipe, frame, progress);
+  return picture_of({{shown}}, recipe, frame, progress);
 }
 
 ProgressBar::Visibility visibility(const MakeOptions& options) {
@@ -194,17 +199,17 @@ void make_volume_files(const MakeOptions& options) {
   if (!options.quiet) print_statistics(volume, options.out.empty() ? options.preview : options.out);
 }
 
-// The one factor by which all frames of a sequence are scaled.
-double measure_sequence(const MakeOptions& options) {
+// The one factor by which all frames of a sequence are scaled, of entry i of the recipe's grids.
+double measure_sequence(const MakeOptions& options, const VolumeRecipe& recipe) {
   const EndsAtOnce ends_at_once;
   options.times->begin("scale");
-  const VolumePlan plan = plan_volume(options.recipe, options.part);
+  const VolumePlan plan = plan_volume(recipe, options.part);
   check_memory(options, plan);
   std::optional<double> factor;
   {
     TaskProgress progress(visibility(options));
     progress.begin("density scale");
-    factor = measure_density_factor(options.recipe, plan, &progress);
+    factor = measure_density_factor(recipe, plan, &progress);
   }
   if (!factor) {
     throw std::runtime_error(
@@ -233,7 +238,13 @@ void make_sequence(MakeOptions options) {
     std::cerr << "vdbnoise: warning: each frame has a grid of its own and is scaled by itself, which may "
                  "flicker; --density-factor gives all one scale\n";
   }
-  if (shares_density_factor(options)) options.recipe.density.factor = measure_sequence(options);
+  if (shares_density_factor(options)) {
+    const std::vector<VolumeRecipe> singles = recipes_of_grids(options.recipe);
+    for (std::size_t i = 0; i < singles.size(); ++i) {
+      if (!measures_density(singles[i])) continue;
+      grid_of(options.recipe, i).density.factor = measure_sequence(options, singles[i]);
+    }
+  }
   if (!options.write_recipe.empty()) {
     recipe_only.recipe = options.recipe;
     make_volume_files(recipe_only);
@@ -263,7 +274,7 @@ openvdb::FloatGrid::ConstPtr read_preview_frame(const FlagSet& flags, const Make
   constexpr const char* kFlag = "--preview-frame";
   const auto text = flags.value_of(kFlag);
   if (!text) return nullptr;
-  if (options.preview.empty() || options.recipe.output.front() != Output::value) {
+  if (options.preview.empty() || recipes_of_grids(options.recipe).front().output.front() != Output::value) {
     throw UsageError(fmt::format("{} has no effect without a --preview of values", kFlag));
   }
   const EndsAtOnce ends_at_once;

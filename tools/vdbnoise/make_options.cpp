@@ -1,5 +1,7 @@
 #include "vdbnoise/make_options.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <filesystem>
 #include <string_view>
 #include <vector>
@@ -64,7 +66,11 @@ void declare_output(FlagSet& flags, MakeOptions& options) {
   declare_output_flags(flags, options.recipe);
   keep(flags, "--grid", "NAME", "Name of the grid (default density; of others than values, see the docs)",
        options.recipe.grid);
-  flags.toggle("--half", "Store 16-bit floats: half the size, 3 digits", [&] { options.recipe.half = true; });
+  flags.toggle("--half", "Store 16-bit floats: half the size, 3 digits", [&] {
+    for (std::size_t i = 0; i < std::max<std::size_t>(1, options.recipe.grids.size()); ++i) {
+      grid_of(options.recipe, i).half = true;
+    }
+  });
   declare_choice(flags, "--codec", kCodecChoices,
                  "Compression of the file; zip gains nothing on fog volumes (default blosc)",
                  options.recipe.codec);

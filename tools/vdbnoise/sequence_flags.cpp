@@ -12,6 +12,7 @@
 #include "common/usage_error.h"
 #include "solidnoise/core/check.h"
 #include "solidnoise/noise/noise_recipe.h"
+#include "solidnoise/volume/make_volume.h"
 #include "solidnoise/volume/modify/modified_volume.h"
 
 namespace solidnoise {
@@ -57,9 +58,7 @@ bool changes_with_time(const VolumeRecipe& recipe) {
 
 // Whether densities are scaled by something that is to be measured.
 bool is_scaled(const VolumeRecipe& recipe) {
-  if (recipe.density.factor) return false;
-  if (recipe.modification) return scales_density(recipe, *recipe.modification);
-  return !std::holds_alternative<RawShaping>(recipe.shaping);
+  return std::ranges::any_of(recipes_of_grids(recipe), measures_density);
 }
 
 double loop_of(const NoiseRecipe& noise, int dims) {
@@ -69,13 +68,14 @@ double loop_of(const NoiseRecipe& noise, int dims) {
 
 // Units of time; 0: the recipe does not loop, or not all of its noises in the same time.
 double loop_of(const VolumeRecipe& recipe) {
-  if (recipe.layers.empty()) return loop_of(recipe.noise, recipe.dims);
   std::optional<double> loop;
-  for (const NoiseRecipe& noise : noises_of(recipe.layers, recipe.noise)) {
-    if (recipe.dims == 3 && !evolves(noise)) continue;
-    const double of_noise = loop_of(noise, recipe.dims);
-    if (loop.value_or(of_noise) != of_noise) return 0.0;
-    loop = of_noise;
+  for (const VolumeRecipe& single : recipes_of_grids(recipe)) {
+    for (const NoiseRecipe& noise : noises_of(single)) {
+      if (recipe.dims == 3 && !evolves(noise)) continue;
+      const double of_noise = loop_of(noise, recipe.dims);
+      if (loop.value_or(of_noise) != of_noise) return 0.0;
+      loop = of_noise;
+    }
   }
   return loop.value_or(0.0);
 }

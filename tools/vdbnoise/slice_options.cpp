@@ -191,6 +191,9 @@ void check_file(const FlagSet& flags, const SliceOptions& options) {
 
 void check_recipe(const SliceOptions& options) {
   const VolumeRecipe& recipe = options.recipe;
+  if (!recipe.grids.empty() || !recipe.fields.empty()) {
+    throw UsageError("the recipe makes several grids, or has named fields; slice the volume that it makes");
+  }
   if (!std::holds_alternative<RawShaping>(recipe.shaping)) {
     throw UsageError(
         "the recipe shapes its noise; give --raw too to see the noise itself, or slice the volume that it "

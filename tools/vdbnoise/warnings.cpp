@@ -46,12 +46,10 @@ bool warn_of_tiles(const NoiseRecipe& noise, const Vec<3>& voxel, std::ostream& 
 
 // Of the noise, or of the first of the layers' that does not fit.
 void warn_of_tiles(const VolumeRecipe& recipe, const Vec<3>& voxel, std::ostream& stream) {
-  if (recipe.layers.empty()) {
-    warn_of_tiles(recipe.noise, voxel, stream);
-    return;
-  }
-  for (const NoiseRecipe& noise : noises_of(recipe.layers, recipe.noise)) {
-    if (warn_of_tiles(noise, voxel, stream)) return;
+  for (const VolumeRecipe& single : recipes_of_grids(recipe)) {
+    for (const NoiseRecipe& noise : noises_of(single)) {
+      if (warn_of_tiles(noise, voxel, stream)) return;
+    }
   }
 }
 
@@ -71,7 +69,7 @@ void warn_of_divergence(const VolumeRecipe& recipe, std::ostream& stream) {
 void warn_of_resolution(const VolumeRecipe& recipe, const VolumePlan& plan, std::ostream& stream) {
   warn_of_aliasing(recipe, plan, stream);
   warn_of_tiles(recipe, plan.frame.voxel_size(), stream);
-  warn_of_divergence(recipe, stream);
+  for (const VolumeRecipe& single : recipes_of_grids(recipe)) warn_of_divergence(single, stream);
 }
 
 }  // namespace solidnoise

@@ -69,6 +69,7 @@ class CurlField final : public Field<3> {
     });
     take_curl(potentials, samples.values);
     if (options_.boundary) bend(points.positions, potentials, samples.values);
+    add_drift(samples.values);
   }
 
  private:
@@ -83,6 +84,7 @@ class CurlField final : public Field<3> {
           lattice.size(), [&](std::size_t c, const Samples<3>& jet) { blocks_[c]->evaluate(lattice, jet); });
       field_.take_curl(potentials, samples.values);
       if (field_.options_.boundary) field_.bend(positions_of({&lattice, 1}), potentials, samples.values);
+      field_.add_drift(samples.values);
     }
 
    private:
@@ -99,6 +101,15 @@ class CurlField final : public Field<3> {
         values[axis * size + i] =
             scale_ * (potentials.derivative(last, next, i) - potentials.derivative(next, last, i));
       }
+    }
+  }
+
+  void add_drift(std::span<float> values) const {
+    const std::size_t size = values.size() / 3;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto drift = static_cast<float>(options_.drift[static_cast<int>(axis)]);
+      if (drift == 0.0f) continue;
+      for (float& component : values.subspan(axis * size, size)) component += drift;
     }
   }
 

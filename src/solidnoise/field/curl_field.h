@@ -19,6 +19,7 @@ namespace solidnoise {
 struct CurlOptions {
   std::array<std::shared_ptr<const Noise<3>>, 3> potentials;  // independent of each other
   double speed = 1.0;  // root mean square, world units per second, away from boundaries
+  Vec<3> drift{0.0};   // a mean velocity, which is added; world units per second
 
   // E|curl psi|^2 that the speed is of, where it is not that of the potentials: of the unfiltered ones, so
   // that a filter takes from the speed what it does not let pass.

@@ -42,6 +42,16 @@ inline constexpr Choices<Layer::Combine, 5> kLayerCombineChoices{{
     {Layer::Combine::mix, "mix"},
 }};
 
+inline constexpr Choices<Layer::Place, 7> kPlaceChoices{{
+    {Layer::Place::none, "none"},
+    {Layer::Place::x, "x"},
+    {Layer::Place::y, "y"},
+    {Layer::Place::z, "z"},
+    {Layer::Place::height, "height"},
+    {Layer::Place::radius, "radius"},
+    {Layer::Place::distance, "distance"},
+}};
+
 constexpr auto fields_of(std::type_identity<RawShaping>) {
   return list_fields(field("range", &RawShaping::range, kRangeChoices,
                            "Values as they are, or 3 sigma to -1..1 or to 0..1"));
@@ -91,22 +101,32 @@ constexpr auto fields_of(std::type_identity<Warp>) {
 }
 
 constexpr auto fields_of(std::type_identity<Layer>) {
-  constexpr auto is_noise = [](const Layer& layer) { return layer.layers.empty(); };
+  constexpr auto is_noise = [](const Layer& layer) {
+    return layer.layers.empty() && layer.use.empty() && layer.place == Layer::Place::none;
+  };
   constexpr auto combines = [](const Layer& layer) { return !layer.layers.empty(); };
-  return list_fields(field("noise", &Layer::noise, "Left out, the recipe's").written_if(is_noise),
-                     field("fold", &Layer::fold, kLayerFoldChoices, "What becomes of the noise's octaves")
-                         .written_if(is_noise),
-                     field("histogram", &Layer::histogram, kHistogramChoices,
-                           "Values as they are, or uniform on 0 to 1 by the error function")
-                         .written_if(is_noise),
-                     field("combine", &Layer::combine, kLayerCombineChoices, "What becomes of the layers")
-                         .written_if(combines),
-                     field("layers", &Layer::layers, "In place of a noise").written_if(combines),
-                     field("ramp", &Layer::ramp, "Pairs of a value and what it becomes, values increasing")
-                         .written_if([](const Layer& layer) { return !layer.ramp.empty(); }),
-                     field("weight", &Layer::weight, kFinite, "", "What the value is multiplied by"),
-                     field("bias", &Layer::bias, kFinite, "", "What is added to it then"),
-                     field("warp", &Layer::warp, "Where the layer is looked up instead"));
+  return list_fields(
+      field("noise", &Layer::noise, "Left out, the recipe's").written_if(is_noise),
+      field("fold", &Layer::fold, kLayerFoldChoices, "What becomes of the noise's octaves")
+          .written_if(is_noise),
+      field("histogram", &Layer::histogram, kHistogramChoices,
+            "Values as they are, or uniform on 0 to 1 by the error function")
+          .written_if(is_noise),
+      field("stretch", &Layer::stretch, kPositive, "",
+            "How much longer the noise's features are along each axis")
+          .written_if([](const Layer& layer) { return layer.stretch != Vec<3>(1.0); }),
+      field("use", &Layer::use, "In place of a noise: a field that the recipe has a name for")
+          .written_if([](const Layer& layer) { return !layer.use.empty(); }),
+      field("place", &Layer::place, kPlaceChoices, "In place of a noise: where it is in the box")
+          .written_if([](const Layer& layer) { return layer.place != Layer::Place::none; }),
+      field("combine", &Layer::combine, kLayerCombineChoices, "What becomes of the layers")
+          .written_if(combines),
+      field("layers", &Layer::layers, "In place of a noise").written_if(combines),
+      field("ramp", &Layer::ramp, "Pairs of a value and what it becomes, values increasing")
+          .written_if([](const Layer& layer) { return !layer.ramp.empty(); }),
+      field("weight", &Layer::weight, kFinite, "", "What the value is multiplied by"),
+      field("bias", &Layer::bias, kFinite, "", "What is added to it then"),
+      field("warp", &Layer::warp, "Where the layer is looked up instead"));
 }
 
 }  // namespace solidnoise

@@ -64,24 +64,23 @@ void validate_ramp(const std::string& path, const std::vector<Vec<2>>& ramp) {
 
 class Validation {
  public:
-  explicit Validation(const NoiseRecipe& own) : own_(own) {}
+  Validation(const NoiseRecipe& own, const NamedLayers& named) : own_(own), named_(named) {}
 
   void visit_all(const std::string& path, const std::vector<Layer>& layers, int depth) {
-    if (layers.empty()) return;
-    if (depth > kDeepestLayer) {
-      throw std::invalid_argument(
-          fmt::format("{} is at level {}; layers can be {} deep", path, depth, kDeepestLayer));
-    }
     for (std::size_t i = 0; i < layers.size(); ++i) visit(fmt::format("{}[{}]", path, i), layers[i], depth);
   }
 
  private:
   void visit(const std::string& path, const Layer& layer, int depth) {
+    if (depth > kDeepestLayer) {
+      throw std::invalid_argument(
+          fmt::format("{} is at level {}; layers can be {} deep", path, depth, kDeepestLayer));
+    }
     if (++count_ > kMostLayers) {
       throw std::invalid_argument(
           fmt::format("{} is one too many; there can be {} layers", path, kMostLayers));
     }
-    layer.layers.empty() ? validate_leaf(path, layer) : validate_group(path, layer);
+    layer.layers.empty() ? validate_leaf(path, layer, depth) : validate_group(path, layer);
     validate_ramp(path, layer.ramp);
     require_finite(path + ".weight", layer.weight);
     require_finite(path + ".bias", layer.bias);
@@ -92,8 +91,30 @@ class Validation {
     visit_all(path + ".layers", layer.layers, depth + 1);
   }
 
-  void validate_leaf(const std::string& path, const Layer& layer) const {
+  void validate_leaf(const std::string& path, const Layer& layer, int depth) {
     refuse_without_effect(path, "combine", layer.combine != Layer::Combine::sum, "without layers");
+    for (int axis = 0; axis < 3; ++axis) require_positive(path + ".stretch", layer.stretch[axis]);
+    if (layer.use.empty() && layer.place == Layer::Place::none) return validate_noise_leaf(path, layer);
+    const char* const where = layer.use.empty() ? "on a place" : "on a named field";
+    refuse_without_effect(path, "place", !layer.use.empty() && layer.place != Layer::Place::none, where);
+    refuse_noise_fields(path, layer, where);
+    if (layer.use.empty()) return;
+    const auto named = named_.find(layer.use);
+    if (named == named_.end()) {
+      throw std::invalid_argument(
+          fmt::format("{}.use is {}; there is no field of that name", path, layer.use));
+    }
+    visit("fields." + layer.use, named->second, depth + 1);
+  }
+
+  static void refuse_noise_fields(const std::string& path, const Layer& layer, const char* where) {
+    refuse_without_effect(path, "noise", layer.noise.has_value(), where);
+    refuse_without_effect(path, "fold", layer.fold != Layer::Fold::none, where);
+    refuse_without_effect(path, "histogram", layer.histogram != Layer::Histogram::gaussian, where);
+    refuse_without_effect(path, "stretch", layer.stretch != Vec<3>(1.0), where);
+  }
+
+  void validate_noise_leaf(const std::string& path, const Layer& layer) const {
     validate_noise(path, layer.noise, own_);
     const bool sums = layer.fold == Layer::Fold::ridged || layer.fold == Layer::Fold::turbulence;
     const int octaves = layer.noise.value_or(own_).fractal.octaves;
@@ -107,9 +128,9 @@ class Validation {
 
   void validate_group(const std::string& path, const Layer& layer) const {
     constexpr char kWhere[] = "on a layer that combines others";
-    refuse_without_effect(path, "noise", layer.noise.has_value(), kWhere);
-    refuse_without_effect(path, "fold", layer.fold != Layer::Fold::none, kWhere);
-    refuse_without_effect(path, "histogram", layer.histogram != Layer::Histogram::gaussian, kWhere);
+    refuse_noise_fields(path, layer, kWhere);
+    refuse_without_effect(path, "use", !layer.use.empty(), kWhere);
+    refuse_without_effect(path, "place", layer.place != Layer::Place::none, kWhere);
     if (layer.combine == Layer::Combine::mix && layer.layers.size() != 3) {
       throw std::invalid_argument(
           fmt::format("{}.layers has {}; mix takes 3: from, to and mask", path, layer.layers.size()));
@@ -117,23 +138,26 @@ class Validation {
   }
 
   const NoiseRecipe& own_;
+  const NamedLayers& named_;
   int count_ = 0;
 };
 
 // Calls visit(noise) with the noise of every leaf and warp, in order.
 template <typename Visit>
-void for_each_noise(const std::vector<Layer>& layers, const Visit& visit) {
+void for_each_noise(const std::vector<Layer>& layers, const NamedLayers& named, const Visit& visit) {
   for (const Layer& layer : layers) {
-    if (layer.layers.empty()) visit(layer.noise);
+    const bool is_noise = layer.layers.empty() && layer.use.empty() && layer.place == Layer::Place::none;
+    if (is_noise) visit(layer.noise);
+    if (!layer.use.empty()) for_each_noise({named.at(layer.use)}, named, visit);
     if (layer.warp) visit(layer.warp->noise);
-    for_each_noise(layer.layers, visit);
+    for_each_noise(layer.layers, named, visit);
   }
 }
 
 }  // namespace
 
-void validate_layers(const std::vector<Layer>& layers, const NoiseRecipe& own) {
-  Validation(own).visit_all("layers", layers, 1);
+void validate_layers(const std::vector<Layer>& layers, const NoiseRecipe& own, const NamedLayers& named) {
+  Validation(own, named).visit_all("layers", layers, 1);
 }
 
 NoiseRecipe noise_of_layer(const std::optional<NoiseRecipe>& noise, const NoiseRecipe& own) {
@@ -144,16 +168,18 @@ NoiseRecipe noise_of_layer(const std::optional<NoiseRecipe>& noise, const NoiseR
   return mixed;
 }
 
-std::vector<NoiseRecipe> noises_of(const std::vector<Layer>& layers, const NoiseRecipe& own) {
+std::vector<NoiseRecipe> noises_of(const std::vector<Layer>& layers, const NoiseRecipe& own,
+                                   const NamedLayers& named) {
   std::vector<NoiseRecipe> noises;
-  for_each_noise(
-      layers, [&](const std::optional<NoiseRecipe>& noise) { noises.push_back(noise_of_layer(noise, own)); });
+  for_each_noise(layers, named, [&](const std::optional<NoiseRecipe>& noise) {
+    noises.push_back(noise_of_layer(noise, own));
+  });
   return noises;
 }
 
-bool use_own_noise(const std::vector<Layer>& layers) {
+bool use_own_noise(const std::vector<Layer>& layers, const NamedLayers& named) {
   bool used = false;
-  for_each_noise(layers, [&](const std::optional<NoiseRecipe>& noise) { used = used || !noise; });
+  for_each_noise(layers, named, [&](const std::optional<NoiseRecipe>& noise) { used = used || !noise; });
   return used;
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "solidnoise/core/vec.h"
@@ -18,8 +20,8 @@ struct Warp {
   friend bool operator==(const Warp&, const Warp&) = default;
 };
 
-// A node of the tree that a field is made of, plain data. Without layers of its own it is a noise, otherwise
-// what they combine to. Its value v becomes weight ramp(v) + bias.
+// A node of the tree that a field is made of, plain data. Without layers of its own it is a noise, a named
+// field or a place, otherwise what they combine to. Its value v becomes weight ramp(v) + bias.
 //
 // With n the noise of unit variance, n_k its octaves (each of unit variance) and g its gain, a noise becomes
 //   none        n
@@ -42,10 +44,26 @@ struct Layer {
     mix,  // of three layers a, b, m: a + m (b - a), m clamped to 0..1
   };
 
+  // Where a sample is in the recipe's box.
+  enum class Place {
+    none,
+    x,
+    y,
+    z,       // 0 at the box's lower side, 1 at its upper one
+    height,  // the same along the up axis
+    radius,  // of the upright elliptic cylinder through it: 0 on the box's axis, 1 on the sides' middle lines
+    distance,  // of the ellipsoid through it: 0 at the box's centre, 1 on the inscribed one
+  };
+
   // Of a noise:
   std::optional<NoiseRecipe> noise{};  // none: that of the recipe; with a seed mixed with the recipe's
   Fold fold = Fold::none;
   Histogram histogram = Histogram::gaussian;
+  Vec<3> stretch{1.0};  // how much longer its features are along each axis; > 0
+
+  // Instead of a noise:
+  std::string use{};          // a field that the recipe has a name for
+  Place place = Place::none;  // where the sample is
 
   // Of several layers:
   std::vector<Layer> layers{};  // at most kMostLayers in the tree, kDeepestLayer levels of them
@@ -64,16 +82,20 @@ struct Layer {
 inline constexpr int kMostLayers = 64;
 inline constexpr int kDeepestLayer = 8;
 
-// Throws std::invalid_argument with the place in the tree, such as "layers[1].noise.bandwidth is -1; ...".
-// `own` is the recipe's noise.
-void validate_layers(const std::vector<Layer>& layers, const NoiseRecipe& own);
+// Fields that have names, for layers to use; what is used by several is evaluated once.
+using NamedLayers = std::map<std::string, Layer>;
 
-// Every noise of the tree, also those of warps, as it is made: with its seed mixed with that of `own`, which
-// stands where a layer names none.
-std::vector<NoiseRecipe> noises_of(const std::vector<Layer>& layers, const NoiseRecipe& own);
+// Throws std::invalid_argument with the place in the tree, such as "layers[1].noise.bandwidth is -1; ...",
+// also where named fields use each other in a circle. `own` is the recipe's noise.
+void validate_layers(const std::vector<Layer>& layers, const NoiseRecipe& own, const NamedLayers& named = {});
+
+// Every noise of the tree, also those of warps and of the named fields that it uses, as it is made: with its
+// seed mixed with that of `own`, which stands where a layer names none.
+std::vector<NoiseRecipe> noises_of(const std::vector<Layer>& layers, const NoiseRecipe& own,
+                                   const NamedLayers& named = {});
 
 // Whether a layer or a warp has the recipe's noise.
-bool use_own_noise(const std::vector<Layer>& layers);
+bool use_own_noise(const std::vector<Layer>& layers, const NamedLayers& named = {});
 
 // The noise that a layer or warp is made of.
 NoiseRecipe noise_of_layer(const std::optional<NoiseRecipe>& noise, const NoiseRecipe& own);

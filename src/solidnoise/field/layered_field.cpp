@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "solidnoise/field/combined_field.h"
+#include "solidnoise/field/stretched_field.h"
 #include "solidnoise/field/value_maps.h"
 #include "solidnoise/field/warped_field.h"
 
@@ -15,10 +16,10 @@ namespace {
 
 class Builder {
  public:
-  explicit Builder(const MakeLayerNoise& make_noise) : make_noise_(make_noise) {}
+  explicit Builder(const LayerLeaves& leaves) : leaves_(leaves) {}
 
   FieldPtr build(const Layer& layer) const {
-    FieldPtr built = layer.layers.empty() ? build_noise(layer) : build_group(layer.combine, layer.layers);
+    FieldPtr built = layer.layers.empty() ? build_leaf(layer) : build_group(layer.combine, layer.layers);
     if (!layer.ramp.empty()) built = through_ramp(built, layer.ramp);
     if (layer.weight != 1.0 || layer.bias != 0.0) built = affine(built, layer.weight, layer.bias);
     return layer.warp && layer.warp->amount > 0.0 ? build_warped(built, *layer.warp) : built;
@@ -54,20 +55,22 @@ class Builder {
     return noise.whole();
   }
 
-  FieldPtr build_noise(const Layer& layer) const {
-    const LayerNoise noise = make_noise_(layer.noise);
+  FieldPtr build_leaf(const Layer& layer) const {
+    if (!layer.use.empty()) return leaves_.named(layer.use);
+    if (layer.place != Layer::Place::none) return leaves_.place(layer.place);
+    const LayerNoise noise = leaves_.noise(layer.noise, layer.stretch);
     const bool stays = layer.fold == Layer::Fold::none && layer.histogram == Layer::Histogram::gaussian;
     if (stays) return noise.whole();
     return to_histogram(fold(noise, layer.fold), layer.histogram, layer.fold, noise.fractal);
   }
 
   FieldPtr build_warped(FieldPtr layer, const Warp& warp_of_layer) const {
-    const LayerNoise noise = make_noise_(warp_of_layer.noise);
+    const LayerNoise noise = leaves_.noise(warp_of_layer.noise, Vec<3>(1.0));
     return warp(std::move(layer), warp_of_layer.amount,
                 {noise.channel(0), noise.channel(1), noise.channel(2)});
   }
 
-  const MakeLayerNoise& make_noise_;
+  const LayerLeaves& leaves_;
 };
 
 }  // namespace
@@ -78,17 +81,20 @@ LayerNoise layer_noise(const NoiseRecipe& recipe, const MakeNoise& make_noise) {
           [=](int axis) { return make_noise(channel_of(recipe, axis)); }};
 }
 
-FieldPtr make_layered_field(const std::vector<Layer>& layers, const MakeLayerNoise& make_noise) {
+FieldPtr make_layered_field(const std::vector<Layer>& layers, const LayerLeaves& leaves) {
   if (layers.empty()) throw std::invalid_argument("layers are missing; there must be one at least");
-  return Builder(make_noise).build_group(Layer::Combine::sum, layers);
+  return Builder(leaves).build_group(Layer::Combine::sum, layers);
 }
 
 FieldPtr make_layered_field(const std::vector<Layer>& layers, const NoiseRecipe& own,
                             const MakeNoise& make_noise) {
   validate_layers(layers, own);
-  return make_layered_field(layers, [&](const std::optional<NoiseRecipe>& noise) {
-    return layer_noise(noise_of_layer(noise, own), make_noise);
-  });
+  LayerLeaves leaves;
+  leaves.noise = [&](const std::optional<NoiseRecipe>& noise, const Vec<3>& stretch) {
+    return layer_noise(noise_of_layer(noise, own),
+                       [=](const NoiseRecipe& recipe) { return stretched(make_noise(recipe), stretch); });
+  };
+  return make_layered_field(layers, leaves);
 }
 
 }  // namespace solidnoise

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "solidnoise/core/field.h"
@@ -18,18 +19,23 @@ struct LayerNoise {
   std::function<FieldPtr(int k)> octave;      // octave k by itself
   std::function<FieldPtr(int axis)> channel;  // others like it, independent of each other and of it
 };
-using MakeLayerNoise = std::function<LayerNoise(const std::optional<NoiseRecipe>& noise)>;
+// How the leaves of a tree of layers are made.
+struct LayerLeaves {
+  std::function<LayerNoise(const std::optional<NoiseRecipe>& noise, const Vec<3>& stretch)> noise;
+  std::function<FieldPtr(const std::string& name)> named{};
+  std::function<FieldPtr(Layer::Place)> place{};
+};
 
-// Makes the field of a noise as it is in the volume.
+// Makes the field of a noise wherever it is evaluated.
 using MakeNoise = std::function<FieldPtr(const NoiseRecipe&)>;
 LayerNoise layer_noise(const NoiseRecipe& recipe, const MakeNoise& make_noise);
 
 // The field of a tree of layers (the sum of those given; see Layer). A single layer that changes nothing is
 // the noise itself, bit for bit. On a lattice noises are evaluated as lattices, but for layers that are
 // warped, and at points. Throws std::invalid_argument if there are none.
-FieldPtr make_layered_field(const std::vector<Layer>& layers, const MakeLayerNoise& make_noise);
+FieldPtr make_layered_field(const std::vector<Layer>& layers, const LayerLeaves& leaves);
 
-// Of noises that are `own`, where a layer names none, or have seeds mixed with its own. Throws
+// Of noises alone, which are `own`, where a layer names none, or have seeds mixed with its own. Throws
 // std::invalid_argument as validate_layers() does.
 FieldPtr make_layered_field(const std::vector<Layer>& layers, const NoiseRecipe& own,
                             const MakeNoise& make_noise);

@@ -18,6 +18,12 @@ JsonReader::JsonReader(const Json& object, std::string path) : object_(object), 
   throw std::invalid_argument(fmt::format("{} is {}; it must be an object", name, shown(object)));
 }
 
+std::vector<std::string> JsonReader::keys() const {
+  std::vector<std::string> keys;
+  for (const auto& item : object_.items()) keys.push_back(item.key());
+  return keys;
+}
+
 void JsonReader::read(const std::string& key, double& value) {
   const Json* const json = find(key);
   if (!json) return;

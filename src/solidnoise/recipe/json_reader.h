@@ -26,6 +26,8 @@ class JsonReader {
   explicit JsonReader(const Json& object, std::string path = {});
 
   bool has(const std::string& key) const { return object_.contains(key); }
+  // All that there are, in their order.
+  std::vector<std::string> keys() const;
 
   void read(const std::string& key, double& value);
   void read(const std::string& key, int& value);

@@ -60,7 +60,7 @@ void describe_schema(Json& schema, std::string_view help, std::string_view unit)
 
 Json file_schema(std::string_view title, Json schema) {
   Json file{{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", title}};
-  Json properties{{"solidnoise", {{"const", kRecipeVersion}}}, {"algorithm", {{"type", "integer"}}}};
+  Json properties{{"solidnoise", {{"enum", {1, kRecipeVersion}}}}, {"algorithm", {{"type", "integer"}}}};
   properties["$schema"] = {{"type", "string"}};
   properties.update(schema["properties"]);
   schema["properties"] = std::move(properties);

@@ -24,9 +24,9 @@ void read_recipe_header(JsonReader& reader) {
   }
   int version = 0;
   reader.read("solidnoise", version);
-  if (version != kRecipeVersion) {
-    throw std::invalid_argument(
-        fmt::format("solidnoise is {}; this program reads recipes of version {}", version, kRecipeVersion));
+  if (version < 1 || version > kRecipeVersion) {
+    throw std::invalid_argument(fmt::format(
+        "solidnoise is {}; this program reads recipes of versions 1 to {}", version, kRecipeVersion));
   }
   int algorithm = kAlgorithmVersion;
   reader.read("algorithm", algorithm);

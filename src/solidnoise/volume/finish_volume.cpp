@@ -64,22 +64,26 @@ void note_recipe(const VolumeRecipe& recipe, const std::vector<Moments>& moments
 }
 
 void finish_volume(const VolumeRecipe& recipe, const std::string& creator, Volume& volume) {
-  const bool raw = std::holds_alternative<RawShaping>(recipe.shaping);
   const std::vector<std::string> names = grid_names(recipe);
-  for (std::size_t i = 0; i < volume.grids.size(); ++i) {
-    MeasuredGrid& measured = volume.grids[i];
-    openvdb::GridBase& grid = *measured.grid;
-    if (!raw) {
-      auto& density = dynamic_cast<openvdb::FloatGrid&>(grid);
-      note_density_factor(scale_density(recipe, density, measured.moments.front()), grid);
-      set_fog_volume(density, names[i], creator);
-    } else {
-      grid.setName(names[i]);
-      grid.setCreator(creator);
-      set_vector_type(grid, recipe.output[i]);
+  std::size_t i = 0;
+  for (const VolumeRecipe& single : recipes_of_grids(recipe)) {
+    const bool raw = std::holds_alternative<RawShaping>(single.shaping);
+    for (const Output output : single.output) {
+      MeasuredGrid& measured = volume.grids[i];
+      openvdb::GridBase& grid = *measured.grid;
+      if (!raw) {
+        auto& density = dynamic_cast<openvdb::FloatGrid&>(grid);
+        note_density_factor(scale_density(single, density, measured.moments.front()), grid);
+        set_fog_volume(density, names[i], creator);
+      } else {
+        grid.setName(names[i]);
+        grid.setCreator(creator);
+        set_vector_type(grid, output);
+      }
+      grid.setSaveFloatAsHalf(single.half);
+      note_recipe(recipe, measured.moments, grid);
+      ++i;
     }
-    grid.setSaveFloatAsHalf(recipe.half);
-    note_recipe(recipe, measured.moments, grid);
   }
 }
 

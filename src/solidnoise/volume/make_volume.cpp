@@ -40,9 +40,7 @@ Topology make_topology(const VolumeRecipe& recipe, const VolumePlan& plan, Progr
 
 // The fields that modify the plan's grid, of whichever recipe that asks for.
 MakeModifyingField modifying_field(const VolumePlan& plan) {
-  return [&plan](const VolumeRecipe& of) {
-    return make_volume_field(at_resolution(of, plan.frame.voxel_size()), plan);
-  };
+  return [&plan](const VolumeRecipe& of) { return make_volume_field(of, plan).field; };
 }
 
 // Layers of whole leaves that a topology can be cut into along an axis, from below.
@@ -67,21 +65,18 @@ std::vector<VolumePart> slabs_of(const Topology& topology, int axis) {
 
 Volume make_volume(const VolumeRecipe& recipe, const VolumePlan& plan, const std::string& creator,
                    Progress* progress) {
-  VolumeRecipe noted = recipe;
-  noted.shape = plan.shape;
-  noted.boundary = plan.boundary;
-  if (plan.parameters) noted.parameters = plan.parameters->grids();
+  const VolumeRecipe noted = with_digests(recipe, plan);
   if (plan.modification) {
     if (plan.parameters && plan.modification->on_lattice()) {
       plan.parameters->require_allowed_at(grid_topology(plan.modification->grid()));
     }
     return make_modified_volume(noted, *plan.modification, modifying_field(plan), progress);
   }
-  const FieldPtr field = make_volume_field(at_resolution(recipe, plan.frame.voxel_size()), plan);
+  const VolumeField field = make_volume_field(recipe, plan);
   const Topology topology = make_topology(recipe, plan, progress);
   const Topology part = take_part(topology, plan.part);
   if (plan.parameters) plan.parameters->require_allowed_at(part);
-  Volume volume{fill_grids(part, *field, channels_of(recipe), progress)};
+  Volume volume{fill_grids(part, *field.field, field.grids, progress)};
   if (plan.part.whole()) {
     finish_volume(noted, creator, volume);
   } else {
@@ -90,12 +85,18 @@ Volume make_volume(const VolumeRecipe& recipe, const VolumePlan& plan, const std
   return volume;
 }
 
+bool measures_density(const VolumeRecipe& recipe) {
+  if (recipe.density.factor) return false;
+  if (recipe.modification) return scales_density(recipe, *recipe.modification);
+  return !std::holds_alternative<RawShaping>(recipe.shaping);
+}
+
 std::optional<double> measure_density_factor(const VolumeRecipe& recipe, const VolumePlan& plan,
                                              Progress* progress) {
   if (plan.modification) {
     return measure_density_factor(recipe, *plan.modification, modifying_field(plan), progress);
   }
-  const FieldPtr field = make_volume_field(at_resolution(recipe, plan.frame.voxel_size()), plan);
+  const VolumeField field = make_volume_field(recipe, plan);
   const Topology topology = make_topology(recipe, plan, progress);
   if (plan.parameters) plan.parameters->require_allowed_at(topology);
   const int axis = vertical_axis(recipe);
@@ -107,7 +108,7 @@ std::optional<double> measure_density_factor(const VolumeRecipe& recipe, const V
       return static_cast<double>(k) / static_cast<double>(slabs.size());
     };
     PartialProgress of_slab(progress, share(i), share(i + 1));
-    const FilledGrid slab = fill_grid(take_part(topology, slabs[i]), *field, Sparsity::drop, &of_slab);
+    const FilledGrid slab = fill_grid(take_part(topology, slabs[i]), *field.field, Sparsity::drop, &of_slab);
     if (slab.moments.count() == 0) continue;
     columns.add(*slab.grid);
     peak = std::max(peak, slab.moments.max());

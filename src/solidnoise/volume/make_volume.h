@@ -16,11 +16,14 @@ namespace solidnoise {
 Volume make_volume(const VolumeRecipe& recipe, const VolumePlan& plan, const std::string& creator,
                    Progress* progress = nullptr);
 
-// What make_volume() multiplies densities by, measured on the whole of the volume, whatever part the plan is
-// of; nothing where all of it is 0. Of a sequence it is measured once, at the recipe's own time, and becomes
-// DensityScale::factor, so that frames and parts of frames have one scale wherever they are made. The volume
-// is made slab by slab, so that it takes no more memory than a part. Not for raw noise. Throws as
-// make_volume().
+// Whether a short form's densities are scaled by something that is to be measured.
+bool measures_density(const VolumeRecipe& recipe);
+
+// What make_volume() multiplies the densities of a short form by, measured on the whole of the volume,
+// whatever part the plan is of; nothing where all of it is 0. Of a sequence it is measured once, at the
+// recipe's own time, and becomes DensityScale::factor, so that frames and parts of frames have one scale
+// wherever they are made. The volume is made slab by slab, so that it takes no more memory than a part. Not
+// for raw noise. Throws as make_volume().
 std::optional<double> measure_density_factor(const VolumeRecipe& recipe, const VolumePlan& plan,
                                              Progress* progress = nullptr);
 

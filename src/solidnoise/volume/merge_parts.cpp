@@ -42,7 +42,7 @@ struct CensusKeys {
 constexpr CensusKeys kPartKeys{"solidnoise:part_leaves", "solidnoise:part_fingerprint"};
 constexpr CensusKeys kWholeKeys{"solidnoise:whole_leaves", "solidnoise:whole_fingerprint"};
 
-struct Part {
+struct PartFile {
   std::filesystem::path path;
   std::string recipe;  // JSON
   Census own;
@@ -71,12 +71,12 @@ std::optional<Census> noted_census(const openvdb::GridBase& grid, const CensusKe
   return Census{leaves->value(), fingerprint->value()};
 }
 
-[[noreturn]] void refuse(const Part& part, const std::string& what) {
+[[noreturn]] void refuse(const PartFile& part, const std::string& what) {
   throw std::runtime_error(fmt::format("{}: {}", part.path.string(), what));
 }
 
-Part read_part(const std::filesystem::path& path) {
-  Part part{path, {}, {}, {}, read_grids(path)};
+PartFile read_part(const std::filesystem::path& path) {
+  PartFile part{path, {}, {}, {}, read_grids(path)};
   const openvdb::GridBase& grid = *part.file.grids.front();
   const auto recipe = grid.getMetadata<openvdb::StringMetadata>(kRecipeKey);
   const std::optional<Census> own = noted_census(grid, kPartKeys);
@@ -90,7 +90,7 @@ Part read_part(const std::filesystem::path& path) {
   return part;
 }
 
-void require_same_volume(const Part& part, const Part& first) {
+void require_same_volume(const PartFile& part, const PartFile& first) {
   const bool same = part.recipe == first.recipe && part.whole == first.whole &&
                     part.file.grids.size() == first.file.grids.size() &&
                     part.file.metadata == first.file.metadata;
@@ -99,7 +99,7 @@ void require_same_volume(const Part& part, const Part& first) {
 
 // Moves the leaves of a part's grid into the whole's.
 template <typename Grid>
-void take_leaves(const Part& part, Grid& from, Grid& to) {
+void take_leaves(const PartFile& part, Grid& from, Grid& to) {
   using Leaf = typename Grid::TreeType::LeafNodeType;
   std::vector<Leaf*> leaves;
   from.tree().stealNodes(leaves, from.background(), false);
@@ -112,7 +112,7 @@ void take_leaves(const Part& part, Grid& from, Grid& to) {
   }
 }
 
-void add_part(Part& part, const std::vector<openvdb::GridBase::Ptr>& whole) {
+void add_part(PartFile& part, const std::vector<openvdb::GridBase::Ptr>& whole) {
   for (std::size_t i = 0; i < whole.size(); ++i) {
     openvdb::GridBase& from = *part.file.grids[i];
     if (from.type() != whole[i]->type()) refuse(part, "has grids of other types than the other parts");
@@ -159,7 +159,7 @@ void note_part(const VolumeRecipe& recipe, const std::string& creator, const Top
 MergedVolume merge_parts(const std::vector<std::filesystem::path>& files, const std::string& creator,
                          Progress* progress) {
   if (files.empty()) throw std::runtime_error("there are no parts to merge");
-  Part first = read_part(files.front());
+  PartFile first = read_part(files.front());
   std::vector<openvdb::GridBase::Ptr> whole;
   for (const openvdb::GridBase::Ptr& grid : first.file.grids) whole.push_back(empty_like(*grid));
   add_part(first, whole);
@@ -167,7 +167,7 @@ MergedVolume merge_parts(const std::vector<std::filesystem::path>& files, const 
   for (std::size_t i = 1; i < files.size(); ++i) {
     throw_if_cancelled(progress);
     if (progress != nullptr) progress->advance(i, files.size());
-    Part part = read_part(files[i]);
+    PartFile part = read_part(files[i]);
     require_same_volume(part, first);
     add_part(part, whole);
     joined.add(part.own);

@@ -32,9 +32,9 @@ void plan_modification(const VolumeRecipe& recipe, VolumePlan& plan) {
 }
 
 // Reads the surface that a velocity is to stay off, if there is one.
-void plan_boundary(const VolumeRecipe& recipe, VolumePlan& plan) {
-  plan.boundary = recipe.boundary;
-  if (!plan.boundary) return;
+VolumePlan::GridBoundary plan_boundary(const VolumeRecipe& recipe) {
+  VolumePlan::GridBoundary plan{recipe.boundary, nullptr};
+  if (!plan.boundary) return plan;
   const openvdb::FloatGrid::Ptr surface = read_float_grid(plan.boundary->surface, "--boundary");
   try {
     require_level_set(*surface);
@@ -42,8 +42,8 @@ void plan_boundary(const VolumeRecipe& recipe, VolumePlan& plan) {
     throw std::runtime_error(fmt::format("{}: {}", plan.boundary->surface.file, error.what()));
   }
   const double frequency = std::visit([](const auto& noise) { return noise.frequency; }, recipe.noise.noise);
-  plan.boundary_distance =
-      std::make_shared<DistanceSpline>(surface, plan.boundary->width.value_or(1.0 / frequency));
+  plan.distance = std::make_shared<DistanceSpline>(surface, plan.boundary->width.value_or(1.0 / frequency));
+  return plan;
 }
 
 // All of the plan but the parameters.
@@ -56,9 +56,12 @@ VolumePlan plan_voxels(const VolumeRecipe& recipe, const VolumePart& part) {
     plan_modification(recipe, plan);
     return plan;
   }
-  plan_boundary(recipe, plan);
-  const std::vector<int> components = components_of(recipe.output);
-  const int channels = std::accumulate(components.begin(), components.end(), 0);
+  int channels = 0;
+  for (const VolumeRecipe& grid : recipes_of_grids(recipe)) {
+    plan.boundaries.push_back(plan_boundary(grid));
+    const std::vector<int> components = components_of(grid.output);
+    channels += std::accumulate(components.begin(), components.end(), 0);
+  }
   if (auto* shape = std::get_if<GridShape>(&plan.shape)) {
     plan.grid = read_grid(*shape, "--shape");
     plan.frame = GridFrame(plan.grid->transform());
@@ -95,6 +98,17 @@ VolumePlan plan_volume(const VolumeRecipe& recipe, const VolumePart& part) {
   plan.parameters->require_overlap(plan.modification ? world_bounds(plan.modification->grid()) : plan.box);
   plan.memory += plan.parameters->memory();
   return plan;
+}
+
+VolumeRecipe with_digests(const VolumeRecipe& recipe, const VolumePlan& plan) {
+  VolumeRecipe noted = recipe;
+  noted.shape = plan.shape;
+  if (plan.modification) noted.modification = plan.modification->modification;
+  for (std::size_t i = 0; i < plan.boundaries.size(); ++i) {
+    grid_of(noted, i).boundary = plan.boundaries[i].boundary;
+  }
+  if (plan.parameters) noted.parameters = plan.parameters->grids();
+  return noted;
 }
 
 }  // namespace solidnoise

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "solidnoise/core/box.h"
 #include "solidnoise/volume/modify/distance_spline.h"
@@ -28,8 +29,12 @@ struct VolumePlan {
   openvdb::GridBase::Ptr grid;       // of a GridShape
   std::optional<ModificationPlan> modification;
 
-  std::optional<Boundary> boundary;  // the recipe's, with the digest of its file
-  std::shared_ptr<const DistanceSpline> boundary_distance;
+  // Of each entry of the recipe's grids: the surface that a velocity is to stay off, if there is one.
+  struct GridBoundary {
+    std::optional<Boundary> boundary;  // the entry's, with the digest of its file
+    std::shared_ptr<const DistanceSpline> distance;
+  };
+  std::vector<GridBoundary> boundaries;
 
   std::shared_ptr<const ParameterFields> parameters;  // of a noise that has some, else null
 };
@@ -37,5 +42,8 @@ struct VolumePlan {
 // Validates the recipe and reads the files that its shape and parameters name. Throws std::invalid_argument
 // (options) and std::runtime_error (files, also one that is not the file that the recipe's digest is of).
 VolumePlan plan_volume(const VolumeRecipe& recipe, const VolumePart& part = {});
+
+// The recipe with the digests of the files that the plan has read.
+VolumeRecipe with_digests(const VolumeRecipe& recipe, const VolumePlan& plan);
 
 }  // namespace solidnoise

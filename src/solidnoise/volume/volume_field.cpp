@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
 #include <stdexcept>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -14,7 +17,11 @@
 #include "solidnoise/field/curl_field.h"
 #include "solidnoise/field/derived_fields.h"
 #include "solidnoise/field/layered_field.h"
+#include "solidnoise/field/masked_field.h"
+#include "solidnoise/field/place_field.h"
 #include "solidnoise/field/shaped_field.h"
+#include "solidnoise/field/shared_field.h"
+#include "solidnoise/field/stretched_field.h"
 #include "solidnoise/field/varying_field.h"
 #include "solidnoise/noise/error_budget.h"
 #include "solidnoise/noise/interpolation/interpolated_noise.h"
@@ -38,15 +45,17 @@ std::shared_ptr<const Noise<3>> make_framed(const VolumeRecipe& recipe, const Ma
   return recipe.offset == Vec<3>(0.0) ? noise : move_noise<3>(noise, recipe.offset);
 }
 
-// What is left of the recipe's error interpolates the noise, where that is quicker.
+// What is left of the recipe's error interpolates the noise, where that is quicker; on voxels that are looked
+// up at their positions over `stretch`.
 std::shared_ptr<const Noise<3>> on_voxels(const VolumeRecipe& recipe, std::shared_ptr<const Noise<3>> noise,
-                                          const GridFrame& frame) {
+                                          const GridFrame& frame, const Vec<3>& stretch = Vec<3>(1.0)) {
   if (recipe.exact) return noise;
   const bool slopes = std::all_of(recipe.output.begin(), recipe.output.end(), [](Output output) {
     return output == Output::gradient || output == Output::curl;
   });
-  return interpolate<3>(std::move(noise), voxel_lattice(recipe, frame),
-                        ErrorBudget(error_of(recipe.noise)).interpolation,
+  LatticeFrame<3> lattice = voxel_lattice(recipe, frame);
+  if (stretch != Vec<3>(1.0)) lattice = {lattice.origin / stretch, lattice.step / stretch};
+  return interpolate<3>(std::move(noise), lattice, ErrorBudget(error_of(recipe.noise)).interpolation,
                         slopes ? Quantity::gradient : Quantity::values);
 }
 
@@ -59,6 +68,38 @@ NoisePtr make_noise_of(VolumeRecipe recipe, const NoiseRecipe& noise) {
 NoisePtr make_voxel_noise(const VolumeRecipe& recipe, const VolumePlan& plan, const NoiseRecipe& noise) {
   return on_voxels(recipe, make_noise_of(recipe, noise), plan.frame);
 }
+
+// Layers of a recipe as they are on the plan's voxels. Named fields are made once.
+class VolumeLayers {
+ public:
+  VolumeLayers(const VolumeRecipe& recipe, const VolumePlan& plan) : recipe_(recipe), plan_(plan) {}
+
+  // `own` is the noise of layers that name none.
+  FieldPtr make(const std::vector<Layer>& layers, const NoiseRecipe& own) {
+    LayerLeaves leaves;
+    leaves.noise = [&](const std::optional<NoiseRecipe>& noise, const Vec<3>& stretch) {
+      return layer_noise(noise_of_layer(noise, own), [&, stretch](const NoiseRecipe& recipe) {
+        VolumeRecipe layer = recipe_;
+        layer.noise = recipe;
+        return stretched(on_voxels(layer, make_noise_of(recipe_, recipe), plan_.frame, stretch), stretch);
+      });
+    };
+    leaves.named = [&](const std::string& name) { return named(name); };
+    leaves.place = [&](Layer::Place place) { return place_in(plan_.box, recipe_.up, place); };
+    return make_layered_field(layers, leaves);
+  }
+
+ private:
+  FieldPtr named(const std::string& name) {
+    if (const auto known = named_.find(name); known != named_.end()) return known->second;
+    return named_[name] =
+               share(make({recipe_.fields.at(name)}, recipe_.noise_of_fields.value_or(recipe_.noise)));
+  }
+
+  const VolumeRecipe& recipe_;
+  const VolumePlan& plan_;
+  std::map<std::string, FieldPtr> named_;
+};
 
 NoisePtr make_voxel_quadrature(const VolumeRecipe& recipe, const VolumePlan& plan) {
   const auto noise = make_framed(
@@ -98,11 +139,19 @@ FieldPtr make_cloud(const VolumeRecipe& recipe, const VolumePlan& plan, const Cl
   return make_cloud_field(parts);
 }
 
-FieldPtr shaped(const VolumeRecipe& recipe, const VolumePlan& plan) {
+// What is shaped: the noise, or the layers in its place.
+FieldPtr make_source(const VolumeRecipe& recipe, const VolumePlan& plan, VolumeLayers& layers) {
+  if (!recipe.layers.empty()) return layers.make(recipe.layers, recipe.noise);
+  const FieldPtr noise = recipe.parameters.vary_kernel() ? make_varying_volume_noise(recipe, plan)
+                                                         : make_voxel_noise(recipe, plan, recipe.noise);
+  return with_magnitude(noise, plan);
+}
+
+FieldPtr shaped(const VolumeRecipe& recipe, const VolumePlan& plan, VolumeLayers& layers) {
   if (const auto* const cloud = std::get_if<CloudShaping>(&recipe.shaping)) {
     return make_cloud(recipe, plan, *cloud);
   }
-  const FieldPtr source = make_volume_source(recipe, plan);
+  const FieldPtr source = make_source(recipe, plan, layers);
   if (const auto* const remap = std::get_if<RemapShaping>(&recipe.shaping)) {
     return shape(source, *remap, plan.box);
   }
@@ -119,7 +168,8 @@ NoiseRecipe unfiltered(const NoiseRecipe& recipe) {
   return result;
 }
 
-FieldPtr make_velocity(const VolumeRecipe& recipe, const VolumePlan& plan) {
+FieldPtr make_velocity(const VolumeRecipe& recipe, const VolumePlan& plan,
+                       std::shared_ptr<const SmoothDistance> boundary) {
   CurlOptions options;
   for (int c = 0; c < 3; ++c) {
     options.potentials[static_cast<std::size_t>(c)] =
@@ -127,7 +177,8 @@ FieldPtr make_velocity(const VolumeRecipe& recipe, const VolumePlan& plan) {
   }
   options.speed = recipe.speed;
   options.mean_square = curl_mean_square(*make_noise_of(recipe, unfiltered(recipe.noise)));
-  options.boundary = plan.boundary_distance;
+  options.drift = recipe.drift;
+  options.boundary = std::move(boundary);
   return make_curl_field(options);
 }
 
@@ -139,6 +190,39 @@ FieldPtr make_colors(const VolumeRecipe& recipe, const VolumePlan& plan) {
   }
   for (FieldPtr& channel : channels) channel = shape(channel, std::get<RawShaping>(recipe.shaping));
   return side_by_side(channels);
+}
+
+// The field of a short form, its outputs' channels in the order of Output.
+FieldPtr make_grid_field(const VolumeRecipe& recipe, const VolumePlan& plan,
+                         std::shared_ptr<const SmoothDistance> boundary, VolumeLayers& layers) {
+  switch (recipe.output.front()) {
+    case Output::curl:
+      return make_velocity(recipe, plan, std::move(boundary));
+    case Output::color:
+      return make_colors(recipe, plan);
+    case Output::phase:
+    case Output::intensity:
+      return phasor_of(make_voxel_noise(recipe, plan, recipe.noise), make_voxel_quadrature(recipe, plan));
+    case Output::value:
+    case Output::gradient:
+      break;
+  }
+  if (is_scalar(recipe)) return shaped(recipe, plan, layers);
+  const NoisePtr noise = make_voxel_noise(recipe, plan, recipe.noise);
+  return recipe.output.size() == 1 ? gradient_of(noise) : value_and_gradient_of(noise);
+}
+
+// Which of them each output is.
+std::vector<GridChannels> channels_of(const VolumeRecipe& recipe) {
+  const bool raw = std::holds_alternative<RawShaping>(recipe.shaping);
+  const bool keeps = raw && !recipe.sparse && !recipe.within;
+  std::vector<GridChannels> grids;
+  for (const Output output : recipe.output) {
+    const bool second =
+        output == Output::intensity || (output == Output::gradient && recipe.output.size() > 1);
+    grids.push_back({second ? 1 : 0, components_of(output), keeps ? Sparsity::keep : Sparsity::drop});
+  }
+  return grids;
 }
 
 }  // namespace
@@ -156,45 +240,30 @@ LatticeFrame<3> voxel_lattice(const VolumeRecipe& recipe, const GridFrame& frame
   return lattice;
 }
 
-FieldPtr make_volume_source(const VolumeRecipe& recipe, const VolumePlan& plan) {
-  if (!recipe.layers.empty()) {
-    return make_layered_field(recipe.layers, recipe.noise, [&](const NoiseRecipe& noise) -> FieldPtr {
-      return make_voxel_noise(recipe, plan, noise);
-    });
-  }
-  const FieldPtr noise = recipe.parameters.vary_kernel()
-                             ? make_varying_field(recipe.noise, view_of(recipe), plan.parameters->kernel())
-                             : make_voxel_noise(recipe, plan, recipe.noise);
-  return with_magnitude(noise, plan);
+FieldPtr make_varying_volume_noise(const VolumeRecipe& recipe, const VolumePlan& plan) {
+  return make_varying_field(recipe.noise, view_of(recipe), plan.parameters->kernel());
 }
 
-FieldPtr make_volume_field(const VolumeRecipe& recipe, const VolumePlan& plan) {
-  switch (recipe.output.front()) {
-    case Output::curl:
-      return make_velocity(recipe, plan);
-    case Output::color:
-      return make_colors(recipe, plan);
-    case Output::phase:
-    case Output::intensity:
-      return phasor_of(make_voxel_noise(recipe, plan, recipe.noise), make_voxel_quadrature(recipe, plan));
-    case Output::value:
-    case Output::gradient:
-      break;
+VolumeField make_volume_field(const VolumeRecipe& recipe, const VolumePlan& plan) {
+  VolumeLayers layers(recipe, plan);
+  const std::vector<VolumeRecipe> singles = recipes_of_grids(recipe);
+  VolumeField volume;
+  std::vector<FieldPtr> fields;
+  int first = 0;
+  for (std::size_t i = 0; i < singles.size(); ++i) {
+    const VolumeRecipe single = at_resolution(singles[i], plan.frame.voxel_size());
+    const bool has_boundary = i < plan.boundaries.size();
+    fields.push_back(
+        make_grid_field(single, plan, has_boundary ? plan.boundaries[i].distance : nullptr, layers));
+    if (single.within) fields.back() = masked(fields.back(), layers.make({*single.within}, single.noise));
+    for (GridChannels grid : channels_of(single)) {
+      grid.first += first;
+      volume.grids.push_back(grid);
+    }
+    first += fields.back()->channels();
   }
-  if (is_scalar(recipe)) return shaped(recipe, plan);
-  const NoisePtr noise = make_voxel_noise(recipe, plan, recipe.noise);
-  return recipe.output.size() == 1 ? gradient_of(noise) : value_and_gradient_of(noise);
-}
-
-std::vector<GridChannels> channels_of(const VolumeRecipe& recipe) {
-  const bool raw = std::holds_alternative<RawShaping>(recipe.shaping);
-  std::vector<GridChannels> grids;
-  for (const Output output : recipe.output) {
-    const bool second =
-        output == Output::intensity || (output == Output::gradient && recipe.output.size() > 1);
-    grids.push_back({second ? 1 : 0, components_of(output), raw ? Sparsity::keep : Sparsity::drop});
-  }
-  return grids;
+  volume.field = fields.size() == 1 ? fields.front() : side_by_side(fields);
+  return volume;
 }
 
 FieldPtr make_raw_field(const VolumeRecipe& recipe) {
@@ -207,15 +276,15 @@ FieldPtr make_raw_field(const VolumeRecipe& recipe) {
 }
 
 double highest_frequency(const VolumeRecipe& recipe, const VolumePlan& plan) {
-  if (recipe.layers.empty()) {
-    if (!recipe.parameters.vary_kernel()) return make_volume_noise(recipe)->band().upper;
-    return make_varying_field(recipe.noise, view_of(recipe), plan.parameters->kernel())
-        ->statistics()
-        ->band.upper;
-  }
   double highest = 0.0;
-  for (const NoiseRecipe& noise : noises_of(recipe.layers, recipe.noise)) {
-    highest = std::max(highest, make_noise_of(recipe, noise)->band().upper);
+  for (const VolumeRecipe& single : recipes_of_grids(recipe)) {
+    if (single.layers.empty() && single.parameters.vary_kernel()) {
+      highest = std::max(highest, make_varying_volume_noise(single, plan)->statistics()->band.upper);
+      continue;
+    }
+    for (const NoiseRecipe& noise : noises_of(single)) {
+      highest = std::max(highest, make_noise_of(single, noise)->band().upper);
+    }
   }
   return highest;
 }

@@ -13,22 +13,26 @@
 
 namespace solidnoise {
 
-// What the voxels of a recipe are filled with; its grids have the channels that channels_of() says. On the
-// voxels of the plan noise is interpolated where that is quicker within the recipe's error; at points it is
-// as it is. Of a recipe with band_limit take it at_resolution(); throws std::invalid_argument.
-FieldPtr make_volume_field(const VolumeRecipe& recipe, const VolumePlan& plan);
+// What the voxels of a recipe are filled with, and the channels that its grids take of it, in their order. On
+// the voxels of the plan noise is interpolated where that is quicker within the recipe's error; at points it
+// is as it is.
+struct VolumeField {
+  FieldPtr field;
+  std::vector<GridChannels> grids;
+};
+VolumeField make_volume_field(const VolumeRecipe& recipe, const VolumePlan& plan);
 
-std::vector<GridChannels> channels_of(const VolumeRecipe& recipe);
-
-// The same of a recipe whose shaping is RawShaping, without voxels: its noise or its layers, in their range.
+// The field of a short form whose shaping is RawShaping, without voxels: its noise or its layers, in their
+// range.
 FieldPtr make_raw_field(const VolumeRecipe& recipe);
 
 // The noise of a recipe as it is in the volume: at the recipe's time, and a frame of it where it is of 4
-// dimensions. Parameters are the recipe's own, not those of grids. Throws like make_volume_field().
+// dimensions. Parameters are the recipe's own, not those of grids. Of a recipe with band_limit take it
+// at_resolution(); throws std::invalid_argument.
 std::shared_ptr<const Noise<3>> make_volume_noise(const VolumeRecipe& recipe);
 
-// The noise, or the layers in its place, before it is shaped.
-FieldPtr make_volume_source(const VolumeRecipe& recipe, const VolumePlan& plan);
+// The same of a recipe whose kernels vary, with the parameters of its plan.
+FieldPtr make_varying_volume_noise(const VolumeRecipe& recipe, const VolumePlan& plan);
 
 // The lattice of a grid's voxels, with the period of the recipe's noise where that is a whole number of them.
 LatticeFrame<3> voxel_lattice(const VolumeRecipe& recipe, const GridFrame& frame);

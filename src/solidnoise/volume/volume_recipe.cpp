@@ -44,13 +44,65 @@ void validate_output(const VolumeRecipe& recipe) {
     require_phase(recipe.noise);
   }
   require_positive("speed", recipe.speed, "world units per second");
+  for (int axis = 0; axis < 3; ++axis) require_finite("drift", recipe.drift[axis]);
   if (!contains(recipe.output, Output::curl)) {
+    if (recipe.drift != Vec<3>(0.0)) throw std::invalid_argument("drift applies to output curl only");
     if (recipe.speed != 1.0) {
       throw std::invalid_argument(fmt::format("speed is {}; it applies to output curl only", recipe.speed));
     }
     if (recipe.boundary) throw std::invalid_argument("boundary applies to output curl only");
   }
-  if (recipe.boundary) recipe.boundary->validate();
+  if (!recipe.boundary) return;
+  recipe.boundary->validate();
+  if (recipe.drift != Vec<3>(0.0)) {
+    throw std::invalid_argument("drift does not go with a boundary, through which it would flow");
+  }
+}
+
+void validate_finish(const VolumeRecipe& recipe) {
+  if (recipe.within) {
+    if (recipe.modification) {
+      throw std::invalid_argument("within has no effect where a grid that exists is worked on");
+    }
+    try {
+      validate_layers({*recipe.within}, recipe.noise, recipe.fields);
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(fmt::format("within: {}", error.what()));
+    }
+  }
+  if (recipe.sparse && recipe.modification) {
+    throw std::invalid_argument("sparse has no effect where a grid that exists is worked on");
+  }
+  if (recipe.output.size() > 1 && recipe.within) {
+    throw std::invalid_argument("within goes with a single output");
+  }
+}
+
+// Each grid by itself, and all names different.
+void validate_grids(const VolumeRecipe& recipe) {
+  if (static_cast<const GridRecipe&>(recipe) != GridRecipe{}) {
+    throw std::invalid_argument("grids have shapings, layers and outputs of their own; give them there");
+  }
+  if (recipe.modification) {
+    throw std::invalid_argument("grids have no effect where a grid that exists is worked on");
+  }
+  const std::vector<VolumeRecipe> each = recipes_of_grids(recipe);
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < each.size(); ++i) {
+    try {
+      if (recipe.grids[i].own) recipe.grids[i].own->validate();
+      each[i].validate();
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(fmt::format("grids[{}].{}", i, error.what()));
+    }
+    for (const std::string& name : grid_names(each[i])) {
+      if (std::find(names.begin(), names.end(), name) != names.end()) {
+        throw std::invalid_argument(
+            fmt::format("grids[{}] is {}; there is a grid of that name before it", i, name));
+      }
+      names.push_back(name);
+    }
+  }
 }
 
 void validate_parameters(const VolumeRecipe& recipe) {
@@ -76,11 +128,12 @@ void validate_parameters(const VolumeRecipe& recipe) {
 
 void VolumeRecipe::validate() const {
   noise.validate();
+  if (!grids.empty()) return validate_grids(*this);
   validate_parameters(*this);
   require_in_range("dims", dims, 3, 4);
   require_finite("time", time);
   for (int axis = 0; axis < 3; ++axis) require_finite("offset", offset[axis]);
-  validate_layers(layers, noise);
+  validate_layers(layers, noise, fields);
   if (!layers.empty() && std::holds_alternative<CloudShaping>(shaping)) {
     throw std::invalid_argument("layers have no effect on a cloud, whose shaping takes the noise's octaves");
   }
@@ -114,12 +167,55 @@ void VolumeRecipe::validate() const {
   if (voxel) require_positive("voxel", *voxel, "world units");
   require_in_range("dim", dim, 1, 1 << 20, "voxels");
   validate_output(*this);
+  validate_finish(*this);
+}
+
+std::vector<VolumeRecipe> recipes_of_grids(const VolumeRecipe& recipe) {
+  if (recipe.grids.empty()) return {recipe};
+  std::vector<VolumeRecipe> recipes;
+  for (const GridRecipe& grid : recipe.grids) {
+    VolumeRecipe& single = recipes.emplace_back(recipe);
+    static_cast<GridRecipe&>(single) = grid;
+    single.grids.clear();
+    single.noise = noise_of_layer(grid.own, recipe.noise);
+    if (grid.own) single.noise_of_fields = recipe.noise;
+    single.own.reset();
+  }
+  return recipes;
+}
+
+VolumeRecipe recipe_of_grid(const VolumeRecipe& recipe, const std::string& name) {
+  const std::vector<VolumeRecipe> singles = recipes_of_grids(recipe);
+  const auto has_name = [&](const VolumeRecipe& single) {
+    const std::vector<std::string> names = grid_names(single);
+    return std::ranges::find(names, name) != names.end();
+  };
+  const auto found = std::ranges::find_if(singles, has_name);
+  return found == singles.end() ? singles.front() : *found;
+}
+
+GridRecipe& grid_of(VolumeRecipe& recipe, std::size_t i) {
+  return recipe.grids.empty() ? recipe : recipe.grids[i];
+}
+
+std::vector<NoiseRecipe> noises_of(const VolumeRecipe& recipe) {
+  std::vector<NoiseRecipe> noises{recipe.noise};
+  if (!recipe.layers.empty()) noises = noises_of(recipe.layers, recipe.noise, recipe.fields);
+  if (recipe.within) {
+    for (const NoiseRecipe& noise : noises_of({*recipe.within}, recipe.noise, recipe.fields)) {
+      noises.push_back(noise);
+    }
+  }
+  return noises;
 }
 
 std::vector<std::string> grid_names(const VolumeRecipe& recipe) {
-  if (!recipe.grid.empty()) return {recipe.grid};
   std::vector<std::string> names;
-  for (const Output output : recipe.output) names.emplace_back(default_grid_name(output));
+  for (const VolumeRecipe& single : recipes_of_grids(recipe)) {
+    for (const Output output : single.output) {
+      names.push_back(single.grid.empty() ? std::string(default_grid_name(output)) : single.grid);
+    }
+  }
   return names;
 }
 
@@ -128,7 +224,7 @@ int vertical_axis(const VolumeRecipe& recipe) {
 }
 
 bool is_scalar(const VolumeRecipe& recipe) {
-  return recipe.output == std::vector{Output::value};
+  return recipe.grids.empty() && recipe.output == std::vector{Output::value};
 }
 
 bool may_band_limit(const VolumeRecipe& recipe) {
@@ -147,8 +243,10 @@ VolumeRecipe at_resolution(const VolumeRecipe& recipe, const Vec<3>& voxel_size)
 
 bool evolves(const VolumeRecipe& recipe) {
   if (evolves(recipe.noise)) return true;
-  const std::vector<NoiseRecipe> noises = noises_of(recipe.layers, recipe.noise);
-  return std::any_of(noises.begin(), noises.end(), [](const NoiseRecipe& noise) { return evolves(noise); });
+  const auto any_evolves = [](const VolumeRecipe& single) {
+    return std::ranges::any_of(noises_of(single), [](const NoiseRecipe& noise) { return evolves(noise); });
+  };
+  return std::ranges::any_of(recipes_of_grids(recipe), any_evolves);
 }
 
 const ExemplarModel* exemplar_of_colors(const VolumeRecipe& recipe) {

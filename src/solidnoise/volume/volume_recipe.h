@@ -51,12 +51,34 @@ struct DensityScale {
   friend bool operator==(const DensityScale&, const DensityScale&) = default;
 };
 
-// Everything that defines a volume: plain data. The same recipe makes the same grid, bit for bit.
-struct VolumeRecipe {
+// A field, and the grids that are made of it.
+struct GridRecipe {
+  std::string grid;  // the grid's name, where there is one; empty: as default_grid_name() says
+
+  std::optional<NoiseRecipe> own;  // a noise of its own; none: that of the recipe. Its seed is mixed with the
+                                   // recipe's
+  std::vector<Layer> layers;       // their sum takes the noise's place; see Layer. Not of a cloud
+  Shaping shaping;  // RawShaping where the output is not the value; then also Range::raw, but for colours
+  DensityScale density;
+
+  std::vector<Output> output{Output::value};  // what grids are made, in this order; see validate_outputs
+  double speed = 1.0;                // of Output::curl: root mean square, world units per second; > 0
+  Vec<3> drift{0.0};                 // of Output::curl: a mean velocity that is added
+  std::optional<Boundary> boundary;  // of Output::curl
+
+  std::optional<Layer> within;  // clamped to 0..1, what the values are multiplied by
+  bool sparse = false;  // of raw values: voxels that are 0 are inactive, as they are of densities, and where
+                        // there is a `within`
+  bool half = false;    // store 16-bit floats
+
+  friend bool operator==(const GridRecipe&, const GridRecipe&) = default;
+};
+
+// Everything that defines a volume: plain data. The same recipe makes the same grids, bit for bit.
+struct VolumeRecipe : GridRecipe {
   std::string description;  // for people; changes nothing
 
   NoiseRecipe noise;
-  std::vector<Layer> layers;  // their sum takes the noise's place; see Layer. Not of a cloud
   int dims = 3;               // 3, or 4: a frame of a noise that changes in time
   double time = 0.0;          // of the frame: in the noise's fourth axis, or of its Evolution; else 0
   ParameterGrids parameters;  // of the noise, where they vary in space; of Output::value, without layers
@@ -64,12 +86,13 @@ struct VolumeRecipe {
   bool band_limit = false;    // filter the noise at the size of the voxels: at_resolution()
   bool exact = false;         // sum impulses at every voxel, where fewer samples would do within the error
 
-  Shaping shaping;  // RawShaping where the output is not the value; then also Range::raw, but for colours
-  DensityScale density;
+  NamedLayers fields;                          // for layers to use
+  std::optional<NoiseRecipe> noise_of_fields;  // of those that name none; none: `noise`, as it is but in
+                                               // short forms of grids with noises of their own
 
-  std::vector<Output> output{Output::value};  // what grids are made, in this order; see validate_outputs
-  double speed = 1.0;                // of Output::curl: root mean square, world units per second; > 0
-  std::optional<Boundary> boundary;  // of Output::curl
+  // Several grids of the same voxels; then those of the recipe itself are left as they are by default. A
+  // recipe without these is the short form of one with a single entry, itself. See recipes_of_grids().
+  std::vector<GridRecipe> grids;
 
   // Instead of a grid of its own: shape, box and voxels are those of the grid that is modified, whose name
   // and precision stay, and the density is scaled only where it replaces what was there.
@@ -80,16 +103,25 @@ struct VolumeRecipe {
   std::optional<double> voxel;                      // size in world units; > 0; else from `dim`
   int dim = 256;                                    // voxels along the longest side; 1 to 2^20
   UpAxis up = UpAxis::y;
-
-  std::string grid;   // the grid's name, where there is one; empty: as default_grid_name() says
-  bool half = false;  // store 16-bit floats
   Codec codec = Codec::blosc;
 
   // Throws std::invalid_argument naming the field, its value and what is allowed.
   void validate() const;
 };
 
-// The name of the grid of each output.
+// The recipe in short forms: one of each entry of its grids, with its noise; itself if there are none.
+std::vector<VolumeRecipe> recipes_of_grids(const VolumeRecipe& recipe);
+
+// That of the grid of a name, or of the first if there is none of it.
+VolumeRecipe recipe_of_grid(const VolumeRecipe& recipe, const std::string& name);
+
+// Entry i of the recipe's grids, or the recipe itself, to be changed.
+GridRecipe& grid_of(VolumeRecipe& recipe, std::size_t i);
+
+// All noises that a short form is made of, as they are made: its own, or those of its layers and of `within`.
+std::vector<NoiseRecipe> noises_of(const VolumeRecipe& recipe);
+
+// The names of all grids, in their order.
 std::vector<std::string> grid_names(const VolumeRecipe& recipe);
 
 // The up axis: 1 or 2.
