@@ -87,7 +87,7 @@ TEST(BakeRecipe, SaysWhereInTheTreeAnErrorIs) {
             "by.source and attribute contradict each other; give one of them");
   EXPECT_EQ(message(R"({"solidnoise": 1, "frequency": [1, 2, 3]})"),
             "frequency is [1,2,3]; it must be an array of 2 numbers");
-  EXPECT_EQ(message(R"({"frequency": 1})"), "\"solidnoise\": 1 is missing; this is no recipe");
+  EXPECT_EQ(message(R"({"frequency": 1})"), "\"solidnoise\": 2 is missing; this is no recipe");
 }
 
 TEST(BakeRecipe, RefusesWhatIsOutOfRange) {

@@ -1,4 +1,4 @@
-#include "solidnoise/volume/layer_json.h"
+#include "solidnoise/recipe/layer_json.h"
 
 #include <stdexcept>
 #include <string>

@@ -9,7 +9,7 @@
 #include "common/noise_flags.h"
 #include "common/usage_error.h"
 #include "solidnoise/core/check.h"
-#include "solidnoise/volume/layer_json.h"
+#include "solidnoise/recipe/layer_json.h"
 #include "solidnoise/volume/volume_recipe_json.h"
 
 namespace solidnoise {

@@ -117,6 +117,8 @@ constexpr auto fields_of(std::type_identity<BakeRecipe>) {
       field("description", &Recipe::description, "For people; changes nothing")
           .written_if([](const Recipe& recipe) { return !recipe.description.empty(); }),
       field("surface", &Recipe::noise, "The noise"),
+      field("layers", &Recipe::layers, "Their sum takes the noise's place")
+          .written_if([](const Recipe& recipe) { return !recipe.layers.empty(); }),
       field("frequency", &Recipe::frequency, between(1e-9, 1e9), "cycles per world unit",
             "Principal frequency; left out, it suits the mesh"),
       field("detail", &Recipe::detail, between(1e-3, 1e3), "", "Instead: frequency over what suits the mesh")

@@ -172,7 +172,9 @@ RefinedMesh refine_mesh(const PolygonMesh& mesh, const RefineRecipe& recipe, con
 }
 
 // Noise times magnitude plus bias at each vertex.
-std::vector<float> bake_values(const BakePlan& plan, const SurfaceNoiseRecipe& noise, Progress* progress) {
+// `noise` takes the place of the recipe's.
+std::vector<float> bake_values(const BakePlan& plan, const BakeRecipe& recipe,
+                               const SurfaceNoiseRecipe& noise, Progress* progress) {
   BakeVertices vertices;
   vertices.positions = plan.mesh.positions;
   vertices.normals = plan.guides.normals;
@@ -180,7 +182,9 @@ std::vector<float> bake_values(const BakePlan& plan, const SurfaceNoiseRecipe& n
   vertices.bandwidth = plan.parameters.bandwidth;
   vertices.magnitude = plan.parameters.magnitude;
   vertices.directions = plan.guides.directions;
-  std::vector<float> values = bake_noise(noise, vertices, progress);
+  std::vector<float> values = recipe.layers.empty()
+                                  ? bake_noise(noise, vertices, progress)
+                                  : bake_layers(noise, recipe.layers, recipe.up, vertices, progress);
   for (std::size_t i = 0; i < values.size(); ++i)
     values[i] += static_cast<float>(at(plan.parameters.bias, i));
   return values;
@@ -201,7 +205,7 @@ std::vector<Color> exemplar_colors(const BakePlan& plan, const BakeRecipe& recip
   const ExemplarModel& exemplar = recipe.noise.exemplar;
   std::vector<std::vector<float>> others;
   for (std::size_t k = 1; k < exemplar.channels.size(); ++k) {
-    others.push_back(bake_values(plan, channel_of(recipe.noise, static_cast<int>(k)), progress));
+    others.push_back(bake_values(plan, recipe, channel_of(recipe.noise, static_cast<int>(k)), progress));
   }
   std::vector<Color> colors(first.size());
   std::vector<double> values(exemplar.channels.size());
@@ -272,7 +276,7 @@ BakedMesh bake(const BakePlan& plan, const BakeRecipe& recipe, const std::vector
       baked.mesh.set_property(std::move(property));
   }
 
-  std::vector<float> values = bake_values(plan, recipe.noise, progress);
+  std::vector<float> values = bake_values(plan, recipe, recipe.noise, progress);
   baked.moments = Moments::of(values);
   baked.colors = recipe.has_exemplar_colors() ? exemplar_colors(plan, recipe, values, progress)
                                               : ramp_colors(recipe, values);

@@ -9,9 +9,14 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
 #include <tbb/parallel_for_each.h>
 
 #include "solidnoise/core/check.h"
+#include "solidnoise/field/layered_field.h"
+#include "solidnoise/field/place_field.h"
+#include "solidnoise/field/stretched_field.h"
+#include "solidnoise/mesh/bake_recipe.h"
 #include "solidnoise/mesh/surface_field.h"
 #include "solidnoise/mesh/vertex_batches.h"
 
@@ -69,9 +74,9 @@ Components components_of(std::span<const Vec<3>> vectors) {
   return components;
 }
 
-// The field of the recipe at the vertices, which it refers to.
-FieldPtr make_field(const SurfaceNoiseRecipe& recipe, const BakeVertices& vertices,
-                    const Components& directions) {
+// The kernel of the noise at the vertices, to whose numbers it refers.
+SurfaceKernel kernel_of(const SurfaceNoiseRecipe& recipe, const BakeVertices& vertices,
+                        const Components& directions) {
   SurfaceKernel kernel{vertices.frequency.constant, vertices.bandwidth.constant, {}};
   kernel.fields.frequency = as_parameter(vertices.frequency);
   kernel.fields.bandwidth = as_parameter(vertices.bandwidth);
@@ -79,7 +84,44 @@ FieldPtr make_field(const SurfaceNoiseRecipe& recipe, const BakeVertices& vertic
     kernel.fields.direction = std::make_shared<VertexField>(
         std::vector<std::span<const float>>{directions[0], directions[1], directions[2]});
   }
-  return make_surface_field(recipe, kernel);
+  return kernel;
+}
+
+// The least box that holds the vertices, and has a volume.
+Box<3> bounds_of(std::span<const Vec<3>> positions) {
+  if (positions.empty()) return {Vec<3>(0.0), Vec<3>(1.0)};
+  Box<3> box{positions.front(), positions.front()};
+  for (const Vec<3>& position : positions) {
+    box = {glm::min(box.lower, position), glm::max(box.upper, position)};
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    if (box.lower[axis] == box.upper[axis]) box.upper[axis] += 1.0;
+  }
+  return box;
+}
+
+FieldPtr layered_field(const SurfaceNoiseRecipe& recipe, const std::vector<Layer>& layers,
+                       const SurfaceKernel& kernel, const Box<3>& box, UpAxis up) {
+  const NoiseRecipe own = noise_of_layers(recipe);
+  validate_layers(layers, own);
+  LayerLeaves leaves;
+  leaves.noise = [&](const std::optional<NoiseRecipe>& noise, const Vec<3>& stretch) {
+    if (!noise && stretch != Vec<3>(1.0)) {
+      throw std::invalid_argument("stretch applies to layers with solid noises of their own");
+    }
+    if (!noise) return surface_layer_noise(recipe, kernel);
+    return layer_noise(noise_of_layer(noise, own), [stretch](const NoiseRecipe& solid) {
+      return stretched(make_noise<3>(solid), stretch);
+    });
+  };
+  leaves.place = [&](Layer::Place place) { return place_in(box, up, place); };
+  return make_layered_field(layers, leaves);
+}
+
+void magnify(const VertexNumber& magnitude, std::vector<float>& values) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    values[i] *= magnitude.varies() ? magnitude.values[i] : static_cast<float>(magnitude.constant);
+  }
 }
 
 // The side of the cubes that vertices are put together in, world units: some wavelengths.
@@ -94,11 +136,20 @@ std::vector<float> bake_noise(const SurfaceNoiseRecipe& recipe, const BakeVertic
                               Progress* progress) {
   validate(recipe, vertices);
   const Components directions = components_of(vertices.directions);
-  std::vector<float> values = bake_field(*make_field(recipe, vertices, directions), vertices, progress);
-  const VertexNumber& magnitude = vertices.magnitude;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    values[i] *= magnitude.varies() ? magnitude.values[i] : static_cast<float>(magnitude.constant);
-  }
+  const FieldPtr field = make_surface_field(recipe, kernel_of(recipe, vertices, directions));
+  std::vector<float> values = bake_field(*field, vertices, progress);
+  magnify(vertices.magnitude, values);
+  return values;
+}
+
+std::vector<float> bake_layers(const SurfaceNoiseRecipe& recipe, const std::vector<Layer>& layers, UpAxis up,
+                               const BakeVertices& vertices, Progress* progress) {
+  validate(recipe, vertices);
+  const Components directions = components_of(vertices.directions);
+  const FieldPtr field = layered_field(recipe, layers, kernel_of(recipe, vertices, directions),
+                                       bounds_of(vertices.positions), up);
+  std::vector<float> values = bake_field(*field, vertices, progress);
+  magnify(vertices.magnitude, values);
   return values;
 }
 

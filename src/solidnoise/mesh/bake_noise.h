@@ -6,7 +6,9 @@
 
 #include "solidnoise/core/field.h"
 #include "solidnoise/core/progress.h"
+#include "solidnoise/core/up_axis.h"
 #include "solidnoise/core/vec.h"
+#include "solidnoise/field/layer.h"
 #include "solidnoise/mesh/surface_recipe.h"
 
 namespace solidnoise {
@@ -40,6 +42,10 @@ struct BakeVertices {
 // without any. Throws Cancelled.
 std::vector<float> bake_noise(const SurfaceNoiseRecipe& recipe, const BakeVertices& vertices,
                               Progress* progress = nullptr);
+
+// The same of layers of the noise and of solid noises (BakeRecipe::layers), which take its place.
+std::vector<float> bake_layers(const SurfaceNoiseRecipe& recipe, const std::vector<Layer>& layers, UpAxis up,
+                               const BakeVertices& vertices, Progress* progress = nullptr);
 
 // A field at all vertices, in parallel; parameters do not count, but for the frequency, which says how near
 // vertices should be to be evaluated together. Throws Cancelled, and what the field throws.

@@ -34,6 +34,7 @@ void BakeRecipe::validate() const {
     refuse_variation("detail", detail);
     refuse_variation("bandwidth", bandwidth);
   }
+  validate_layers(layers, noise_of_layers(noise));
   by.validate();
   if (glm::length(direction.axis) == 0.0)
     throw std::invalid_argument("direction is 0 0 0; it must point somewhere");
@@ -45,6 +46,10 @@ void BakeRecipe::validate() const {
   if (refine.method != RefineOptions::Method::own && refine.placement != RefineOptions::Placement::on_edges) {
     throw std::invalid_argument("placement is smooth; it applies where the method of refining is own");
   }
+}
+
+NoiseRecipe noise_of_layers(const SurfaceNoiseRecipe& recipe) {
+  return {GaborNoiseOptions{.seed = recipe.seed}, recipe.fractal};
 }
 
 bool BakeRecipe::steers() const {

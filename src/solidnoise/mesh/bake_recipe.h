@@ -2,9 +2,11 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "solidnoise/core/up_axis.h"
 #include "solidnoise/core/vec.h"
+#include "solidnoise/field/layer.h"
 #include "solidnoise/mesh/refine.h"
 #include "solidnoise/mesh/steering.h"
 #include "solidnoise/mesh/surface_recipe.h"
@@ -45,6 +47,10 @@ inline constexpr char kExemplarRamp[] = "exemplar";
 struct BakeRecipe {
   std::string description;  // one line
   SurfaceNoiseRecipe noise;
+  // Their sum takes the noise's place; see Layer. A layer that names no noise has this one, with its
+  // parameters; one that does has a solid noise of space, of the frequency that it names. Places are in the
+  // mesh's box.
+  std::vector<Layer> layers;
   std::optional<ParameterRange>
       frequency;                       // cycles per world unit; unset: suits the mesh, default_frequency()
   ParameterRange detail{1.0, 1.0};     // of what suits the mesh, where frequency is unset; 0.001 to 1000
@@ -70,6 +76,9 @@ struct BakeRecipe {
 
   friend bool operator==(const BakeRecipe&, const BakeRecipe&) = default;
 };
+
+// What stands for the surface's noise where noises of layers have seeds mixed with its own.
+NoiseRecipe noise_of_layers(const SurfaceNoiseRecipe& recipe);
 
 // A frequency that suits a mesh: 24 features along the diagonal of its box, or fewer where its edges are too
 // long to show them: `highest`, the noise's highest frequency over its principal one, then is 0.5 cycles per

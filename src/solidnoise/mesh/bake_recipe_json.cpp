@@ -8,6 +8,7 @@
 #include "solidnoise/recipe/exemplar_model_json.h"
 #include "solidnoise/recipe/field_json.h"
 #include "solidnoise/recipe/json_reader.h"
+#include "solidnoise/recipe/layer_json.h"
 #include "solidnoise/recipe/recipe_header.h"
 
 namespace solidnoise {

@@ -1,0 +1,103 @@
+// Layers on surfaces: the noise of the surface and solid noises, by the same tree as in volumes.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "solidnoise/mesh/bake_noise.h"
+#include "solidnoise/mesh/bake_recipe.h"
+#include "solidnoise/noise/noise_recipe.h"
+#include "support/message_of.h"
+
+namespace solidnoise {
+namespace {
+
+// Points all over a sphere of radius 1, their own normals.
+std::vector<Vec<3>> sphere_points() {
+  std::vector<Vec<3>> points;
+  for (int i = 0; i < 2000; ++i) {
+    const double z = 1.0 - (2.0 * i + 1.0) / 2000.0;
+    const double angle = 2.399963229728653 * i;
+    points.emplace_back(std::sqrt(1.0 - z * z) * std::cos(angle), std::sqrt(1.0 - z * z) * std::sin(angle),
+                        z);
+  }
+  return points;
+}
+
+struct Sphere {
+  std::vector<Vec<3>> positions = sphere_points();
+  BakeVertices vertices;
+
+  Sphere() {
+    vertices.positions = positions;
+    vertices.normals = positions;
+    for (const Vec<3>& p : positions)
+      vertices.frequency.values.push_back(static_cast<float>(5.0 + 2.0 * p.y));
+  }
+};
+
+SurfaceNoiseRecipe some_surface() {
+  SurfaceNoiseRecipe recipe;
+  recipe.fractal.octaves = 3;
+  recipe.seed = 9;
+  return recipe;
+}
+
+NoiseRecipe coarse() {
+  NoiseRecipe recipe{GaborNoiseOptions{.frequency = 1.5, .seed = 4}, {}};
+  return recipe;
+}
+
+TEST(BakeLayers, ALayerThatChangesNothingIsTheNoiseBitForBit) {
+  const Sphere sphere;
+  EXPECT_EQ(bake_layers(some_surface(), {Layer{}}, UpAxis::y, sphere.vertices),
+            bake_noise(some_surface(), sphere.vertices));
+}
+
+TEST(BakeLayers, OfANoiseOfTheirOwnAreTheSolidNoise) {
+  const Sphere sphere;
+  const auto baked =
+      bake_layers(some_surface(), {{.noise = coarse(), .bias = 0.5}}, UpAxis::y, sphere.vertices);
+  const auto noise = make_noise<3>(noise_of_layer(coarse(), noise_of_layers(some_surface())));
+  std::vector<float> expected(baked.size());
+  noise->evaluate(Points<3>{sphere.positions}, {expected, {}});
+  for (std::size_t i = 0; i < baked.size(); ++i) ASSERT_EQ(baked[i], expected[i] + 0.5f);
+}
+
+TEST(BakeLayers, MixTangentAndSolidNoises) {
+  const Sphere sphere;
+  const Layer ridged{.fold = Layer::Fold::ridged};
+  const Layer solid{.noise = coarse()};
+  const Layer height{.place = Layer::Place::height, .ramp = {{0.4, 0.0}, {0.6, 1.0}}};
+  const auto of = [&](const Layer& layer) {
+    return bake_layers(some_surface(), {layer}, UpAxis::y, sphere.vertices);
+  };
+  const auto mixed = of({.layers = {ridged, solid, height}, .combine = Layer::Combine::mix});
+  const auto below = of(ridged);
+  const auto above = of(solid);
+  for (std::size_t i = 0; i < mixed.size(); ++i) {
+    if (sphere.positions[i].y < -0.21) {
+      EXPECT_EQ(mixed[i], below[i]);
+    } else if (sphere.positions[i].y > 0.21) {
+      EXPECT_NEAR(mixed[i], above[i], 1e-6);
+    }
+  }
+}
+
+TEST(BakeLayers, AreRefusedWhereTheyCannotBe) {
+  BakeRecipe recipe;
+  recipe.layers = {{.use = "paint"}};
+  EXPECT_EQ(message_of<std::invalid_argument>([&] { recipe.validate(); }),
+            "layers[0].use is paint; there is no field of that name");
+  const Sphere sphere;
+  EXPECT_EQ(message_of<std::invalid_argument>([&] {
+              bake_layers(some_surface(), {{.stretch = {1.0, 2.0, 1.0}}}, UpAxis::y, sphere.vertices);
+            }),
+            "stretch applies to layers with solid noises of their own");
+}
+
+}  // namespace
+}  // namespace solidnoise
