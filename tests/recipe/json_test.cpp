@@ -89,7 +89,7 @@ TEST(Json, MessagesShowLittleOfALongValueAndNoControlCharacters) {
   // 39 letters of two bytes and the quote are 79 bytes; the next letter would end at 81.
   std::string umlauts;
   for (int i = 0; i < 100; ++i) umlauts += "\u00fc";
-  EXPECT_EQ(shown(umlauts), "\"" + umlauts.substr(0, 78) + "...");
+  EXPECT_EQ(shown(umlauts), std::string(1, '"').append(umlauts, 0, 78).append("..."));
   EXPECT_LT(message_of("{\"a\": " + std::string(5000, 'x') + "}").size(), 250u);
   EXPECT_LT(message_of("{\"a\": \"" + std::string(5000, 'x')).size(), 250u);
 }

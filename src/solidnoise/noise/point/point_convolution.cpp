@@ -103,11 +103,11 @@ class PointConvolution<Dim>::Evaluation {
     batch_ = batch;
     prepared_.resize(batch.size());
     prepare_(batch, prepared_);
-    // Far-apart memory is read axis by axis: the processor then waits for many places at once.
-    for (int axis = 0; axis < Dim; ++axis) {
-      auto& positions = positions_[static_cast<std::size_t>(axis)];
-      positions.resize(batch.size());
-      for (std::size_t i = 0; i < batch.size(); ++i) positions[i] = points_.coordinate(batch[i], axis);
+    // Far-apart memory is read in a loop of its own: the processor then waits for many places at once.
+    for (auto& coordinates : positions_) coordinates.resize(batch.size());
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+      const Vec<Dim>& position = points_.positions[batch[i]];
+      for (int axis = 0; axis < Dim; ++axis) positions_[static_cast<std::size_t>(axis)][i] = position[axis];
     }
     sums_.assign(batch.size(), 0.0f);
     for (std::size_t i = 0; i < batch.size(); ++i) add_to_levels(static_cast<std::uint32_t>(i));

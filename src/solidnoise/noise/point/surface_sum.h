@@ -20,8 +20,8 @@ namespace solidnoise {
 
 // Points of a surface that are near each other, and their unit frames; tangents only where they are wanted.
 struct SurfaceBatch {
-  const Points<3>* positions = nullptr;
   std::span<const std::size_t> order;  // indices of the batch's points
+  std::vector<Vec<3>> positions;       // one per point of the batch
   std::vector<Vec<3>> normals;         // one per point of the batch
   std::vector<Vec<3>> tangents;        // one per point of the batch, or none
 };
@@ -52,8 +52,7 @@ class SurfaceSum {
       LocatedPoint<3>& point = located_[i];
       for (int axis = 0; axis < 3; ++axis) {
         const auto a = static_cast<std::size_t>(axis);
-        const CellPosition position =
-            locate_point(source_.axis(), batch.positions->coordinate(batch.order[i], axis), batch.order[i]);
+        const CellPosition position = locate_point(source_.axis(), batch.positions[i][axis], batch.order[i]);
         point.cell[axis] = position.cell;
         point.fraction[a] = position.fraction;
         point.normal[a] = static_cast<float>(batch.normals[i][axis]);
@@ -119,9 +118,11 @@ void sum_on_surface(std::span<const Source> sources, const SurfacePoints& points
   std::vector<SurfaceSum<Source>> sums(sources.begin(), sources.end());
   const std::vector<std::size_t> order = spatial_order(points.positions);
   SurfaceBatch batch;
-  batch.positions = &points.positions;
   for (std::size_t first = 0; first < order.size(); first += kBatch) {
     batch.order = std::span(order).subspan(first, std::min(kBatch, order.size() - first));
+    // Positions are far apart in memory: fetched one after the other here, not between other work.
+    batch.positions.clear();
+    for (const std::size_t i : batch.order) batch.positions.push_back(points.positions.positions[i]);
     batch.normals.clear();
     batch.tangents.clear();
     for (const std::size_t i : batch.order) {
