@@ -11,8 +11,7 @@ int main() {
 
   const solidnoise::GridFrame frame(1.0 / 32.0);
   const auto sphere = solidnoise::sphere_topology(frame, {0.0, 0.0, 0.0}, 1.0);
-  const auto filled =
-      solidnoise::fill_grid(sphere, solidnoise::NoiseField(noise), solidnoise::Sparsity::keep);
+  const auto filled = solidnoise::fill_grid(sphere, *noise, solidnoise::Sparsity::keep);
 
   filled.grid->setName("noise");
   solidnoise::write_vdb("noise.vdb", {filled.grid},

@@ -9,6 +9,7 @@
 #include "solidnoise/recipe/field_json.h"
 #include "solidnoise/recipe/json_reader.h"
 #include "solidnoise/recipe/layer_json.h"
+#include "solidnoise/recipe/noise_recipe_json.h"
 #include "solidnoise/recipe/recipe_header.h"
 
 namespace solidnoise {
@@ -71,7 +72,9 @@ BakeRecipe bake_recipe_from_json(const Json& json) {
 }
 
 Json bake_recipe_schema() {
-  return file_schema("Noise on a mesh, for meshnoise", schema_of<BakeRecipe>());
+  Json schema = file_schema("Noise on a mesh, for meshnoise", schema_of<BakeRecipe>());
+  schema["$defs"] = {{"noise", noise_recipe_schema()}, {"layer", schema_of<Layer>()}};
+  return schema;
 }
 
 }  // namespace solidnoise

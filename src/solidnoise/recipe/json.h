@@ -10,7 +10,8 @@ namespace solidnoise {
 // JSON as recipes use it: keys keep the order they were written in.
 using Json = nlohmann::ordered_json;
 
-// Version of the recipes' form, under the key "solidnoise" of each of them. A reader takes it and all before it.
+// Version of the recipes' form, under the key "solidnoise" of each of them. A reader takes it and all before
+// it.
 inline constexpr int kRecipeVersion = 2;
 
 // Parses a text. Throws std::invalid_argument with line and column; a key given twice is refused too, and

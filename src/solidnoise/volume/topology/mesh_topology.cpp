@@ -21,7 +21,8 @@ openvdb::MaskTree::Ptr inside(const IndexMesh& mesh, Progress* progress) {
   const openvdb::tools::QuadAndTriangleDataAdapter<openvdb::Vec3s, openvdb::Vec3I> adapter(mesh.points,
                                                                                            mesh.triangles);
   const auto distance = openvdb::tools::meshToVolume<openvdb::FloatGrid>(
-      interrupter.base(), adapter, *openvdb::math::Transform::createLinearTransform(1.0), kHalfWidth, kHalfWidth);
+      interrupter.base(), adapter, *openvdb::math::Transform::createLinearTransform(1.0), kHalfWidth,
+      kHalfWidth);
   throw_if_cancelled(progress);
 
   const openvdb::BoolGrid::Ptr interior = openvdb::tools::sdfInteriorMask(*distance, 0.0f);
