@@ -210,8 +210,14 @@ const Refusal kFiles[] = {
     // Recipes
     {"NoRecipe", 1, {"--out", "x.ply", "--recipe", "no.json"}, {"no.json", "No such file"}},
     {"BrokenRecipe", 1, {"--out", "x.ply", "--recipe", "broken.json"}, {"broken.json", "line 2"}},
-    {"RecipeOutOfRange", 1, {"--out", "x.ply", "--recipe", "range.json"}, {"range.json: line 1: bandwidth is -1"}},
-    {"RecipeWithUnknownKey", 1, {"--out", "x.ply", "--recipe", "unknown.json"}, {"unknown.json: line 1: surfaces"}},
+    {"RecipeOutOfRange",
+     1,
+     {"--out", "x.ply", "--recipe", "range.json"},
+     {"range.json: line 1: bandwidth is -1"}},
+    {"RecipeWithUnknownKey",
+     1,
+     {"--out", "x.ply", "--recipe", "unknown.json"},
+     {"unknown.json: line 1: surfaces"}},
     {"MeshWithoutARecipe", 1, {"--out", "x.ply", "--recipe", "in.ply"}, {"in.ply", "no recipe"}},
     // Outputs
     {"IntoAnStl", 2, {"--out", "x.stl"}, {"--out is x.stl", ".ply, .obj, .off or .om"}},
