@@ -8,7 +8,7 @@
 #include <benchmark/benchmark.h>
 
 #include "blocks.h"
-#include "solidnoise/noise/interpolation/interpolation_error.h"
+#include "solidnoise/noise/interpolation/axis_weights.h"
 
 namespace solidnoise::bench {
 

@@ -1,10 +1,9 @@
-#include "budget_case.h"
-
 #include <cmath>
 #include <utility>
 #include <vector>
 
 #include "blocks.h"
+#include "quality_cases.h"
 #include "solidnoise/noise/error_budget.h"
 #include "solidnoise/noise/fractal_noise.h"
 #include "solidnoise/noise/gabor/gabor_noise.h"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "blocks.h"
-#include "budget_case.h"
+#include "quality_cases.h"
 #include "solidnoise/noise/gabor/gabor_noise.h"
 #include "solidnoise/noise/gabor/oriented_gabor_noise.h"
 #include "solidnoise/noise/gradient/gradient_noise.h"

@@ -1,7 +1,6 @@
-#include "equal_quality.h"
-
 #include <cmath>
 
+#include "quality_cases.h"
 #include "solidnoise/noise/error_budget.h"
 #include "solidnoise/noise/gabor/gabor_noise.h"
 #include "solidnoise/noise/gabor/oriented_gabor_noise.h"

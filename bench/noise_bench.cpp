@@ -4,6 +4,8 @@
 // included: making the block's impulses, culling them, summing. The noises are those of the goals: a kernel
 // of R voxels' radius, N impulses in the ball of that radius. The scalar procedures (tests/reference) work
 // point by point, in single precision where they can. Names: noise/dimension/kernel/N/R/target.
+#include "noise_bench.h"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -16,15 +18,13 @@
 #include <hwy/targets.h>
 
 #include "block_bench.h"
-#include "point_bench.h"
-#include "quality_bench.h"
 #include "ratio_reporter.h"
 #include "reference/gabor_reference.h"
 #include "reference/kensler_reference.h"
 #include "solidnoise/noise/gabor/gabor_noise.h"
 #include "solidnoise/noise/gabor/oriented_gabor_noise.h"
 #include "solidnoise/noise/gradient/gradient_noise.h"
-#include "solidnoise/noise/kernel/bandwidth.h"
+#include "solidnoise/noise/kernel/gabor_parameters.h"
 
 namespace solidnoise::bench {
 namespace {

@@ -1,7 +1,5 @@
 // Noises at scattered points: vertices all over a sphere, in no order, kKernel of them in a kernel's radius.
 // All included: putting the points in order, making the impulses, culling, summing.
-#include "point_bench.h"
-
 #include <array>
 #include <cmath>
 #include <memory>
@@ -11,13 +9,14 @@
 
 #include <benchmark/benchmark.h>
 
+#include "noise_bench.h"
 #include "reference/gabor_reference.h"
 #include "reference/surface_gabor_reference.h"
 #include "solidnoise/noise/gabor/gabor_noise.h"
 #include "solidnoise/noise/gabor/surface_gabor_noise.h"
 #include "solidnoise/noise/gabor/varying_gabor_noise.h"
 #include "solidnoise/noise/gradient/projected_gradient_noise.h"
-#include "solidnoise/noise/kernel/bandwidth.h"
+#include "solidnoise/noise/kernel/gabor_parameters.h"
 
 namespace solidnoise::bench {
 namespace {

@@ -1,11 +1,9 @@
-#include "quality_bench.h"
-
 #include <memory>
 #include <string>
 
 #include "block_bench.h"
-#include "budget_case.h"
-#include "equal_quality.h"
+#include "noise_bench.h"
+#include "quality_cases.h"
 
 namespace solidnoise::bench {
 namespace {

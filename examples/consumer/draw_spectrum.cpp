@@ -4,7 +4,7 @@
 #include "solidnoise/analysis/field_picture.h"
 #include "solidnoise/analysis/periodogram.h"
 #include "solidnoise/image/image_file.h"
-#include "solidnoise/noise/noise_recipe.h"
+#include "solidnoise/noise/registry/noise_recipe.h"
 
 int main() {
   const auto noise =

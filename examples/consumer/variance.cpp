@@ -3,7 +3,7 @@
 #include <numeric>
 #include <vector>
 
-#include "solidnoise/noise/noise_recipe.h"
+#include "solidnoise/noise/registry/noise_recipe.h"
 
 int main() {
   const auto noise =

@@ -1,8 +1,8 @@
 // Fills a sphere with noise and writes it as an OpenVDB grid.
 #include <iostream>
 
-#include "solidnoise/noise/noise_recipe.h"
-#include "solidnoise/volume/fill.h"
+#include "solidnoise/noise/registry/noise_recipe.h"
+#include "solidnoise/volume/topology/fill.h"
 #include "solidnoise/volume/vdb/vdb_write.h"
 
 int main() {

@@ -66,7 +66,7 @@ def draw_zero_dc(data, page):
 ## The kernel without power at frequency 0
 The published coefficients, s = 4 t^5 - 3 t^4, were found for one dimension, and leave power at low frequencies that grows with each dimension. Ours
 (`--kernel zero-dc`) demand that the kernel's potential integrates to 0, at the same cost: in two dimensions s = (7 t^5 - 5 t^4) / 2.
-The paper has no closed form of the spectrum; ours is derived at `GradientKernel` (`src/solidnoise/noise/kernel/gradient_kernel.h`).
+The paper has no closed form of the spectrum; ours is derived at `GradientKernel` (`src/solidnoise/noise/gradient/gradient_kernel.h`).
 """)
     page.picture(figure, "spectrum", "Radial spectra, measured and in closed form")
     figure, axes = plt.subplots(2, 3, figsize=(8, 5.0), constrained_layout=True)

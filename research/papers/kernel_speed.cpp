@@ -7,9 +7,9 @@
 #include "papers/paper_kernel.h"
 #include "papers/stopwatch.h"
 #include "reference/gabor_reference.h"
-#include "solidnoise/noise/convolution/impulse_statistics.h"
 #include "solidnoise/noise/gabor/gabor_noise.h"
 #include "solidnoise/noise/gabor/oriented_gabor_noise.h"
+#include "solidnoise/noise/kernel/impulse_statistics.h"
 
 namespace solidnoise::papers {
 namespace {

@@ -7,9 +7,8 @@
 #include <type_traits>
 
 #include "solidnoise/analysis/expected_spectrum.h"
-#include "solidnoise/analysis/spectral_density.h"
-#include "solidnoise/noise/convolution/impulse_statistics.h"
 #include "solidnoise/noise/gabor/gabor_noise.h"
+#include "solidnoise/noise/kernel/impulse_statistics.h"
 
 namespace solidnoise::papers {
 namespace {

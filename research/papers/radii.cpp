@@ -4,8 +4,7 @@
 #include <numbers>
 
 #include "papers/paper_kernel.h"
-#include "solidnoise/core/bisection.h"
-#include "solidnoise/core/quadrature.h"
+#include "solidnoise/core/numerics.h"
 #include "solidnoise/core/special_functions.h"
 #include "solidnoise/noise/kernel/gabor_kernel.h"
 #include "solidnoise/noise/kernel/isotropic_gabor_kernel.h"

@@ -5,8 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include "solidnoise/analysis/exemplar/group_spectrum.h"
-
 namespace solidnoise {
 namespace {
 

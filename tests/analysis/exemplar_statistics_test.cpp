@@ -8,7 +8,7 @@
 
 #include "solidnoise/analysis/exemplar/cross_spectra.h"
 #include "solidnoise/analysis/exemplar/exemplar_channels.h"
-#include "solidnoise/analysis/exemplar/periodic_component.h"
+#include "solidnoise/analysis/exemplar/gaussian_field.h"
 #include "solidnoise/analysis/fft.h"
 #include "support/golden.h"
 

@@ -10,7 +10,6 @@
 
 #include "solidnoise/analysis/exemplar/fit_exemplar.h"
 #include "solidnoise/analysis/exemplar/gaussian_field.h"
-#include "solidnoise/analysis/exemplar/gaussianity.h"
 #include "solidnoise/core/random.h"
 #include "solidnoise/image/color.h"
 #include "solidnoise/image/image_file.h"

@@ -1,5 +1,3 @@
-#include "solidnoise/analysis/exemplar/fit_spectrum.h"
-
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -10,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "solidnoise/analysis/exemplar/cross_spectra.h"
+#include "solidnoise/analysis/exemplar/fit_exemplar.h"
 #include "solidnoise/analysis/exemplar/gaussian_field.h"
 
 namespace solidnoise {

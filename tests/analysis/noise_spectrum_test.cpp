@@ -5,7 +5,7 @@
 #include "solidnoise/analysis/expected_spectrum.h"
 #include "solidnoise/analysis/radial_spectrum.h"
 #include "solidnoise/noise/gabor/gabor_noise.h"
-#include "solidnoise/noise/noise_recipe.h"
+#include "solidnoise/noise/registry/noise_recipe.h"
 
 namespace solidnoise {
 namespace {

@@ -1,5 +1,3 @@
-#include "solidnoise/core/alias_table.h"
-
 #include <cmath>
 #include <cstddef>
 #include <limits>

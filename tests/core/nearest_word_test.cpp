@@ -1,9 +1,9 @@
-#include "solidnoise/core/nearest_word.h"
-
 #include <array>
 #include <string>
 
 #include <gtest/gtest.h>
+
+#include "solidnoise/core/choices.h"
 
 namespace solidnoise {
 namespace {

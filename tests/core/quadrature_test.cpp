@@ -1,11 +1,9 @@
-#include "solidnoise/core/quadrature.h"
-
 #include <cmath>
 #include <cstddef>
 
 #include <gtest/gtest.h>
 
-#include "solidnoise/core/bisection.h"
+#include "solidnoise/core/numerics.h"
 
 namespace solidnoise {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "solidnoise/core/quadrature.h"
+#include "solidnoise/core/numerics.h"
 
 namespace solidnoise {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "digests/cases.h"
 #include "digests/recipe_files.h"
-#include "solidnoise/noise/noise_recipe.h"
+#include "solidnoise/noise/registry/noise_recipe.h"
 #include "support/paths.h"
 #include "support/simd_targets.h"
 

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "digests/digest_grid.h"
-#include "solidnoise/noise/noise_recipe.h"
+#include "solidnoise/noise/registry/noise_recipe.h"
 #include "solidnoise/recipe/noise_recipe_json.h"
 #include "solidnoise/volume/make_volume.h"
 #include "solidnoise/volume/merge_parts.h"

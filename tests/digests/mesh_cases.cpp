@@ -5,7 +5,7 @@
 #include "digests/cases.h"
 #include "digests/make_recipes.h"
 #include "digests/recipe_files.h"
-#include "solidnoise/geometry/read_mesh.h"
+#include "solidnoise/geometry/mesh_file.h"
 #include "support/paths.h"
 
 namespace solidnoise {

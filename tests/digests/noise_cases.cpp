@@ -8,9 +8,7 @@
 #include "digests/make_recipes.h"
 #include "digests/recipe_files.h"
 #include "solidnoise/noise/interpolation/interpolated_noise.h"
-#include "solidnoise/noise/moved_noise.h"
-#include "solidnoise/noise/plane_noise.h"
-#include "solidnoise/noise/slice_noise.h"
+#include "solidnoise/noise/noise_views.h"
 #include "support/evaluated.h"
 #include "support/scattered.h"
 

@@ -1,5 +1,3 @@
-#include "solidnoise/field/cloud_union.h"
-
 #include <array>
 #include <cmath>
 #include <vector>
@@ -7,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "solidnoise/core/random.h"
+#include "solidnoise/field/cloud_puffs.h"
 
 namespace solidnoise {
 namespace {

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "solidnoise/field/combined_field.h"
-#include "solidnoise/noise/noise_recipe.h"
+#include "solidnoise/noise/registry/noise_recipe.h"
 #include "support/evaluated.h"
 #include "support/spectra.h"
 #include "support/vector_fields.h"

@@ -1,5 +1,3 @@
-#include "solidnoise/field/shaped_field.h"
-
 #include <array>
 #include <cmath>
 #include <memory>
@@ -7,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "solidnoise/field/shaping.h"
 #include "solidnoise/noise/noise.h"
 
 namespace solidnoise {

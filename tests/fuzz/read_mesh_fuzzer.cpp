@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "solidnoise/geometry/inspect_mesh.h"
-#include "solidnoise/geometry/read_mesh.h"
+#include "solidnoise/geometry/mesh_file.h"
 #include "support/mesh_text.h"
 #include "support/sound_mesh.h"
 

@@ -2,7 +2,7 @@
 #include <fstream>
 #include <iostream>
 
-#include "solidnoise/geometry/write_mesh.h"
+#include "solidnoise/geometry/mesh_file.h"
 #include "support/sample_meshes.h"
 
 // write_fuzz_seeds FOLDER: writes a small file of each kind into FOLDER/ply, FOLDER/obj, ...

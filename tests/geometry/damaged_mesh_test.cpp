@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "solidnoise/geometry/inspect_mesh.h"
-#include "solidnoise/geometry/read_mesh.h"
+#include "solidnoise/geometry/mesh_file.h"
 #include "support/mesh_text.h"
 #include "support/sample_meshes.h"
 #include "support/sound_mesh.h"

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "solidnoise/geometry/read_mesh.h"
+#include "solidnoise/geometry/mesh_file.h"
 #include "support/mesh_text.h"
 #include "support/message_of.h"
 

@@ -1,5 +1,3 @@
-#include "solidnoise/geometry/write_mesh.h"
-
 #include <csignal>
 #include <fstream>
 #include <iterator>
@@ -14,7 +12,7 @@
 #include <glm/vec3.hpp>
 #include <gtest/gtest.h>
 
-#include "solidnoise/geometry/read_mesh.h"
+#include "solidnoise/geometry/mesh_file.h"
 #include "support/mesh_text.h"
 #include "support/message_of.h"
 #include "support/sample_meshes.h"

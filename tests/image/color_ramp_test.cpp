@@ -1,11 +1,11 @@
-#include "solidnoise/image/color_ramp.h"
-
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
 
 #include <gtest/gtest.h>
+
+#include "solidnoise/image/color.h"
 
 namespace solidnoise {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "solidnoise/mesh/bake_noise.h"
 #include "solidnoise/mesh/bake_recipe.h"
-#include "solidnoise/noise/noise_recipe.h"
+#include "solidnoise/noise/registry/noise_recipe.h"
 #include "support/message_of.h"
 
 namespace solidnoise {

@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "solidnoise/image/color_ramp.h"
+#include "solidnoise/image/color.h"
 #include "support/message_of.h"
 #include "support/spectra.h"
 #include "support/surfaces.h"

@@ -13,7 +13,7 @@
 #include "solidnoise/noise/error_budget.h"
 #include "solidnoise/noise/gabor/gabor_noise.h"
 #include "solidnoise/noise/gradient/gradient_noise.h"
-#include "solidnoise/noise/noise_recipe.h"
+#include "solidnoise/noise/registry/noise_recipe.h"
 #include "support/message_of.h"
 #include "support/spectra.h"
 

@@ -7,9 +7,8 @@
 
 #include <glm/common.hpp>
 
+#include "solidnoise/geometry/mesh_file.h"
 #include "solidnoise/geometry/polygon_mesh.h"
-#include "solidnoise/geometry/read_mesh.h"
-#include "solidnoise/geometry/write_mesh.h"
 #include "support/surfaces.h"
 #include "tools/run_tool.h"
 

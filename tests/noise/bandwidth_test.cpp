@@ -1,9 +1,9 @@
-#include "solidnoise/noise/kernel/bandwidth.h"
-
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
+
+#include "solidnoise/noise/kernel/gabor_parameters.h"
 
 namespace solidnoise {
 namespace {

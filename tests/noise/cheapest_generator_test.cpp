@@ -1,5 +1,3 @@
-#include "solidnoise/noise/cheapest_generator.h"
-
 #include <stdexcept>
 #include <variant>
 
@@ -7,6 +5,7 @@
 
 #include "solidnoise/noise/gabor/gabor_noise.h"
 #include "solidnoise/noise/gabor/oriented_gabor_noise.h"
+#include "solidnoise/noise/registry/noise_recipe.h"
 
 namespace solidnoise {
 namespace {

@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "solidnoise/core/random.h"
-#include "solidnoise/noise/noise_recipe.h"
+#include "solidnoise/noise/registry/noise_recipe.h"
 #include "support/evaluated.h"
 #include "support/gabor_noises.h"
 #include "support/independent_values.h"

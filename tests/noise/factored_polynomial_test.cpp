@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "solidnoise/noise/kernel/bandwidth.h"
 #include "solidnoise/noise/kernel/compact_kernel.h"
+#include "solidnoise/noise/kernel/gabor_parameters.h"
 
 namespace solidnoise {
 namespace {

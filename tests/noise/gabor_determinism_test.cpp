@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "solidnoise/noise/noise_recipe.h"
-#include "solidnoise/noise/slice_noise.h"
+#include "solidnoise/noise/noise_views.h"
+#include "solidnoise/noise/registry/noise_recipe.h"
 #include "support/each_dimension.h"
 #include "support/evaluated.h"
 #include "support/gabor_noises.h"

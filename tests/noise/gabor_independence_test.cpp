@@ -9,7 +9,7 @@
 
 #include "solidnoise/core/random.h"
 #include "solidnoise/noise/error_budget.h"
-#include "solidnoise/noise/noise_recipe.h"
+#include "solidnoise/noise/registry/noise_recipe.h"
 #include "support/each_dimension.h"
 #include "support/gabor_noises.h"
 #include "support/independent_values.h"

@@ -8,8 +8,8 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "solidnoise/core/quadrature.h"
-#include "solidnoise/noise/slice_noise.h"
+#include "solidnoise/core/numerics.h"
+#include "solidnoise/noise/noise_views.h"
 #include "support/each_dimension.h"
 #include "support/gabor_noises.h"
 #include "support/tile_spectrum.h"

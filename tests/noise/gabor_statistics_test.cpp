@@ -7,10 +7,10 @@
 
 #include <gtest/gtest.h>
 
-#include "solidnoise/core/quadrature.h"
+#include "solidnoise/core/numerics.h"
 #include "solidnoise/core/special_functions.h"
-#include "solidnoise/noise/convolution/impulse_statistics.h"
-#include "solidnoise/noise/slice_noise.h"
+#include "solidnoise/noise/kernel/impulse_statistics.h"
+#include "solidnoise/noise/noise_views.h"
 #include "support/each_dimension.h"
 #include "support/gabor_noises.h"
 #include "support/independent_values.h"

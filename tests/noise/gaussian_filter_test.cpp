@@ -1,5 +1,3 @@
-#include "solidnoise/noise/kernel/gaussian_filter.h"
-
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -9,9 +7,10 @@
 
 #include <gtest/gtest.h>
 
-#include "solidnoise/core/quadrature.h"
+#include "solidnoise/core/numerics.h"
 #include "solidnoise/core/special_functions.h"
-#include "solidnoise/noise/noise_recipe.h"
+#include "solidnoise/noise/kernel/gabor_parameters.h"
+#include "solidnoise/noise/registry/noise_recipe.h"
 #include "support/each_dimension.h"
 #include "support/evaluated.h"
 #include "support/gabor_noises.h"

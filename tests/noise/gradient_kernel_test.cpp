@@ -1,10 +1,10 @@
-#include "solidnoise/noise/kernel/gradient_kernel.h"
+#include "solidnoise/noise/gradient/gradient_kernel.h"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "solidnoise/core/quadrature.h"
+#include "solidnoise/core/numerics.h"
 #include "solidnoise/core/special_functions.h"
 #include "support/each_dimension.h"
 #include "support/golden.h"

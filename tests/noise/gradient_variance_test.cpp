@@ -3,13 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include "solidnoise/core/quadrature.h"
+#include "solidnoise/core/numerics.h"
 #include "solidnoise/core/special_functions.h"
 #include "solidnoise/noise/gabor/gabor_noise.h"
 #include "solidnoise/noise/gabor/oriented_gabor_noise.h"
 #include "solidnoise/noise/gradient/gradient_noise.h"
-#include "solidnoise/noise/noise_recipe.h"
-#include "solidnoise/noise/slice_noise.h"
+#include "solidnoise/noise/noise_views.h"
+#include "solidnoise/noise/registry/noise_recipe.h"
 #include "support/each_dimension.h"
 
 namespace solidnoise {

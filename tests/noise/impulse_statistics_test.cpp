@@ -1,4 +1,4 @@
-#include "solidnoise/noise/convolution/impulse_statistics.h"
+#include "solidnoise/noise/kernel/impulse_statistics.h"
 
 #include <cmath>
 
@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "solidnoise/core/random.h"
-#include "solidnoise/noise/kernel/bandwidth.h"
 #include "solidnoise/noise/kernel/gabor_kernel.h"
+#include "solidnoise/noise/kernel/gabor_parameters.h"
 #include "solidnoise/noise/kernel/isotropic_gabor_kernel.h"
 #include "support/golden.h"
 #include "support/relative_error.h"

@@ -10,7 +10,7 @@
 #include "solidnoise/noise/error_budget.h"
 #include "solidnoise/noise/interpolation/interpolated_noise.h"
 #include "solidnoise/noise/interpolation/interpolation_plan.h"
-#include "solidnoise/noise/noise_recipe.h"
+#include "solidnoise/noise/registry/noise_recipe.h"
 #include "support/evaluated.h"
 #include "support/gabor_noises.h"
 #include "support/independent_values.h"

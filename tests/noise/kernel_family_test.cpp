@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "solidnoise/core/quadrature.h"
+#include "solidnoise/core/numerics.h"
 #include "solidnoise/core/special_functions.h"
-#include "solidnoise/noise/kernel/bandwidth.h"
+#include "solidnoise/noise/kernel/gabor_parameters.h"
 #include "support/message_of.h"
 
 namespace solidnoise {

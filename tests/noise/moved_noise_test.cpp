@@ -1,10 +1,9 @@
-#include "solidnoise/noise/moved_noise.h"
-
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "solidnoise/noise/noise_recipe.h"
+#include "solidnoise/noise/noise_views.h"
+#include "solidnoise/noise/registry/noise_recipe.h"
 
 namespace solidnoise {
 namespace {

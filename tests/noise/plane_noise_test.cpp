@@ -1,6 +1,4 @@
 // Planes through a noise: the same values, and the statistics of what is on the plane.
-#include "solidnoise/noise/plane_noise.h"
-
 #include <cmath>
 #include <cstddef>
 #include <memory>
@@ -10,9 +8,10 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "solidnoise/core/quadrature.h"
+#include "solidnoise/core/numerics.h"
 #include "solidnoise/noise/interpolation/interpolated_noise.h"
-#include "solidnoise/noise/noise_recipe.h"
+#include "solidnoise/noise/noise_views.h"
+#include "solidnoise/noise/registry/noise_recipe.h"
 #include "support/evaluated.h"
 #include "support/spectra.h"
 

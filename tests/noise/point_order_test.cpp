@@ -1,5 +1,3 @@
-#include "solidnoise/noise/point/point_order.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -7,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "solidnoise/core/points.h"
 #include "support/scattered.h"
 
 namespace solidnoise {

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "reference/projected_kensler_reference.h"
-#include "solidnoise/core/quadrature.h"
+#include "solidnoise/core/numerics.h"
 #include "solidnoise/core/special_functions.h"
 #include "solidnoise/noise/gradient/projected_gradient_noise.h"
 #include "support/independent_values.h"

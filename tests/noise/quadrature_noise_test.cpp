@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "solidnoise/noise/error_budget.h"
-#include "solidnoise/noise/noise_recipe.h"
+#include "solidnoise/noise/registry/noise_recipe.h"
 #include "support/evaluated.h"
 #include "support/gabor_noises.h"
 #include "support/message_of.h"

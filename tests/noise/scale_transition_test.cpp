@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "solidnoise/core/quadrature.h"
+#include "solidnoise/core/numerics.h"
 
 namespace solidnoise {
 namespace {

@@ -7,11 +7,10 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "solidnoise/core/quadrature.h"
+#include "solidnoise/core/numerics.h"
 #include "solidnoise/core/special_functions.h"
-#include "solidnoise/noise/moved_noise.h"
-#include "solidnoise/noise/noise_recipe.h"
-#include "solidnoise/noise/slice_noise.h"
+#include "solidnoise/noise/noise_views.h"
+#include "solidnoise/noise/registry/noise_recipe.h"
 #include "support/each_dimension.h"
 #include "support/gabor_noises.h"
 #include "support/independent_values.h"

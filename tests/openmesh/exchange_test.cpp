@@ -9,8 +9,7 @@
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
 #include <gtest/gtest.h>
 
-#include "solidnoise/geometry/read_mesh.h"
-#include "solidnoise/geometry/write_mesh.h"
+#include "solidnoise/geometry/mesh_file.h"
 #include "support/mesh_text.h"
 #include "support/temporary_folder.h"
 

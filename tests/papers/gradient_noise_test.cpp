@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "papers/gradient_sample.h"
-#include "solidnoise/noise/kernel/gradient_kernel.h"
+#include "solidnoise/noise/gradient/gradient_kernel.h"
 
 // The numbers of docs/papers/gradient-noise.md, by smaller runs of the code that makes the page: a full
 // repetition of the tables, at half of its samples. Seeds are fixed.

@@ -7,7 +7,7 @@
 
 #include "papers/literal_fit.h"
 #include "solidnoise/analysis/exemplar/cross_spectra.h"
-#include "solidnoise/analysis/exemplar/fit_spectrum.h"
+#include "solidnoise/analysis/exemplar/fit_exemplar.h"
 #include "solidnoise/analysis/exemplar/gaussian_field.h"
 
 // The statements of docs/papers/noise-by-example.md, on an exemplar whose spectrum is known.

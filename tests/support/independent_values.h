@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "solidnoise/core/lattice.h"
+#include "solidnoise/core/points.h"
 #include "support/evaluated.h"
 
 namespace solidnoise {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solidnoise/core/lattice.h"
+#include "solidnoise/core/points.h"
 #include "solidnoise/noise/interpolation/lattice_frame.h"
 
 namespace solidnoise {

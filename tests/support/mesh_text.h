@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "solidnoise/geometry/read_mesh.h"
-#include "solidnoise/geometry/write_mesh.h"
+#include "solidnoise/geometry/mesh_file.h"
 
 namespace solidnoise {
 

@@ -9,8 +9,7 @@
 
 #include "solidnoise/core/points.h"
 #include "solidnoise/core/random.h"
-#include "solidnoise/noise/gabor/varying_parameters.h"
-#include "solidnoise/noise/point/surface_points.h"
+#include "solidnoise/noise/point/point_parameters.h"
 
 namespace solidnoise {
 

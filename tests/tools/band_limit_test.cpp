@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "solidnoise/core/quadrature.h"
-#include "solidnoise/noise/noise_recipe.h"
+#include "solidnoise/core/numerics.h"
+#include "solidnoise/noise/registry/noise_recipe.h"
 #include "solidnoise/volume/vdb/vdb_read.h"
 #include "tools/run_vdbnoise.h"
 

@@ -9,7 +9,7 @@
 #include <openvdb/tools/LevelSetSphere.h>
 
 #include "solidnoise/volume/make_volume.h"
-#include "solidnoise/volume/statistics.h"
+#include "solidnoise/volume/vdb/grid_values.h"
 #include "solidnoise/volume/vdb/vdb_read.h"
 #include "solidnoise/volume/vdb/vdb_write.h"
 #include "tools/run_vdbnoise.h"

@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <openvdb/tools/LevelSetSphere.h>
 
-#include "solidnoise/volume/statistics.h"
+#include "solidnoise/volume/vdb/grid_values.h"
 #include "support/parameter_grids.h"
 #include "tools/refusal.h"
 #include "tools/run_vdbnoise.h"

@@ -8,9 +8,9 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
-#include "solidnoise/noise/noise_recipe.h"
-#include "solidnoise/volume/fill.h"
+#include "solidnoise/noise/registry/noise_recipe.h"
 #include "solidnoise/volume/make_volume.h"
+#include "solidnoise/volume/topology/fill.h"
 
 namespace solidnoise {
 namespace {

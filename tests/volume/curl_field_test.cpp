@@ -13,8 +13,8 @@
 
 #include "reference/curl_reference.h"
 #include "solidnoise/noise/error_budget.h"
-#include "solidnoise/noise/moved_noise.h"
-#include "solidnoise/noise/noise_recipe.h"
+#include "solidnoise/noise/noise_views.h"
+#include "solidnoise/noise/registry/noise_recipe.h"
 #include "solidnoise/volume/modify/distance_spline.h"
 #include "support/gabor_noises.h"
 #include "support/vector_fields.h"

@@ -17,7 +17,7 @@
 #include <tbb/global_control.h>
 
 #include "solidnoise/field/pointwise_field.h"
-#include "solidnoise/noise/noise_recipe.h"
+#include "solidnoise/noise/registry/noise_recipe.h"
 #include "support/message_of.h"
 
 namespace solidnoise {

@@ -1,9 +1,8 @@
-#include "solidnoise/volume/vdb/file_digest.h"
-
 #include <fstream>
 
 #include <gtest/gtest.h>
 
+#include "solidnoise/volume/vdb/grid_file.h"
 #include "support/temporary_folder.h"
 
 namespace solidnoise {

@@ -1,4 +1,4 @@
-#include "solidnoise/volume/fill.h"
+#include "solidnoise/volume/topology/fill.h"
 
 #include <algorithm>
 #include <array>

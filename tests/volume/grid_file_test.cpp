@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "solidnoise/volume/vdb/file_digest.h"
 #include "solidnoise/volume/vdb/grid_file_json.h"
 #include "solidnoise/volume/vdb/vdb_write.h"
 #include "support/message_of.h"

@@ -1,11 +1,10 @@
-#include "solidnoise/recipe/layer_json.h"
-
 #include <stdexcept>
 #include <string>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "solidnoise/recipe/noise_recipe_json.h"
 #include "solidnoise/volume/volume_recipe_json.h"
 #include "support/message_of.h"
 

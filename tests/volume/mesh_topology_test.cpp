@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "solidnoise/geometry/write_mesh.h"
+#include "solidnoise/geometry/mesh_file.h"
 #include "solidnoise/volume/make_volume.h"
 #include "solidnoise/volume/topology/topology.h"
 #include "support/message_of.h"

@@ -1,11 +1,11 @@
-#include "solidnoise/volume/vdb/parallel_grid.h"
-
 #include <sstream>
 #include <string>
 
 #include <gtest/gtest.h>
 #include <openvdb/io/Compression.h>
 #include <tbb/global_control.h>
+
+#include "solidnoise/volume/vdb/grid_archive.h"
 
 namespace solidnoise {
 namespace {

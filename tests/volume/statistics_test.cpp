@@ -1,5 +1,3 @@
-#include "solidnoise/volume/statistics.h"
-
 #include <array>
 #include <cmath>
 #include <numeric>
@@ -8,6 +6,8 @@
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
+
+#include "solidnoise/volume/vdb/grid_values.h"
 
 namespace solidnoise {
 namespace {

@@ -1,10 +1,9 @@
-#include "solidnoise/volume/preview/surface_preview.h"
-
 #include <stdexcept>
 
 #include <gtest/gtest.h>
 #include <openvdb/tools/LevelSetSphere.h>
 
+#include "solidnoise/volume/preview/preview.h"
 #include "support/message_of.h"
 
 namespace solidnoise {

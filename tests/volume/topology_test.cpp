@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "solidnoise/volume/fill.h"
+#include "solidnoise/volume/topology/fill.h"
 #include "support/wave_field.h"
 
 namespace solidnoise {

@@ -12,8 +12,8 @@
 
 #include "solidnoise/field/combined_field.h"
 #include "solidnoise/noise/gabor/varying_gabor_noise.h"
-#include "solidnoise/volume/fill.h"
 #include "solidnoise/volume/parameters/parameter_fields.h"
+#include "solidnoise/volume/topology/fill.h"
 #include "solidnoise/volume/topology/volume_part.h"
 #include "support/independent_values.h"
 #include "support/parameter_grids.h"

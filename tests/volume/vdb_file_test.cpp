@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-#include "solidnoise/volume/fill.h"
+#include "solidnoise/volume/topology/fill.h"
 #include "solidnoise/volume/vdb/vdb_read.h"
 #include "solidnoise/volume/vdb/vdb_write.h"
 #include "support/message_of.h"

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "solidnoise/recipe/recipe_header.h"
+#include "solidnoise/recipe/json_reader.h"
 
 namespace solidnoise {
 namespace {

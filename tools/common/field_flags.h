@@ -14,6 +14,7 @@
 #include "common/flag_set.h"
 #include "common/parse_value.h"
 #include "solidnoise/core/fields.h"
+#include "solidnoise/noise/registry/noise_recipe.h"
 
 namespace solidnoise {
 
@@ -108,5 +109,18 @@ void declare_fields(FlagSet& flags, Struct& object, std::initializer_list<std::s
                   [field, &owner](const ValueOf<F, Owner>& value) { field.set(owner, value); });
   });
 }
+
+// Declares the flags of a noise, those of the tables of all noises, which act on `recipe` when they are
+// applied. A flag that the noise has no use for is refused then.
+void declare_noise_flags(FlagSet& flags, NoiseRecipe& recipe);
+
+// These flags.
+std::vector<std::string> noise_flags();
+
+// Declares --generator. Declare it after all other flags of the noise and of its dimensions.
+void declare_generator_flag(FlagSet& flags, NoiseRecipe& recipe, const int& dims);
+
+// Makes it another kind of noise ("gabor-oriented"), with what the old one and it have in common.
+void change_noise_type(NoiseRecipe& recipe, const std::string& type);
 
 }  // namespace solidnoise

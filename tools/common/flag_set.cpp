@@ -9,8 +9,8 @@
 #include <fmt/ranges.h>
 
 #include "common/parse_value.h"
-#include "common/usage_error.h"
-#include "solidnoise/core/nearest_word.h"
+#include "common/run_tool.h"
+#include "solidnoise/core/choices.h"
 
 namespace solidnoise {
 namespace {

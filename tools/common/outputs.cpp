@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "common/usage_error.h"
+#include "common/run_tool.h"
 
 namespace solidnoise {
 

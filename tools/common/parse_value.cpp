@@ -1,12 +1,15 @@
 #include "common/parse_value.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
+#include <optional>
 #include <string_view>
 
 #include <fmt/format.h>
 
-#include "common/usage_error.h"
+#include "common/run_tool.h"
 
 namespace solidnoise {
 namespace {
@@ -64,6 +67,104 @@ std::uint64_t parse_bytes(const std::string& flag, const std::string& text) {
   }
   if (number * scale >= 0x1p63) refuse(flag, text, "below 8 million TiB");
   return static_cast<std::uint64_t>(number * scale);
+}
+
+namespace {
+
+constexpr std::size_t kMostFrames = 1'000'000;
+constexpr int kMostDigits = 9;
+
+// Takes a whole number without a sign off the front of `text`.
+std::optional<int> take_number(std::string_view& text) {
+  int number = 0;
+  if (text.empty() || text.front() < '0' || text.front() > '9') return std::nullopt;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc()) return std::nullopt;
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  return number;
+}
+
+bool take(std::string_view& text, char letter) {
+  if (!text.starts_with(letter)) return false;
+  text.remove_prefix(1);
+  return true;
+}
+
+// Where a number goes: `length` letters from `begin`, at least `digits` of it.
+struct Place {
+  std::size_t begin = 0;
+  std::size_t length = 0;
+  int digits = 1;
+};
+
+// The first place at or after `from`.
+std::optional<Place> find_place(const std::string& name, std::size_t from) {
+  for (std::size_t i = name.find_first_of("#%", from); i != std::string::npos;
+       i = name.find_first_of("#%", i + 1)) {
+    if (name[i] == '#') {
+      const std::size_t end = std::min(name.find_first_not_of('#', i), name.size());
+      return Place{i, end - i, static_cast<int>(end - i)};
+    }
+    std::string_view rest = std::string_view(name).substr(i + 1);
+    const int digits = take_number(rest).value_or(1);
+    if (take(rest, 'd')) return Place{i, name.size() - i - rest.size(), std::max(digits, 1)};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<int> parse_frames(const std::string& flag, const std::string& text) {
+  std::string_view rest = text;
+  const std::optional<int> first = take_number(rest);
+  std::optional<int> last = first;
+  std::optional<int> step = 1;
+  if (take(rest, '-')) {
+    last = take_number(rest);
+    if (take(rest, 'x')) step = take_number(rest);
+  }
+  if (!first || !last || !step || !rest.empty() || *step < 1) {
+    throw UsageError(
+        fmt::format("{} is {}; it must be frames from 0 on, such as 1001-1048, 1001-1100x2 or 1001", flag,
+                    text.empty() ? "empty" : text));
+  }
+  if (*last < *first) {
+    throw UsageError(fmt::format("{} is {}; the last frame must not come before the first", flag, text));
+  }
+  const std::size_t count = static_cast<std::size_t>((*last - *first) / *step) + 1;
+  if (count > kMostFrames) {
+    throw UsageError(fmt::format("{} is {}, {} frames; {} are allowed", flag, text, count, kMostFrames));
+  }
+  std::vector<int> frames(count);
+  for (std::size_t i = 0; i < count; ++i) frames[i] = *first + static_cast<int>(i) * *step;
+  return frames;
+}
+
+bool has_frame_number(const std::string& path) {
+  return find_place(std::filesystem::path(path).filename().string(), 0).has_value();
+}
+
+std::string frame_path(const std::string& flag, const std::string& pattern, int frame) {
+  const std::filesystem::path path(pattern);
+  const std::string stem = path.stem().string();
+  const std::optional<Place> place = find_place(stem, 0);
+  const std::string example =
+      fmt::format("{}.####{}", stem.substr(0, stem.find_first_of(".#%")), path.extension().string());
+  if (!place) {
+    throw UsageError(
+        fmt::format("{} is {}; of several frames it must have a place for the number, such as {}", flag,
+                    pattern, example));
+  }
+  const bool folder_has_one = find_place(path.parent_path().string(), 0).has_value();
+  if (folder_has_one || place->begin + place->length != stem.size() || place->digits > kMostDigits) {
+    throw UsageError(fmt::format(
+        "{} is {}; it must have one place for the frame's number, of at most {} digits, right before "
+        "the extension, such as {}",
+        flag, pattern, kMostDigits, example));
+  }
+  const std::string name = fmt::format("{}{:0{}}{}", stem.substr(0, place->begin), frame, place->digits,
+                                       path.extension().string());
+  return (path.parent_path() / name).string();
 }
 
 }  // namespace solidnoise

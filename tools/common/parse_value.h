@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace solidnoise {
 
@@ -13,5 +14,18 @@ std::uint64_t parse_unsigned(const std::string& flag, const std::string& text);
 
 // Bytes: a number and an optional unit, K, M, G or T (powers of 1024; "GiB" and "GB" are the same here).
 std::uint64_t parse_bytes(const std::string& flag, const std::string& text);
+
+// Reads frames such as "1001-1048", "1001-1100x2" (every second one) or "1001" (one). Throws UsageError that
+// names the flag, the text and what is allowed: frames from 0, the last not before the first, at most a
+// million.
+std::vector<int> parse_frames(const std::string& flag, const std::string& text);
+
+// Whether a file's name has a place for a frame's number: a run of #, or %d, %4d or %04d.
+bool has_frame_number(const std::string& path);
+
+// The name of a frame's file: `pattern` with the number in its place, padded with zeros to the run's length
+// or the given width, and longer where it needs to be (frame 1000 of ### is 1000). Throws UsageError that
+// names the flag unless there is one such place, in the file's name and right before its extension.
+std::string frame_path(const std::string& flag, const std::string& pattern, int frame);
 
 }  // namespace solidnoise

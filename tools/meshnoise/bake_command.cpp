@@ -10,19 +10,13 @@
 #include <nlohmann/json.hpp>
 #include <tbb/global_control.h>
 
-#include "common/exit_status.h"
-#include "common/interrupt.h"
 #include "common/outputs.h"
-#include "common/presets.h"
-#include "common/task_progress.h"
-#include "common/text_file.h"
-#include "common/usage_error.h"
+#include "common/progress.h"
+#include "common/recipe_files.h"
+#include "common/run_tool.h"
 #include "meshnoise/bake_options.h"
 #include "meshnoise/commands.h"
-#include "meshnoise/describe.h"
-#include "meshnoise/mesh_input.h"
-#include "meshnoise/mesh_output.h"
-#include "meshnoise/mesh_preview.h"
+#include "meshnoise/mesh_files.h"
 #include "meshnoise/recipe_source.h"
 #include "solidnoise/image/image_file.h"
 #include "solidnoise/mesh/bake_mesh.h"

@@ -11,13 +11,12 @@
 #include <nlohmann/json.hpp>
 
 #include "common/field_flags.h"
-#include "common/flag_targets.h"
+#include "common/flag_set.h"
 #include "common/parse_value.h"
-#include "common/recipe_file.h"
-#include "common/text_file.h"
-#include "common/usage_error.h"
+#include "common/recipe_files.h"
+#include "common/run_tool.h"
 #include "solidnoise/core/check.h"
-#include "solidnoise/image/color_ramp.h"
+#include "solidnoise/image/color.h"
 #include "solidnoise/mesh/bake_mesh.h"
 #include "solidnoise/mesh/bake_recipe_json.h"
 #include "solidnoise/recipe/exemplar_model_json.h"

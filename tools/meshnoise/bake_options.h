@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "common/flag_set.h"
-#include "common/stage_times.h"
+#include "common/progress.h"
 #include "solidnoise/core/output_file.h"
 #include "solidnoise/mesh/bake_recipe.h"
 

@@ -6,20 +6,15 @@
 
 #include <fmt/format.h>
 
-#include "common/exit_status.h"
 #include "common/flag_set.h"
-#include "common/flag_targets.h"
-#include "common/interrupt.h"
 #include "common/outputs.h"
-#include "common/task_progress.h"
-#include "common/usage_error.h"
+#include "common/progress.h"
+#include "common/run_tool.h"
 #include "meshnoise/commands.h"
-#include "meshnoise/mesh_input.h"
-#include "meshnoise/mesh_output.h"
-#include "meshnoise/mesh_preview.h"
+#include "meshnoise/mesh_files.h"
 #include "solidnoise/image/image_file.h"
 #include "solidnoise/mesh/bake_recipe_json.h"
-#include "solidnoise/mesh/show_curvature.h"
+#include "solidnoise/mesh/vertex_colors.h"
 
 namespace solidnoise {
 namespace {

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include "common/exit_status.h"
 #include "common/flag_set.h"
+#include "common/run_tool.h"
 #include "meshnoise/commands.h"
 #include "meshnoise/recipe_source.h"
 #include "solidnoise/geometry/inspect_mesh.h"
-#include "solidnoise/geometry/read_mesh.h"
+#include "solidnoise/geometry/mesh_file.h"
 
 namespace solidnoise {
 namespace {

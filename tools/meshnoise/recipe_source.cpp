@@ -6,11 +6,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "common/presets.h"
-#include "common/recipe_file.h"
-#include "common/text_file.h"
+#include "common/recipe_files.h"
 #include "meshnoise/commands.h"
-#include "solidnoise/geometry/read_mesh.h"
+#include "solidnoise/geometry/mesh_file.h"
 #include "solidnoise/mesh/bake_recipe_json.h"
 
 namespace solidnoise {

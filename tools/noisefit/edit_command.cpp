@@ -7,16 +7,13 @@
 
 #include <fmt/format.h>
 
-#include "common/exit_status.h"
 #include "common/flag_set.h"
-#include "common/flag_targets.h"
 #include "common/outputs.h"
-#include "common/usage_error.h"
+#include "common/run_tool.h"
 #include "noisefit/commands.h"
-#include "noisefit/describe.h"
 #include "noisefit/model_file.h"
+#include "solidnoise/analysis/exemplar/describe_fit.h"
 #include "solidnoise/analysis/exemplar/edit_spectrum.h"
-#include "solidnoise/analysis/exemplar/group_spectrum.h"
 
 namespace solidnoise {
 namespace {

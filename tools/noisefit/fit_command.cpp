@@ -8,19 +8,16 @@
 
 #include <fmt/format.h>
 
-#include "common/exit_status.h"
 #include "common/flag_set.h"
-#include "common/flag_targets.h"
-#include "common/interrupt.h"
 #include "common/outputs.h"
-#include "common/task_progress.h"
-#include "common/usage_error.h"
+#include "common/progress.h"
+#include "common/run_tool.h"
 #include "noisefit/commands.h"
-#include "noisefit/describe.h"
 #include "noisefit/model_file.h"
+#include "solidnoise/analysis/exemplar/describe_fit.h"
+#include "solidnoise/analysis/exemplar/exemplar.h"
 #include "solidnoise/analysis/exemplar/exemplar_sheet.h"
 #include "solidnoise/analysis/exemplar/fit_exemplar.h"
-#include "solidnoise/analysis/exemplar/gaussianity.h"
 #include "solidnoise/analysis/exemplar/solid_spectrum.h"
 #include "solidnoise/image/image_file.h"
 

@@ -4,10 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "common/exit_status.h"
-#include "common/interrupt.h"
-#include "common/recipe_file.h"
-#include "common/text_file.h"
+#include "common/recipe_files.h"
+#include "common/run_tool.h"
 #include "solidnoise/recipe/exemplar_model_json.h"
 #include "solidnoise/recipe/json.h"
 

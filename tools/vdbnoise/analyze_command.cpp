@@ -6,11 +6,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "common/exit_status.h"
 #include "common/flag_set.h"
 #include "common/outputs.h"
-#include "common/usage_error.h"
+#include "common/run_tool.h"
 #include "solidnoise/analysis/four_panel.h"
+#include "solidnoise/analysis/kernel_slice.h"
 #include "solidnoise/image/image_file.h"
 #include "solidnoise/recipe/noise_recipe_json.h"
 #include "solidnoise/volume/finish_volume.h"
@@ -20,8 +20,6 @@
 #include "solidnoise/volume/volume_recipe_json.h"
 #include "vdbnoise/analysis_report.h"
 #include "vdbnoise/commands.h"
-#include "vdbnoise/dense_block.h"
-#include "vdbnoise/kernel_slice.h"
 
 namespace solidnoise {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "common/exit_status.h"
 #include "common/flag_set.h"
+#include "common/run_tool.h"
 #include "solidnoise/volume/finish_volume.h"
 #include "solidnoise/volume/vdb/vdb_read.h"
 #include "vdbnoise/commands.h"

@@ -9,31 +9,21 @@
 #include <nlohmann/json.hpp>
 #include <tbb/global_control.h>
 
-#include "common/exit_status.h"
-#include "common/interrupt.h"
 #include "common/memory.h"
 #include "common/outputs.h"
-#include "common/presets.h"
-#include "common/task_progress.h"
-#include "common/text_file.h"
-#include "common/usage_error.h"
+#include "common/progress.h"
+#include "common/recipe_files.h"
+#include "common/run_tool.h"
 #include "solidnoise/image/image_file.h"
+#include "solidnoise/volume/describe_volume.h"
 #include "solidnoise/volume/finish_volume.h"
 #include "solidnoise/volume/make_volume.h"
 #include "solidnoise/volume/volume_recipe_json.h"
 #include "vdbnoise/commands.h"
-#include "vdbnoise/describe.h"
 #include "vdbnoise/grid_flags.h"
-#include "vdbnoise/layer_flags.h"
 #include "vdbnoise/make_options.h"
-#include "vdbnoise/modify_flags.h"
-#include "vdbnoise/output_flags.h"
-#include "vdbnoise/parameter_flags.h"
-#include "vdbnoise/recipe_source.h"
-#include "vdbnoise/sequence_flags.h"
-#include "vdbnoise/time_flags.h"
+#include "vdbnoise/recipe_flags.h"
 #include "vdbnoise/volume_output.h"
-#include "vdbnoise/warnings.h"
 
 namespace solidnoise {
 namespace {

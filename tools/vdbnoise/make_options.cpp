@@ -8,20 +8,15 @@
 
 #include <fmt/format.h>
 
-#include "common/flag_targets.h"
-#include "common/noise_flags.h"
+#include "common/field_flags.h"
+#include "common/flag_set.h"
 #include "common/parse_value.h"
-#include "common/usage_error.h"
+#include "common/run_tool.h"
 #include "solidnoise/core/check.h"
-#include "solidnoise/geometry/mesh_format.h"
+#include "solidnoise/geometry/mesh_file.h"
 #include "solidnoise/volume/volume_recipe_json.h"
 #include "vdbnoise/grid_flags.h"
-#include "vdbnoise/layer_flags.h"
-#include "vdbnoise/modify_flags.h"
-#include "vdbnoise/output_flags.h"
-#include "vdbnoise/parameter_flags.h"
-#include "vdbnoise/sequence_flags.h"
-#include "vdbnoise/time_flags.h"
+#include "vdbnoise/recipe_flags.h"
 
 namespace solidnoise {
 namespace {

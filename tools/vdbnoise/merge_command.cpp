@@ -2,12 +2,10 @@
 #include <optional>
 #include <stdexcept>
 
-#include "common/exit_status.h"
-#include "common/flag_targets.h"
-#include "common/interrupt.h"
+#include "common/flag_set.h"
 #include "common/outputs.h"
-#include "common/task_progress.h"
-#include "common/usage_error.h"
+#include "common/progress.h"
+#include "common/run_tool.h"
 #include "solidnoise/image/image_file.h"
 #include "solidnoise/volume/merge_parts.h"
 #include "vdbnoise/commands.h"

@@ -1,5 +1,3 @@
-#include "vdbnoise/sequence_flags.h"
-
 #include <cmath>
 #include <optional>
 #include <string>
@@ -7,13 +5,13 @@
 
 #include <fmt/format.h>
 
-#include "common/frame_range.h"
 #include "common/parse_value.h"
-#include "common/usage_error.h"
+#include "common/run_tool.h"
 #include "solidnoise/core/check.h"
-#include "solidnoise/noise/noise_recipe.h"
+#include "solidnoise/noise/registry/noise_recipe.h"
 #include "solidnoise/volume/make_volume.h"
-#include "solidnoise/volume/modify/modified_volume.h"
+#include "solidnoise/volume/modified_volume.h"
+#include "vdbnoise/make_options.h"
 
 namespace solidnoise {
 namespace {

@@ -8,21 +8,17 @@
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 
-#include "common/exit_status.h"
-#include "common/interrupt.h"
 #include "common/outputs.h"
-#include "common/task_progress.h"
-#include "common/text_file.h"
-#include "common/usage_error.h"
+#include "common/progress.h"
+#include "common/recipe_files.h"
+#include "common/run_tool.h"
 #include "solidnoise/core/moments.h"
 #include "solidnoise/image/image_file.h"
 #include "vdbnoise/commands.h"
-#include "vdbnoise/layer_flags.h"
-#include "vdbnoise/recipe_source.h"
+#include "vdbnoise/recipe_flags.h"
 #include "vdbnoise/slice_field.h"
 #include "vdbnoise/slice_image.h"
 #include "vdbnoise/slice_options.h"
-#include "vdbnoise/time_flags.h"
 
 namespace solidnoise {
 namespace {

@@ -11,7 +11,7 @@
 #include <tbb/parallel_for.h>
 
 #include "solidnoise/analysis/periodogram.h"
-#include "solidnoise/image/color_ramp.h"
+#include "solidnoise/image/color.h"
 
 namespace solidnoise {
 namespace {

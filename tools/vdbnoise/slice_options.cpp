@@ -10,13 +10,12 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "common/flag_targets.h"
-#include "common/noise_flags.h"
-#include "common/usage_error.h"
+#include "common/field_flags.h"
+#include "common/flag_set.h"
+#include "common/run_tool.h"
 #include "solidnoise/core/check.h"
-#include "solidnoise/image/color_ramp.h"
-#include "vdbnoise/layer_flags.h"
-#include "vdbnoise/time_flags.h"
+#include "solidnoise/image/color.h"
+#include "vdbnoise/recipe_flags.h"
 
 namespace solidnoise {
 namespace {

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "common/flag_set.h"
-#include "solidnoise/core/box.h"
 #include "solidnoise/core/output_file.h"
+#include "solidnoise/core/vec.h"
 #include "solidnoise/image/image_file.h"
 #include "solidnoise/volume/volume_recipe.h"
 #include "vdbnoise/slice_plane.h"

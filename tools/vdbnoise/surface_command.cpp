@@ -5,18 +5,16 @@
 
 #include <fmt/format.h>
 
-#include "common/exit_status.h"
-#include "common/flag_targets.h"
-#include "common/interrupt.h"
+#include "common/flag_set.h"
 #include "common/memory.h"
 #include "common/outputs.h"
 #include "common/parse_value.h"
-#include "common/task_progress.h"
-#include "common/usage_error.h"
-#include "solidnoise/geometry/read_mesh.h"
-#include "solidnoise/volume/statistics.h"
+#include "common/progress.h"
+#include "common/run_tool.h"
+#include "solidnoise/geometry/mesh_file.h"
 #include "solidnoise/volume/topology/grid_frame.h"
 #include "solidnoise/volume/topology/mesh_level_set.h"
+#include "solidnoise/volume/vdb/grid_values.h"
 #include "vdbnoise/commands.h"
 #include "vdbnoise/volume_output.h"
 

@@ -1,19 +1,84 @@
 #include "vdbnoise/volume_output.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <iostream>
+#include <ostream>
 #include <unistd.h>
 #include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 
-#include "common/usage_error.h"
+#include "common/run_tool.h"
+#include "solidnoise/noise/interpolation/lattice_frame.h"
 #include "solidnoise/volume/preview/preview.h"
 #include "solidnoise/volume/preview/slice_preview.h"
-#include "solidnoise/volume/preview/surface_preview.h"
+#include "solidnoise/volume/volume_field.h"
 
 namespace solidnoise {
+namespace {
+
+// Frequencies that the voxels cannot hold come back as others.
+void warn_of_aliasing(const VolumeRecipe& recipe, const VolumePlan& plan, std::ostream& stream) {
+  constexpr double kHighestCyclesPerVoxel = 0.5;
+  if (recipe.band_limit) return;
+  const Vec<3>& voxel = plan.frame.voxel_size();
+  const double highest = highest_frequency(recipe, plan) * std::max({voxel.x, voxel.y, voxel.z});
+  if (highest <= kHighestCyclesPerVoxel) return;
+  const bool has_own_voxels = !plan.modification && !plan.grid;
+  stream << fmt::format(
+      "vdbnoise: warning: the noise reaches {:.2f} cycles per voxel, above 0.5, and will alias; {}make "
+      "{}--frequency lower or --octaves fewer\n",
+      highest, may_band_limit(recipe) ? "give --band-limit, or " : "",
+      has_own_voxels ? "--voxel smaller, " : "");
+}
+
+// Tiles meet where the period is a whole number of voxels. Returns whether there was a warning.
+bool warn_of_tiles(const NoiseRecipe& noise, const Vec<3>& voxel, std::ostream& stream) {
+  const Vec<4> period = std::visit([](const auto& options) { return options.period; }, noise.noise);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (period[axis] == 0.0 || whole_period(period[axis], voxel[axis]) > 0) continue;
+    const double voxels = period[axis] / voxel[axis];
+    stream << fmt::format(
+        "vdbnoise: warning: the period is {} along {}, {:.6g} voxels; tiles meet where it is a whole number "
+        "of "
+        "them: --voxel {:.9g}\n",
+        period[axis], "xyz"[axis], voxels, period[axis] / std::max(1.0, std::round(voxels)));
+    return true;
+  }
+  return false;
+}
+
+// Of the noise, or of the first of the layers' that does not fit.
+void warn_of_tiles(const VolumeRecipe& recipe, const Vec<3>& voxel, std::ostream& stream) {
+  for (const VolumeRecipe& single : recipes_of_grids(recipe)) {
+    for (const NoiseRecipe& noise : noises_of(single)) {
+      if (warn_of_tiles(noise, voxel, stream)) return;
+    }
+  }
+}
+
+// The second derivatives of a cheap isotropic kernel have a step at its radius, which differences see.
+void warn_of_divergence(const VolumeRecipe& recipe, std::ostream& stream) {
+  constexpr double kSmoothError = 0.001;
+  const auto* const gabor = std::get_if<GaborNoiseOptions>(&recipe.noise.noise);
+  if (recipe.output.front() != Output::curl || !gabor || gabor->error <= kSmoothError) return;
+  stream << fmt::format(
+      "vdbnoise: warning: with --noise gabor and --error {} finite differences will find some divergence; "
+      "--noise gabor-oriented or --error {} have less\n",
+      gabor->error, kSmoothError);
+}
+
+}  // namespace
+
+void warn_of_resolution(const VolumeRecipe& recipe, const VolumePlan& plan, std::ostream& stream) {
+  warn_of_aliasing(recipe, plan, stream);
+  warn_of_tiles(recipe, plan.frame.voxel_size(), stream);
+  for (const VolumeRecipe& single : recipes_of_grids(recipe)) warn_of_divergence(single, stream);
+}
+
 namespace {
 
 void print_statistics(const MeasuredGrid& measured, const std::string& where) {

@@ -1,14 +1,20 @@
 #pragma once
 
+#include <iosfwd>
 #include <string>
 
 #include "solidnoise/core/image.h"
 #include "solidnoise/core/progress.h"
+#include "solidnoise/volume/make_volume.h"
 #include "solidnoise/volume/vdb/vdb_write.h"
 #include "solidnoise/volume/volume.h"
 #include "solidnoise/volume/volume_recipe.h"
 
 namespace solidnoise {
+
+// Writes a line where the voxels do not suit the noise: they cannot hold its frequencies, or its period is
+// not a whole number of them; or where a velocity has divergence that they can see.
+void warn_of_resolution(const VolumeRecipe& recipe, const VolumePlan& plan, std::ostream& stream);
 
 // Refuses names that outputs cannot have: a grid's must end in .vdb or be "-", which may not be a terminal, a
 // picture's in .png. Empty ones are none. Throws UsageError that names the flag.

@@ -2,7 +2,7 @@
 
 #include "solidnoise/analysis/dense_field.h"
 #include "solidnoise/core/image.h"
-#include "solidnoise/image/color_ramp.h"
+#include "solidnoise/image/color.h"
 
 namespace solidnoise {
 

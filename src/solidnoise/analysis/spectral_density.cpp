@@ -1,5 +1,3 @@
-#include "solidnoise/analysis/spectral_density.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,6 +5,8 @@
 #include <memory>
 #include <utility>
 #include <vector>
+
+#include "solidnoise/analysis/expected_spectrum.h"
 
 namespace solidnoise {
 namespace {

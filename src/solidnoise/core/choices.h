@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -31,5 +32,15 @@ std::vector<std::string_view> names_of(const Choices<Enum, Count>& choices) {
   for (const Choice<Enum>& choice : choices) names.push_back(choice.name);
   return names;
 }
+
+// Which way is up.
+enum class UpAxis { y, z };
+
+inline constexpr Choices<UpAxis, 2> kUpAxisChoices{{{UpAxis::y, "y"}, {UpAxis::z, "z"}}};
+
+// The one of `words` that `typed` was probably meant to be: the nearest within two mistakes, one in words of
+// up to four letters. A mistake is a letter too many, too few or wrong, or two that are swapped. Empty if
+// there is none.
+std::string_view nearest_word(std::string_view typed, std::span<const std::string_view> words);
 
 }  // namespace solidnoise

@@ -6,8 +6,6 @@
 #include <optional>
 #include <span>
 
-#include "solidnoise/core/box.h"
-#include "solidnoise/core/lattice.h"
 #include "solidnoise/core/points.h"
 #include "solidnoise/core/vec.h"
 

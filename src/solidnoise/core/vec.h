@@ -18,4 +18,11 @@ using Vec = glm::vec<Dim, double, glm::defaultp>;
 template <int Dim>
 using Index = glm::vec<Dim, std::int64_t, glm::defaultp>;
 
+// An axis-aligned box in world units; both corners belong to it.
+template <int Dim>
+struct Box {
+  Vec<Dim> lower{0.0};
+  Vec<Dim> upper{0.0};
+};
+
 }  // namespace solidnoise

@@ -8,8 +8,8 @@
 
 #include <glm/common.hpp>
 
-#include "solidnoise/field/cloud_union.h"
-#include "solidnoise/field/smoothstep.h"
+#include "solidnoise/field/cloud_puffs.h"
+#include "solidnoise/field/shaping.h"
 
 namespace solidnoise {
 namespace {

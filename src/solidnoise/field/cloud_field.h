@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "solidnoise/core/box.h"
+#include "solidnoise/core/choices.h"
 #include "solidnoise/core/field.h"
-#include "solidnoise/core/up_axis.h"
+#include "solidnoise/core/vec.h"
 #include "solidnoise/field/shaping.h"
 
 namespace solidnoise {

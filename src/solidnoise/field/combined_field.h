@@ -14,4 +14,8 @@ FieldPtr combine(Layer::Combine how, std::vector<FieldPtr> fields);
 // The channels of several fields, one field after the other.
 FieldPtr side_by_side(std::vector<FieldPtr> fields);
 
+// All channels of a field times a mask of one channel, clamped to 0..1. The field is evaluated where the mask
+// is not 0. Throws std::invalid_argument if the mask has several channels.
+FieldPtr masked(FieldPtr field, FieldPtr mask);
+
 }  // namespace solidnoise

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "solidnoise/core/vec.h"
-#include "solidnoise/noise/noise_recipe.h"
+#include "solidnoise/noise/registry/noise_recipe.h"
 
 namespace solidnoise {
 

@@ -5,11 +5,16 @@
 #include <string>
 #include <vector>
 
+#include "solidnoise/core/choices.h"
 #include "solidnoise/core/field.h"
+#include "solidnoise/core/vec.h"
 #include "solidnoise/field/layer.h"
-#include "solidnoise/noise/noise_recipe.h"
+#include "solidnoise/noise/registry/noise_recipe.h"
 
 namespace solidnoise {
+
+// Where a sample is in a box; see Layer::Place, which must not be none.
+FieldPtr place_in(const Box<3>& box, UpAxis up, Layer::Place place);
 
 // A noise that layers are made of, wherever they are evaluated: in a volume at the recipe's time and place,
 // on a surface by its own parameters. All of unit variance.

@@ -1,10 +1,19 @@
 #pragma once
 
+#include <algorithm>
+#include <span>
 #include <variant>
 
+#include "solidnoise/core/field.h"
 #include "solidnoise/core/vec.h"
 
 namespace solidnoise {
+
+// 3 t^2 - 2 t^3 of t clamped to 0..1.
+inline float smoothstep(float t) {
+  const float s = std::clamp(t, 0.0f, 1.0f);
+  return s * s * (3.0f - 2.0f * s);
+}
 
 // The noise itself, in one of three ranges.
 struct RawShaping {
@@ -84,5 +93,19 @@ struct CloudShaping {
 
 // What becomes of the noise. One more look is one more alternative here.
 using Shaping = std::variant<RawShaping, RemapShaping, VeinShaping, CloudShaping>;
+
+// Maps values of a noise of unit variance to the range.
+void to_range(RawShaping::Range range, std::span<float> values);
+
+// What a shaping makes of a field that stands in the place of a noise of unit variance.
+
+// The field in another range; RawShaping::Range::raw is the field itself.
+FieldPtr shape(FieldPtr source, const RawShaping& shaping);
+
+// The field is clamped to +-6, so that what is certainly empty is known. `box` in world units is where `edge`
+// is measured.
+FieldPtr shape(FieldPtr source, const RemapShaping& shaping, const Box<3>& box);
+
+FieldPtr shape(FieldPtr source, const VeinShaping& shaping);
 
 }  // namespace solidnoise

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-#include "solidnoise/field/mapped_field.h"
+#include "solidnoise/field/pointwise_field.h"
 
 namespace solidnoise {
 namespace {

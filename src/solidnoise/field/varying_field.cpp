@@ -12,7 +12,7 @@
 
 #include "solidnoise/field/pointwise_field.h"
 #include "solidnoise/noise/gabor/varying_gabor_noise.h"
-#include "solidnoise/noise/slice_noise.h"
+#include "solidnoise/noise/noise_views.h"
 
 namespace solidnoise {
 namespace {

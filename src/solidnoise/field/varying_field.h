@@ -2,7 +2,7 @@
 
 #include "solidnoise/core/field.h"
 #include "solidnoise/core/vec.h"
-#include "solidnoise/noise/noise_recipe.h"
+#include "solidnoise/noise/registry/noise_recipe.h"
 
 namespace solidnoise {
 

@@ -9,7 +9,6 @@
 
 #include <fmt/format.h>
 
-#include "solidnoise/geometry/byte_reader.h"
 #include "solidnoise/geometry/scalar_type.h"
 #include "solidnoise/geometry/text_lines.h"
 

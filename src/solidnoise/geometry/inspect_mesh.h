@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "solidnoise/core/box.h"
+#include "solidnoise/core/vec.h"
 #include "solidnoise/geometry/polygon_mesh.h"
 
 namespace solidnoise {

@@ -7,9 +7,8 @@
 
 #include <OpenMesh/Core/IO/importer/BaseImporter.hh>
 
+#include "solidnoise/geometry/openmesh_session.h"
 #include "solidnoise/geometry/polygon_mesh.h"
-#include "solidnoise/geometry/vertex_attributes.h"
-#include "solidnoise/geometry/vertex_kernel.h"
 
 namespace solidnoise {
 

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <locale>
 #include <mutex>
+
+#include <OpenMesh/Core/Mesh/BaseKernel.hh>
 
 namespace solidnoise {
 
@@ -20,6 +23,16 @@ class OpenMeshSession {
   std::locale locale_;
   bool prints_errors_;
   bool prints_log_;
+};
+
+// Holds properties of vertices for OpenMesh's readers and writers, without a mesh.
+class VertexKernel : public OpenMesh::BaseKernel {
+ public:
+  explicit VertexKernel(std::size_t vertices) : vertices_(vertices) {}
+  std::size_t n_vertices() const override { return vertices_; }
+
+ private:
+  std::size_t vertices_;
 };
 
 }  // namespace solidnoise

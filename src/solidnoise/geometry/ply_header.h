@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "solidnoise/geometry/ply_encoding.h"
+#include "solidnoise/geometry/mesh_file.h"
 #include "solidnoise/geometry/polygon_mesh.h"
 
 namespace solidnoise {

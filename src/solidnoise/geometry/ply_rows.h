@@ -11,7 +11,6 @@
 
 #include <fmt/format.h>
 
-#include "solidnoise/geometry/byte_reader.h"
 #include "solidnoise/geometry/ply_header.h"
 #include "solidnoise/geometry/scalar_type.h"
 #include "solidnoise/geometry/text_lines.h"

@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
-#include "solidnoise/geometry/mesh_readers.h"
+#include "solidnoise/geometry/mesh_codecs.h"
+#include "solidnoise/geometry/polygon_mesh.h"
 #include "solidnoise/geometry/text_lines.h"
-#include "solidnoise/geometry/vertex_attributes.h"
 
 namespace solidnoise {
 namespace {

@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 
 #include "solidnoise/geometry/check_off.h"
+#include "solidnoise/geometry/mesh_codecs.h"
 #include "solidnoise/geometry/mesh_importer.h"
-#include "solidnoise/geometry/mesh_readers.h"
 #include "solidnoise/geometry/openmesh_session.h"
 
 namespace solidnoise {

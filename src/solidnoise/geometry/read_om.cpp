@@ -5,8 +5,8 @@
 #include <OpenMesh/Core/IO/reader/OMReader.hh>
 
 #include "solidnoise/geometry/check_om.h"
+#include "solidnoise/geometry/mesh_codecs.h"
 #include "solidnoise/geometry/mesh_importer.h"
-#include "solidnoise/geometry/mesh_readers.h"
 #include "solidnoise/geometry/openmesh_session.h"
 
 namespace solidnoise {

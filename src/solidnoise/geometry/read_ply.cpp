@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "solidnoise/geometry/mesh_readers.h"
+#include "solidnoise/geometry/mesh_codecs.h"
 #include "solidnoise/geometry/ply_header.h"
 #include "solidnoise/geometry/ply_rows.h"
 

@@ -13,9 +13,8 @@
 #include <OpenMesh/Core/IO/reader/STLReader.hh>
 #include <fmt/format.h>
 
-#include "solidnoise/geometry/byte_reader.h"
+#include "solidnoise/geometry/mesh_codecs.h"
 #include "solidnoise/geometry/mesh_importer.h"
-#include "solidnoise/geometry/mesh_readers.h"
 #include "solidnoise/geometry/openmesh_session.h"
 #include "solidnoise/geometry/scalar_type.h"
 #include "solidnoise/geometry/text_lines.h"

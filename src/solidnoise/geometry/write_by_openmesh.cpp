@@ -11,8 +11,8 @@
 #include <OpenMesh/Core/IO/writer/STLWriter.hh>
 #include <fmt/format.h>
 
+#include "solidnoise/geometry/mesh_codecs.h"
 #include "solidnoise/geometry/mesh_exporter.h"
-#include "solidnoise/geometry/mesh_writers.h"
 #include "solidnoise/geometry/number_writer.h"
 #include "solidnoise/geometry/openmesh_session.h"
 

@@ -1,9 +1,9 @@
 #include <array>
 #include <vector>
 
-#include "solidnoise/geometry/mesh_writers.h"
+#include "solidnoise/geometry/mesh_codecs.h"
 #include "solidnoise/geometry/number_writer.h"
-#include "solidnoise/geometry/vertex_attributes.h"
+#include "solidnoise/geometry/polygon_mesh.h"
 
 namespace solidnoise {
 

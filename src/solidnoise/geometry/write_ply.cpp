@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "solidnoise/geometry/mesh_writers.h"
+#include "solidnoise/geometry/mesh_codecs.h"
 #include "solidnoise/geometry/number_writer.h"
 #include "solidnoise/geometry/ply_header.h"
 

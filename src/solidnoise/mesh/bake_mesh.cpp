@@ -14,7 +14,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 
-#include "solidnoise/image/color_ramp.h"
+#include "solidnoise/image/color.h"
 #include "solidnoise/mesh/displace.h"
 #include "solidnoise/mesh/refine.h"
 #include "solidnoise/mesh/surface_mesh.h"

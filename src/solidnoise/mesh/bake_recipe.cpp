@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "solidnoise/core/check.h"
-#include "solidnoise/image/color_ramp.h"
+#include "solidnoise/image/color.h"
 #include "solidnoise/mesh/bake_fields.h"
 
 namespace solidnoise {

@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "solidnoise/core/up_axis.h"
+#include "solidnoise/core/choices.h"
 #include "solidnoise/core/vec.h"
 #include "solidnoise/field/layer.h"
+#include "solidnoise/mesh/bake_noise.h"
 #include "solidnoise/mesh/refine.h"
 #include "solidnoise/mesh/steering.h"
-#include "solidnoise/mesh/surface_recipe.h"
 
 namespace solidnoise {
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "solidnoise/mesh/bake_fields.h"
+#include "solidnoise/mesh/bake_mesh.h"
 #include "solidnoise/mesh/bake_recipe.h"
 #include "solidnoise/recipe/json.h"
 
@@ -29,5 +30,9 @@ BakeRecipe bake_recipe_from_json(const Json& json);
 
 // The JSON Schema of a bake.
 Json bake_recipe_schema();
+
+// What a bake would make: mesh, parameters, steering, recipe. Lengths in world units, frequencies in cycles
+// per world unit.
+Json describe_bake(const BakePlan& plan, const BakeRecipe& recipe);
 
 }  // namespace solidnoise

@@ -12,7 +12,6 @@
 
 #include "solidnoise/core/check.h"
 #include "solidnoise/mesh/jet_fit.h"
-#include "solidnoise/mesh/ring_search.h"
 #include "solidnoise/mesh/surface_smoothing.h"
 #include "solidnoise/mesh/tangent_frames.h"
 

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "solidnoise/geometry/vertex_attributes.h"
+#include "solidnoise/geometry/polygon_mesh.h"
 #include "solidnoise/mesh/surface_mesh.h"
 
 namespace solidnoise {

@@ -19,7 +19,6 @@
 
 #include "solidnoise/core/check.h"
 #include "solidnoise/geometry/scalar_type.h"
-#include "solidnoise/mesh/refine_by_openmesh.h"
 #include "solidnoise/mesh/surface_mesh.h"
 
 namespace solidnoise {

@@ -1,5 +1,3 @@
-#include "solidnoise/mesh/refine_by_openmesh.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -14,6 +12,7 @@
 #include <glm/geometric.hpp>
 
 #include "solidnoise/geometry/openmesh_session.h"
+#include "solidnoise/mesh/refine.h"
 
 namespace solidnoise {
 namespace {

@@ -9,7 +9,7 @@
 #include "solidnoise/field/layered_field.h"
 #include "solidnoise/field/pointwise_field.h"
 #include "solidnoise/field/varying_field.h"
-#include "solidnoise/mesh/surface_recipe.h"
+#include "solidnoise/mesh/bake_noise.h"
 
 namespace solidnoise {
 

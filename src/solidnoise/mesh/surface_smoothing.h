@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "solidnoise/mesh/shape_operator.h"
 #include "solidnoise/mesh/surface_mesh.h"
 #include "solidnoise/mesh/tangent_frames.h"
 

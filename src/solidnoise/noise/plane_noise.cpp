@@ -1,5 +1,3 @@
-#include "solidnoise/noise/plane_noise.h"
-
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -10,7 +8,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "solidnoise/core/quadrature.h"
+#include "solidnoise/core/numerics.h"
+#include "solidnoise/noise/noise_views.h"
 
 namespace solidnoise {
 namespace {

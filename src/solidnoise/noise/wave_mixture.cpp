@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <numbers>
 
-#include "solidnoise/core/quadrature.h"
+#include "solidnoise/core/numerics.h"
 
 namespace solidnoise {
 namespace {

@@ -4,11 +4,15 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
+#include <string>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
-#include "solidnoise/core/nearest_word.h"
+#include "solidnoise/core/choices.h"
+#include "solidnoise/noise/registry/noise_recipe.h"
 
 namespace solidnoise {
 
@@ -193,6 +197,37 @@ void JsonReader::read_numbers(const std::string& key, double* values, std::size_
 void JsonReader::refuse(const std::string& key, const std::string& allowed) const {
   throw std::invalid_argument(
       fmt::format("{} is {}; it must be {}", path_of(key), shown(object_.at(key)), allowed));
+}
+
+Json recipe_header() {
+  Json json = Json::object();
+  json["solidnoise"] = kRecipeVersion;
+  json["algorithm"] = kAlgorithmVersion;
+  return json;
+}
+
+void read_recipe_header(JsonReader& reader) {
+  if (!reader.has("solidnoise")) {
+    throw std::invalid_argument(
+        fmt::format("\"solidnoise\": {} is missing; this is no recipe", kRecipeVersion));
+  }
+  int version = 0;
+  reader.read("solidnoise", version);
+  if (version < 1 || version > kRecipeVersion) {
+    throw std::invalid_argument(fmt::format(
+        "solidnoise is {}; this program reads recipes of versions 1 to {}", version, kRecipeVersion));
+  }
+  int algorithm = kAlgorithmVersion;
+  reader.read("algorithm", algorithm);
+  std::string schema;  // where editors find what keys there are
+  reader.read("$schema", schema);
+}
+
+int algorithm_of(const Json& json) {
+  JsonReader reader(json);
+  int algorithm = kAlgorithmVersion;
+  reader.read("algorithm", algorithm);
+  return algorithm;
 }
 
 }  // namespace solidnoise

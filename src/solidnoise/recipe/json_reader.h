@@ -10,7 +10,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "solidnoise/core/box.h"
 #include "solidnoise/core/choices.h"
 #include "solidnoise/core/vec.h"
 #include "solidnoise/recipe/json.h"
@@ -100,5 +99,15 @@ class JsonReader {
   std::string path_;
   std::vector<std::string> known_keys_;
 };
+
+// What every whole recipe begins with: {"solidnoise": 1, "algorithm": 1, ...}. "algorithm" is
+// kAlgorithmVersion when the recipe was written. "$schema" may name the recipe's JSON Schema, for editors.
+Json recipe_header();
+
+// Reads these keys. Throws std::invalid_argument where "solidnoise" is missing or another version.
+void read_recipe_header(JsonReader& reader);
+
+// The algorithm version that a recipe was written with; kAlgorithmVersion if it does not say.
+int algorithm_of(const Json& json);
 
 }  // namespace solidnoise

@@ -9,7 +9,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
-#include "solidnoise/noise/noise_entries.h"
+#include "solidnoise/noise/registry/noise_entries.h"
 #include "solidnoise/recipe/exemplar_model_json.h"
 
 namespace solidnoise {
@@ -57,6 +57,32 @@ Json JsonForm<NoiseRecipe>::schema() {
 Json noise_recipe_schema() {
   return alternatives_schema(std::type_identity<NoiseVariant>(), noise_names(),
                              schema_of<FractalOptions>()["properties"]);
+}
+
+Json JsonForm<std::vector<Layer>>::write(const std::vector<Layer>& layers) {
+  Json json = Json::array();
+  for (const Layer& layer : layers) json.push_back(json_of(layer));
+  return json;
+}
+
+void JsonForm<std::vector<Layer>>::read(JsonReader& reader, const std::string& key,
+                                        std::vector<Layer>& layers) {
+  for (JsonReader& object : reader.objects(key)) {
+    read_fields(object, layers.emplace_back());
+    object.finish();
+  }
+}
+
+Json JsonForm<std::vector<Layer>>::schema() {
+  return {{"type", "array"}, {"items", {{"$ref", "#/$defs/layer"}}}, {"minItems", 1}};
+}
+
+void add_layers(Json& object, const std::vector<Layer>& layers) {
+  if (!layers.empty()) object["layers"] = json_of(layers);
+}
+
+void read_layers(JsonReader& reader, std::vector<Layer>& layers) {
+  read_value(reader, "layers", layers);
 }
 
 }  // namespace solidnoise

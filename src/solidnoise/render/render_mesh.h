@@ -2,8 +2,8 @@
 
 #include <span>
 
+#include "solidnoise/core/choices.h"
 #include "solidnoise/core/image.h"
-#include "solidnoise/core/up_axis.h"
 #include "solidnoise/core/vec.h"
 #include "solidnoise/geometry/polygon_mesh.h"
 #include "solidnoise/image/color.h"

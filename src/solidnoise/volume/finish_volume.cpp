@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "solidnoise/recipe/json.h"
-#include "solidnoise/volume/fill.h"
+#include "solidnoise/volume/topology/fill.h"
 #include "solidnoise/volume/vdb/vdb_write.h"
 #include "solidnoise/volume/volume_recipe_json.h"
 

@@ -11,7 +11,7 @@
 #include "solidnoise/core/random.h"
 #include "solidnoise/recipe/json.h"
 #include "solidnoise/volume/finish_volume.h"
-#include "solidnoise/volume/statistics.h"
+#include "solidnoise/volume/vdb/grid_values.h"
 #include "solidnoise/volume/vdb/vdb_read.h"
 #include "solidnoise/volume/vdb/vdb_write.h"
 #include "solidnoise/volume/volume_recipe_json.h"

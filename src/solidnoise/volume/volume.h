@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "solidnoise/volume/grid_sink.h"
+#include "solidnoise/volume/topology/fill.h"
 #include "solidnoise/volume/vdb/vdb_read.h"
 
 namespace solidnoise {

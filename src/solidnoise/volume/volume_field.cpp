@@ -17,16 +17,13 @@
 #include "solidnoise/field/curl_field.h"
 #include "solidnoise/field/derived_fields.h"
 #include "solidnoise/field/layered_field.h"
-#include "solidnoise/field/masked_field.h"
-#include "solidnoise/field/place_field.h"
-#include "solidnoise/field/shaped_field.h"
+#include "solidnoise/field/moved_field.h"
+#include "solidnoise/field/shaping.h"
 #include "solidnoise/field/shared_field.h"
-#include "solidnoise/field/stretched_field.h"
 #include "solidnoise/field/varying_field.h"
 #include "solidnoise/noise/error_budget.h"
 #include "solidnoise/noise/interpolation/interpolated_noise.h"
-#include "solidnoise/noise/moved_noise.h"
-#include "solidnoise/noise/slice_noise.h"
+#include "solidnoise/noise/noise_views.h"
 
 namespace solidnoise {
 namespace {

@@ -6,8 +6,8 @@
 #include "solidnoise/core/field.h"
 #include "solidnoise/noise/interpolation/lattice_frame.h"
 #include "solidnoise/noise/noise.h"
-#include "solidnoise/volume/fill.h"
-#include "solidnoise/volume/plan_volume.h"
+#include "solidnoise/volume/make_volume.h"
+#include "solidnoise/volume/topology/fill.h"
 #include "solidnoise/volume/topology/grid_frame.h"
 #include "solidnoise/volume/volume_recipe.h"
 

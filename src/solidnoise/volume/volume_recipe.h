@@ -5,10 +5,10 @@
 #include <variant>
 #include <vector>
 
-#include "solidnoise/core/box.h"
+#include "solidnoise/core/vec.h"
 #include "solidnoise/field/layer.h"
 #include "solidnoise/field/shaping.h"
-#include "solidnoise/noise/noise_recipe.h"
+#include "solidnoise/noise/registry/noise_recipe.h"
 #include "solidnoise/volume/modify/modification.h"
 #include "solidnoise/volume/output.h"
 #include "solidnoise/volume/parameters/parameter_grids.h"

@@ -10,9 +10,7 @@
 
 #include "solidnoise/recipe/field_json.h"
 #include "solidnoise/recipe/json_reader.h"
-#include "solidnoise/recipe/layer_json.h"
 #include "solidnoise/recipe/noise_recipe_json.h"
-#include "solidnoise/recipe/recipe_header.h"
 #include "solidnoise/volume/modify/modification_json.h"
 #include "solidnoise/volume/parameters/parameter_grids_json.h"
 #include "solidnoise/volume/vdb/grid_file_json.h"

@@ -1,8 +1,7 @@
-#include "meshnoise/mesh_preview.h"
-
 #include <fmt/format.h>
 
-#include "common/usage_error.h"
+#include "common/run_tool.h"
+#include "meshnoise/mesh_files.h"
 #include "solidnoise/render/render_mesh.h"
 
 namespace solidnoise {

@@ -1,5 +1,5 @@
-#include "common/usage_error.h"
-#include "meshnoise/mesh_preview.h"
+#include "common/run_tool.h"
+#include "meshnoise/mesh_files.h"
 
 namespace solidnoise {
 

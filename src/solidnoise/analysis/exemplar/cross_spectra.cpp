@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <glm/common.hpp>
 
-#include "solidnoise/analysis/exemplar/periodic_component.h"
+#include "solidnoise/analysis/exemplar/gaussian_field.h"
 #include "solidnoise/analysis/fft.h"
 
 namespace solidnoise {

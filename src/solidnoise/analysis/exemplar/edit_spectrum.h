@@ -8,6 +8,15 @@
 
 namespace solidnoise {
 
+// Sorts a spectrum's components into the parts of a Wold decomposition (Francos et al. 1993; Galerne et al.
+// 2012, section 8), to be edited as groups:
+//   stochastic     what is in no other group;
+//   anisotropic    (then "anisotropic 2", ...) components in a direction that holds much more than its share;
+//   periodic       single narrow peaks, well away from frequency 0 and above all that surrounds them.
+// A guide for people, not a decomposition in the strict sense. Isotropic and 3D spectra have no anisotropic
+// groups here. Groups that were there before are dropped; empty ones are left out.
+GaborSpectrum group_spectrum(GaborSpectrum spectrum);
+
 // The components that an operation works on: those of one group, or all. Operations leave the order of bands
 // and components as it is, drop bands that become empty, and throw std::invalid_argument for a group that is
 // not there and for a result that GaborSpectrum::validate refuses.

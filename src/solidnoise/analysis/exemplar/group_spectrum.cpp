@@ -1,5 +1,3 @@
-#include "solidnoise/analysis/exemplar/group_spectrum.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,6 +7,8 @@
 #include <vector>
 
 #include <glm/geometric.hpp>
+
+#include "solidnoise/analysis/exemplar/edit_spectrum.h"
 
 namespace solidnoise {
 namespace {

@@ -6,7 +6,7 @@
 #include <hwy/highway.h>
 
 #include "solidnoise/core/cell_grid.h"
-#include "solidnoise/noise/convolution/impulse_list.h"
+#include "solidnoise/noise/convolution/impulse_sums.h"
 
 #if defined(SOLIDNOISE_IMPULSE_CULL_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef SOLIDNOISE_IMPULSE_CULL_INL

@@ -44,4 +44,84 @@ template class ImpulseProcess<2>;
 template class ImpulseProcess<3>;
 template class ImpulseProcess<4>;
 
+namespace {
+
+// Moves to the next cell of a range, last axis fastest; false after the last one.
+template <int Dim>
+bool advance(Index<Dim>& cell, const Index<Dim>& first, const Index<Dim>& last) {
+  for (int axis = Dim - 1; axis >= 0; --axis) {
+    if (++cell[axis] <= last[axis]) return true;
+    cell[axis] = first[axis];
+  }
+  return false;
+}
+
+// SIMD loads may read this far past a run's end.
+constexpr std::size_t kPadding = 16;
+
+}  // namespace
+
+template <int Dim>
+double ImpulseBlock<Dim>::Reach::cells() const {
+  double product = 1.0;
+  for (int axis = 0; axis < Dim; ++axis) product *= static_cast<double>(last[axis] - first[axis] + 1);
+  return product;
+}
+
+template <int Dim>
+typename ImpulseBlock<Dim>::Reach ImpulseBlock<Dim>::reach_of(const std::array<CellAxis, Dim>& axes,
+                                                              const Box<Dim>& box, const Index<Dim>& cells) {
+  Reach reach;
+  for (int axis = 0; axis < Dim; ++axis) {
+    const CellPosition lower = axes[axis].locate(box.lower[axis]);
+    const CellPosition upper = axes[axis].locate(box.upper[axis]);
+    reach.first[axis] = lower.cell - cells[axis];
+    reach.last[axis] = upper.cell + cells[axis];
+    reach.from_first[axis] = lower.fraction;
+    reach.into_last[axis] = upper.fraction;
+  }
+  return reach;
+}
+
+template <int Dim>
+ImpulseBlock<Dim>::ImpulseBlock(const ImpulseProcess<Dim>& process, const Reach& reach)
+    : first_(reach.first) {
+  std::array<std::int32_t, Dim> lowest;
+  std::array<std::int32_t, Dim> highest;
+  for (int axis = 0; axis < Dim; ++axis) {
+    extent_[axis] = static_cast<std::size_t>(reach.last[axis] - reach.first[axis] + 1);
+    lowest[axis] = static_cast<std::int32_t>(reach.from_first[axis] * kQuanta);
+    highest[axis] = static_cast<std::int32_t>(extent_[axis] - 1) * kQuanta +
+                    static_cast<std::int32_t>(reach.into_last[axis] * kQuanta);
+  }
+  const auto cells = static_cast<std::size_t>(reach.cells());
+  const auto expected =
+      static_cast<std::size_t>(process.mean_per_cell() * static_cast<double>(cells)) + kPadding;
+  for (auto& positions : positions_) positions.reserve(expected);
+  marks_.reserve(expected);
+  starts_.reserve(cells + 1);
+
+  Index<Dim> cell = reach.first;
+  do {
+    starts_.push_back(static_cast<std::uint32_t>(marks_.size()));
+    process.generate(cell, [&](const Impulse<Dim>& impulse) {
+      std::array<std::int32_t, Dim> position;
+      for (int axis = 0; axis < Dim; ++axis) {
+        position[axis] =
+            static_cast<std::int32_t>(cell[axis] - first_[axis]) * kQuanta + impulse.position[axis];
+        if (position[axis] < lowest[axis] || position[axis] > highest[axis]) return;
+      }
+      for (int axis = 0; axis < Dim; ++axis) positions_[axis].push_back(position[axis]);
+      marks_.push_back(impulse.mark);
+    });
+  } while (advance<Dim>(cell, reach.first, reach.last));
+  starts_.push_back(static_cast<std::uint32_t>(marks_.size()));
+  for (auto& positions : positions_) positions.resize(marks_.size() + kPadding, 0);
+}
+
+template class ImpulseBlock<1>;
+template class ImpulseBlock<2>;
+template class ImpulseBlock<3>;
+template class ImpulseBlock<4>;
+
 }  // namespace solidnoise

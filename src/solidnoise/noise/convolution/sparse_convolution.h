@@ -6,10 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "solidnoise/noise/convolution/impulse_block.h"
-#include "solidnoise/noise/convolution/impulse_list.h"
 #include "solidnoise/noise/convolution/impulse_process.h"
-#include "solidnoise/noise/convolution/sample_brick.h"
+#include "solidnoise/noise/convolution/impulse_sums.h"
 #include "solidnoise/noise/noise.h"
 
 namespace solidnoise {

@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "solidnoise/core/quadrature.h"
+#include "solidnoise/core/numerics.h"
 
 namespace solidnoise {
 namespace {

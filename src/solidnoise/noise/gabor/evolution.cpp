@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "solidnoise/core/bisection.h"
 #include "solidnoise/core/check.h"
+#include "solidnoise/core/numerics.h"
 #include "solidnoise/core/random.h"
 
 namespace solidnoise {

@@ -7,14 +7,11 @@
 
 #include <glm/geometric.hpp>
 
-#include "solidnoise/core/quadrature.h"
+#include "solidnoise/core/numerics.h"
 #include "solidnoise/core/special_functions.h"
-#include "solidnoise/noise/convolution/impulse_statistics.h"
 #include "solidnoise/noise/convolution/kernel_cells.h"
-#include "solidnoise/noise/gabor/wave_kernel.h"
-#include "solidnoise/noise/kernel/bandwidth.h"
-#include "solidnoise/noise/kernel/gaussian_filter.h"
-#include "solidnoise/noise/kernel/radial_band.h"
+#include "solidnoise/noise/kernel/gabor_parameters.h"
+#include "solidnoise/noise/kernel/impulse_statistics.h"
 
 namespace solidnoise {
 namespace {

@@ -6,11 +6,10 @@
 #include <span>
 #include <vector>
 
-#include "solidnoise/core/alias_table.h"
 #include "solidnoise/core/random.h"
-#include "solidnoise/noise/convolution/impulse_statistics.h"
 #include "solidnoise/noise/gabor/directions.h"
 #include "solidnoise/noise/gabor/gabor_spectrum.h"
+#include "solidnoise/noise/kernel/impulse_statistics.h"
 #include "solidnoise/noise/noise.h"
 
 namespace solidnoise {

@@ -14,13 +14,13 @@
 
 #include "solidnoise/core/check.h"
 #include "solidnoise/core/random.h"
-#include "solidnoise/noise/convolution/impulse_statistics.h"
 #include "solidnoise/noise/convolution/kernel_cells.h"
 #include "solidnoise/noise/gabor/gabor_entries.h"
+#include "solidnoise/noise/gabor/oriented_gabor_noise.h"
 #include "solidnoise/noise/gabor/spectrum_bands.h"
-#include "solidnoise/noise/gabor/wave_kernel.h"
 #include "solidnoise/noise/kernel/compact_kernel.h"
 #include "solidnoise/noise/kernel/gabor_kernel.h"
+#include "solidnoise/noise/kernel/impulse_statistics.h"
 
 namespace solidnoise {
 namespace {

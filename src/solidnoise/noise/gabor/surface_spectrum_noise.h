@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "solidnoise/noise/gabor/spectrum_noise.h"
-#include "solidnoise/noise/point/surface_points.h"
+#include "solidnoise/noise/point/point_parameters.h"
 
 namespace solidnoise {
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "solidnoise/core/box.h"
 #include "solidnoise/core/cell_grid.h"
+#include "solidnoise/core/vec.h"
 #include "solidnoise/noise/gradient/gradient_lattice.h"
 #include "solidnoise/noise/gradient/gradient_tile.h"
 #include "solidnoise/noise/noise.h"

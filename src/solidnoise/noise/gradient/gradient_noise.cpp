@@ -9,7 +9,15 @@
 
 #include <fmt/format.h>
 
+#include "solidnoise/noise/gradient/gradient_entry.h"
+#include "solidnoise/noise/gradient/gradient_noise_options.h"
+
 namespace solidnoise {
+
+void GradientNoiseOptions::validate() const {
+  require_fields(*this);
+}
+
 namespace {
 
 constexpr int kLeastPeriod = 4;           // lattice steps: a kernel's width, so that no gradient meets itself

@@ -3,8 +3,8 @@
 #include <memory>
 
 #include "solidnoise/noise/gradient/gradient_field.h"
+#include "solidnoise/noise/gradient/gradient_kernel.h"
 #include "solidnoise/noise/gradient/gradient_noise_options.h"
-#include "solidnoise/noise/kernel/gradient_kernel.h"
 #include "solidnoise/noise/noise.h"
 
 namespace solidnoise {

@@ -6,9 +6,15 @@
 
 #include <glm/geometric.hpp>
 
+#include "solidnoise/core/check.h"
 #include "solidnoise/noise/point/surface_sum.h"
 
 namespace solidnoise {
+
+void ProjectedGradientOptions::validate() const {
+  require_positive("frequency", frequency, "cycles per world unit");
+}
+
 namespace {
 
 ProjectedGradientOptions validated(const ProjectedGradientOptions& options) {

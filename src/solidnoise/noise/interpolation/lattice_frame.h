@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 
 #include "solidnoise/core/vec.h"
 
@@ -25,6 +26,12 @@ inline int whole_period(double period, double step) {
   const double whole = std::round(samples);
   if (whole > 0x1p30 || std::abs(samples - whole) > kTolerance * samples) return 0;
   return static_cast<int>(whole);
+}
+
+// The largest whole number that is no more than i / divisor; divisor > 0.
+inline std::int64_t divide_down(std::int64_t i, int divisor) {
+  const std::int64_t quotient = i / divisor;
+  return quotient * divisor > i ? quotient - 1 : quotient;
 }
 
 }  // namespace solidnoise

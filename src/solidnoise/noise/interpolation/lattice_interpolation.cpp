@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "solidnoise/noise/interpolation/divide_down.h"
+#include "solidnoise/noise/interpolation/lattice_frame.h"
 
 namespace solidnoise {
 namespace {

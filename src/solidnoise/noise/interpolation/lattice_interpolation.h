@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
+#include "solidnoise/noise/interpolation/axis_weights.h"
 #include "solidnoise/noise/interpolation/coarse_samples.h"
 #include "solidnoise/noise/interpolation/interpolate_axis.h"
-#include "solidnoise/noise/interpolation/interpolation_error.h"
 #include "solidnoise/noise/interpolation/lattice_frame.h"
 #include "solidnoise/noise/noise.h"
 

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-#include "solidnoise/core/quadrature.h"
+#include "solidnoise/core/numerics.h"
 #include "solidnoise/core/special_functions.h"
 
 namespace solidnoise {

@@ -10,9 +10,8 @@
 #include <Eigen/Core>
 #include <fmt/format.h>
 
-#include "solidnoise/core/bisection.h"
 #include "solidnoise/core/check.h"
-#include "solidnoise/core/quadrature.h"
+#include "solidnoise/core/numerics.h"
 #include "solidnoise/core/special_functions.h"
 #include "solidnoise/noise/kernel/compact_kernel.h"
 

@@ -1,8 +1,7 @@
 #include "solidnoise/noise/kernel/gabor_kernel.h"
 
-#include "solidnoise/core/bisection.h"
 #include "solidnoise/core/check.h"
-#include "solidnoise/core/quadrature.h"
+#include "solidnoise/core/numerics.h"
 #include "solidnoise/core/special_functions.h"
 
 namespace solidnoise {

@@ -4,9 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "solidnoise/core/bisection.h"
 #include "solidnoise/core/check.h"
-#include "solidnoise/core/quadrature.h"
+#include "solidnoise/core/numerics.h"
 #include "solidnoise/core/special_functions.h"
 
 namespace solidnoise {

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "solidnoise/noise/convolution/impulse_statistics.h"
 #include "solidnoise/noise/kernel/compact_kernel.h"
+#include "solidnoise/noise/kernel/impulse_statistics.h"
 
 namespace solidnoise {
 

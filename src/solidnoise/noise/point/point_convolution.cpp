@@ -7,14 +7,13 @@
 #include <numbers>
 #include <vector>
 
+#include "solidnoise/core/points.h"
 #include "solidnoise/core/special_functions.h"
-#include "solidnoise/noise/convolution/impulse_cells.h"
+#include "solidnoise/noise/convolution/impulse_process.h"
 #include "solidnoise/noise/convolution/kernel_cells.h"
 #include "solidnoise/noise/point/lane_polynomials.h"
 #include "solidnoise/noise/point/point_cluster.h"
-#include "solidnoise/noise/point/point_order.h"
 #include "solidnoise/noise/point/point_tile.h"
-#include "solidnoise/noise/point/tile_impulses.h"
 
 namespace solidnoise {
 namespace {

@@ -10,11 +10,11 @@
 #include <glm/geometric.hpp>
 
 #include "solidnoise/core/cell_grid.h"
+#include "solidnoise/core/points.h"
 #include "solidnoise/core/vec.h"
 #include "solidnoise/noise/point/point_cluster.h"
-#include "solidnoise/noise/point/point_order.h"
+#include "solidnoise/noise/point/point_parameters.h"
 #include "solidnoise/noise/point/point_tile.h"
-#include "solidnoise/noise/point/surface_points.h"
 
 namespace solidnoise {
 

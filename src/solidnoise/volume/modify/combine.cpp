@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <openvdb/tree/LeafManager.h>
 
-#include "solidnoise/volume/statistics.h"
+#include "solidnoise/volume/vdb/grid_values.h"
 
 namespace solidnoise {
 namespace {

@@ -2,10 +2,9 @@
 
 #include "solidnoise/core/field.h"
 #include "solidnoise/core/progress.h"
-#include "solidnoise/volume/fill.h"
-#include "solidnoise/volume/modify/grid_mask.h"
+#include "solidnoise/volume/modify/grid_lookup.h"
 #include "solidnoise/volume/modify/modification.h"
-#include "solidnoise/volume/modify/rest_positions.h"
+#include "solidnoise/volume/topology/fill.h"
 
 namespace solidnoise {
 

@@ -3,18 +3,160 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
+#include <vector>
 
 #include <openvdb/tools/ChangeBackground.h>
+#include <openvdb/tools/LevelSetTracker.h>
 #include <openvdb/tools/Morphology.h>
 #include <openvdb/tools/Prune.h>
 #include <openvdb/tree/LeafManager.h>
+#include <tbb/parallel_for.h>
 
 #include "solidnoise/core/check.h"
-#include "solidnoise/volume/modify/measure_distances.h"
+#include "solidnoise/volume/modify/closest_point.h"
 #include "solidnoise/volume/modify/move_surface.h"
+#include "solidnoise/volume/modify/select_voxels.h"
+#include "solidnoise/volume/topology/interrupter.h"
 
 namespace solidnoise {
+namespace {
+
+using openvdb::Coord;
+using openvdb::FloatGrid;
+using openvdb::FloatTree;
+using openvdb::MaskTree;
+using openvdb::Vec3d;
+using FloatLeaf = FloatTree::LeafNodeType;
+using FloatLeaves = openvdb::tree::LeafManager<FloatTree>;
+using MaskLeaf = MaskTree::LeafNodeType;
+
+class DistanceMeasurer {
+ public:
+  DistanceMeasurer(const FloatGrid& values, Progress* progress)
+      : values_(values),
+        progress_(progress),
+        voxel_(static_cast<float>(values.voxelSize().x())),
+        background_(values.background()),
+        result_(values.deepCopy()) {
+    FloatLeaves leaves(result_->tree());
+    leaves.foreach ([&](FloatLeaf& leaf, std::size_t) {
+      for (unsigned voxel = 0; voxel < FloatLeaf::SIZE; ++voxel) {
+        leaf.setValueOff(voxel, std::copysign(background_, leaf.getValue(voxel)));
+      }
+    });
+  }
+
+  FloatGrid::Ptr run() {
+    MaskTree::Ptr layer = voxels_beside_zeros(values_, progress_);
+    set(*layer, [&] {
+      return [this, finder = ClosestPointFinder(values_), values = values_.getConstAccessor()](
+                 const Coord& voxel) { return finder.find(voxel, guess_beside_zero(values, voxel)); };
+    });
+    // Layers cost about the same; along a diagonal there are this many.
+    const auto layers = static_cast<std::uint64_t>(std::ceil(std::sqrt(3.0f) * background_ / voxel_));
+    for (std::uint64_t done = 1; !layer->empty(); ++done) {
+      if (progress_ != nullptr) progress_->advance(std::min(done, layers), layers);
+      layer = next_to(*layer);
+      set(*layer, [&] {
+        return [front = DistanceFront({values_, *result_, *layer})](const Coord& voxel) {
+          return front.find(voxel);
+        };
+      });
+    }
+    cut();
+    return result_;
+  }
+
+ private:
+  // Evaluates a layer; `make_find()` makes what finds the closest points, for each leaf.
+  template <typename MakeFind>
+  void set(const MaskTree& layer, const MakeFind& make_find) {
+    result_->tree().topologyUnion(layer);
+    std::vector<const MaskLeaf*> leaves;
+    layer.getNodes(leaves);
+    tbb::parallel_for(std::size_t{0}, leaves.size(), [&](std::size_t index) {
+      throw_if_cancelled(progress_);
+      const auto find = make_find();
+      FloatLeaf& result = *result_->tree().probeLeaf(leaves[index]->origin());
+      for (auto voxel = leaves[index]->cbeginValueOn(); voxel; ++voxel) {
+        result.setValueOnly(voxel.pos(), voxel_ * static_cast<float>(find(voxel.getCoord()).distance));
+      }
+    });
+  }
+
+  // On the plane through the places where the values go through 0 along the axes.
+  static ClosestPointFinder::Guess guess_beside_zero(const FloatGrid::ConstAccessor& values,
+                                                     const Coord& voxel) {
+    const double here = values.getValue(voxel);
+    if (here == 0.0) return {voxel.asVec3d(), 0.0};
+    Vec3d steepness(0.0);  // 1 / way to the plane along each axis: its normal over its distance
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const int side : {-1, 1}) {
+        Coord next = voxel;
+        next[axis] += side;
+        const double there = values.getValue(next);
+        const double per_way = (here - there) / here;
+        if ((there < 0.0) != (here < 0.0) && per_way > std::abs(steepness[axis])) {
+          steepness[axis] = side * per_way;
+        }
+      }
+    }
+    const double distance = 1.0 / steepness.length();
+    return {voxel.asVec3d() + distance * distance * steepness, std::copysign(distance, here)};
+  }
+
+  // The neighbours of a layer's voxels in the band that have no distance yet.
+  MaskTree::Ptr next_to(const MaskTree& layer) const {
+    const MaskTree::Ptr next = select_voxels(layer, progress_, [&] {
+      return [this, distances = result_->getConstAccessor()](const Coord& voxel) {
+        return std::abs(distances.getValue(voxel)) < background_;
+      };
+    });
+    openvdb::tools::dilateActiveValues(*next, 1, openvdb::tools::NN_FACE, openvdb::tools::IGNORE_TILES);
+    next->topologyDifference(result_->tree());
+    openvdb::tools::pruneInactive(*next);
+    return next;
+  }
+
+  // Leaves out what is beyond the band.
+  void cut() {
+    FloatLeaves leaves(result_->tree());
+    leaves.foreach ([&](FloatLeaf& leaf, std::size_t) {
+      for (auto value = leaf.beginValueOn(); value; ++value) {
+        if (std::abs(*value) >= background_)
+          leaf.setValueOff(value.pos(), std::copysign(background_, *value));
+      }
+    });
+    openvdb::tools::pruneLevelSet(result_->tree());
+  }
+
+  const FloatGrid& values_;
+  Progress* const progress_;
+  const float voxel_;
+  const float background_;
+  FloatGrid::Ptr result_;
+};
+
+}  // namespace
+
+FloatGrid::Ptr measure_distances(const FloatGrid& values, Progress* progress) {
+  constexpr double kMeasured = 0.7;  // share of the time
+  constexpr int kSteps = 3;
+  PartialProgress measuring(progress, 0.0, kMeasured);
+  const FloatGrid::Ptr grid = DistanceMeasurer(values, &measuring).run();
+
+  PartialProgress normalizing(progress, kMeasured, 1.0);
+  Interrupter interrupter(&normalizing, kSteps);
+  openvdb::tools::LevelSetTracker<FloatGrid> tracker(*grid, &interrupter);
+  tracker.setNormCount(kSteps);
+  tracker.normalize();
+  throw_if_cancelled(progress);
+  tracker.prune();
+  return grid;
+}
+
 namespace {
 
 using openvdb::FloatGrid;

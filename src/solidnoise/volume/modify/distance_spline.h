@@ -3,7 +3,7 @@
 #include <span>
 
 #include "solidnoise/core/vec.h"
-#include "solidnoise/field/smooth_distance.h"
+#include "solidnoise/field/curl_field.h"
 #include "solidnoise/volume/topology/grid_frame.h"
 #include "solidnoise/volume/vdb/openvdb.h"
 

@@ -12,11 +12,10 @@
 #include "solidnoise/field/pointwise_field.h"
 #include "solidnoise/volume/modify/combine.h"
 #include "solidnoise/volume/modify/displace_level_set.h"
-#include "solidnoise/volume/modify/grid_mask.h"
-#include "solidnoise/volume/modify/rest_positions.h"
+#include "solidnoise/volume/modify/grid_lookup.h"
+#include "solidnoise/volume/topology/grid_frame.h"
 #include "solidnoise/volume/topology/topology.h"
-#include "solidnoise/volume/topology/world_bounds.h"
-#include "solidnoise/volume/vdb/require_finite_grid.h"
+#include "solidnoise/volume/vdb/grid_values.h"
 
 namespace solidnoise {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "solidnoise/core/field.h"
 #include "solidnoise/core/progress.h"
-#include "solidnoise/volume/fill.h"
 #include "solidnoise/volume/modify/modification.h"
+#include "solidnoise/volume/topology/fill.h"
 #include "solidnoise/volume/topology/grid_frame.h"
 #include "solidnoise/volume/vdb/openvdb.h"
 #include "solidnoise/volume/vdb/vdb_read.h"

@@ -10,8 +10,8 @@
 #include <fmt/ranges.h>
 
 #include "solidnoise/core/check.h"
-#include "solidnoise/noise/noise_entries.h"
-#include "solidnoise/volume/parameters/parameter_range.h"
+#include "solidnoise/noise/registry/noise_entries.h"
+#include "solidnoise/volume/parameters/scalar_field.h"
 
 namespace solidnoise {
 namespace {

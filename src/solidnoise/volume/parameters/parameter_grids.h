@@ -3,7 +3,7 @@
 #include <optional>
 #include <string_view>
 
-#include "solidnoise/noise/noise_recipe.h"
+#include "solidnoise/noise/registry/noise_recipe.h"
 #include "solidnoise/volume/vdb/grid_file.h"
 
 namespace solidnoise {

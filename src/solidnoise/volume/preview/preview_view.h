@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solidnoise/core/up_axis.h"
+#include "solidnoise/core/choices.h"
 #include "solidnoise/volume/preview/preview.h"
 #include "solidnoise/volume/vdb/openvdb.h"
 

@@ -2,8 +2,7 @@
 
 #include <cstdint>
 
-#include "solidnoise/core/box.h"
-#include "solidnoise/core/lattice.h"
+#include "solidnoise/core/points.h"
 #include "solidnoise/core/vec.h"
 #include "solidnoise/volume/vdb/openvdb.h"
 
@@ -45,5 +44,8 @@ class GridFrame {
 // The voxel size that puts `dim` voxels along the box's longest side. Throws std::invalid_argument if dim is
 // under 1 or the box has no extent.
 double voxel_size_for_dim(const Box<3>& box, std::int64_t dim);
+
+// A box in the world that holds a grid's active voxels and one voxel around them, whatever its transform.
+Box<3> world_bounds(const openvdb::GridBase& grid);
 
 }  // namespace solidnoise

@@ -1,17 +1,44 @@
 #include "solidnoise/volume/topology/mesh_level_set.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <memory>
 #include <stdexcept>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
+#include <openvdb/tools/LevelSetUtil.h>
 #include <openvdb/tools/MeshToVolume.h>
 
 #include "solidnoise/core/check.h"
-#include "solidnoise/volume/topology/index_mesh.h"
 #include "solidnoise/volume/topology/interrupter.h"
+#include "solidnoise/volume/topology/topology.h"
 
 namespace solidnoise {
+
+IndexMesh to_index_space(const GridFrame& frame, const TriangleMesh& mesh) {
+  constexpr int kLeaf = 8;  // voxels along a leaf's side
+  const Box<3> bounds = mesh.bounds();
+  frame.voxels_in(bounds);  // refuses what has no 32-bit index
+  IndexMesh result;
+  Vec<3> zero;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double lower = (bounds.lower[axis] - frame.origin()[axis]) / frame.voxel_size()[axis];
+    result.shift[axis] = static_cast<std::int32_t>(std::floor(lower / kLeaf)) * kLeaf;
+    zero[axis] = result.shift[axis];
+  }
+  result.points.reserve(mesh.positions.size());
+  for (const Vec<3>& position : mesh.positions) {
+    const Vec<3> index = (position - frame.origin()) / frame.voxel_size() - zero;
+    result.points.emplace_back(static_cast<float>(index.x), static_cast<float>(index.y),
+                               static_cast<float>(index.z));
+  }
+  result.triangles.reserve(mesh.triangles.size());
+  for (const auto& t : mesh.triangles) result.triangles.emplace_back(t[0], t[1], t[2]);
+  return result;
+}
+
 namespace {
 
 constexpr double kLeastBand = 3.0;  // voxels, OpenVDB's narrow band
@@ -70,6 +97,49 @@ openvdb::FloatGrid::Ptr mesh_level_set(const TriangleMesh& mesh, double voxel, d
   grid->transform().preTranslate(index_mesh.shift.asVec3d());
   grid->setGridClass(openvdb::GRID_LEVEL_SET);
   return grid;
+}
+
+namespace {
+
+using MaskLeaf = openvdb::MaskTree::LeafNodeType;
+
+// The voxels where the mesh's distance is negative, as leaves only.
+openvdb::MaskTree::Ptr inside(const IndexMesh& mesh, Progress* progress) {
+  // Only the sign is used; narrower bands than this leave gaps between the voxels whose sign is certain.
+  constexpr float kHalfWidth = 1.5f;  // voxels
+  Interrupter interrupter(progress);
+  const openvdb::tools::QuadAndTriangleDataAdapter<openvdb::Vec3s, openvdb::Vec3I> adapter(mesh.points,
+                                                                                           mesh.triangles);
+  const auto distance = openvdb::tools::meshToVolume<openvdb::FloatGrid>(
+      interrupter.base(), adapter, *openvdb::math::Transform::createLinearTransform(1.0), kHalfWidth,
+      kHalfWidth);
+  throw_if_cancelled(progress);
+
+  const openvdb::BoolGrid::Ptr interior = openvdb::tools::sdfInteriorMask(*distance, 0.0f);
+  interior->tree().voxelizeActiveTiles();
+  auto mask = std::make_shared<openvdb::MaskTree>(false);
+  for (auto leaf = interior->tree().cbeginLeaf(); leaf; ++leaf) {
+    if (leaf->isEmpty()) continue;
+    auto copy = std::make_unique<MaskLeaf>(*leaf, openvdb::TopologyCopy());
+    copy->setOrigin(leaf->origin() + mesh.shift);
+    mask->addLeaf(copy.release());
+  }
+  return mask;
+}
+
+}  // namespace
+
+Topology mesh_topology(const GridFrame& frame, const TriangleMesh& mesh, Progress* progress) {
+  require_closed(mesh);
+  const Vec<3> voxel = frame.voxel_size();
+  if (voxel.x != voxel.y || voxel.y != voxel.z) {
+    throw std::invalid_argument("the inside of a mesh needs voxels that are cubes");
+  }
+  Topology topology{frame, inside(to_index_space(frame, mesh), progress)};
+  if (topology.mask->empty()) {
+    throw std::invalid_argument("the mesh holds no voxel's centre: make it larger, or the voxels smaller");
+  }
+  return topology;
 }
 
 }  // namespace solidnoise

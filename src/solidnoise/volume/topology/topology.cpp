@@ -11,7 +11,7 @@
 #include <tbb/parallel_for.h>
 
 #include "solidnoise/core/check.h"
-#include "solidnoise/volume/statistics.h"
+#include "solidnoise/volume/vdb/grid_values.h"
 
 namespace solidnoise {
 namespace {

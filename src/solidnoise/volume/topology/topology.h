@@ -2,7 +2,6 @@
 
 #include <cstdint>
 
-#include "solidnoise/core/box.h"
 #include "solidnoise/core/progress.h"
 #include "solidnoise/core/vec.h"
 #include "solidnoise/volume/topology/grid_frame.h"

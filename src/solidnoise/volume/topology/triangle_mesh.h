@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "solidnoise/core/box.h"
 #include "solidnoise/core/vec.h"
 #include "solidnoise/geometry/polygon_mesh.h"
 

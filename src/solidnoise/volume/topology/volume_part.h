@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "solidnoise/core/box.h"
+#include "solidnoise/core/vec.h"
 #include "solidnoise/volume/topology/topology.h"
 
 namespace solidnoise {

@@ -6,6 +6,12 @@
 
 namespace solidnoise {
 
+// The same grid for writing: OpenVDB compresses the values of one leaf after the other, which takes longer
+// than making noise; this one compresses many leaves at once (tbb::global_control sets the threads) and
+// writes them in order, to the same bytes. Shares the tree. Grids of other types than float and vec3s are
+// returned as they are.
+openvdb::GridBase::ConstPtr parallel_grid(const openvdb::GridBase::ConstPtr& grid);
+
 // Writes what OpenVDB's own archives do, with two differences. Its File writes grid offsets, which let a
 // reader take one grid or the metadata alone, but does not notice a full disk; its Stream writes to a stream
 // of the caller's, but no offsets: this does both. And it compresses all values once. OpenVDB compresses them

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -8,6 +9,14 @@
 #include "solidnoise/volume/vdb/openvdb.h"
 
 namespace solidnoise {
+
+// 64 bits that tell files apart which differ by accident, as 16 hexadecimal digits: FNV-1a (Fowler, Noll, Vo)
+// of the bytes. It is no protection against intent.
+std::string digest(std::string_view bytes);
+
+// That of a file's bytes; empty for what is no regular file, such as a pipe, which could not be read again.
+// Throws std::runtime_error naming the path if it cannot be read.
+std::string file_digest(const std::filesystem::path& path);
 
 // A grid that a recipe takes from a file: whose voxels are filled, where noise is added, a mask, a parameter.
 struct GridFile {

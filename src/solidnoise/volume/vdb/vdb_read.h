@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "solidnoise/core/box.h"
 #include "solidnoise/core/vec.h"
 #include "solidnoise/volume/vdb/openvdb.h"
 

@@ -7,7 +7,6 @@
 #include <openvdb/io/Compression.h>
 
 #include "solidnoise/volume/vdb/grid_archive.h"
-#include "solidnoise/volume/vdb/parallel_grid.h"
 #include "solidnoise/volume/vdb/vdb_reader.h"
 
 namespace solidnoise {

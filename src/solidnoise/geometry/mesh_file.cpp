@@ -1,0 +1,166 @@
+#include "solidnoise/geometry/mesh_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cerrno>
+#include <cstdint>
+#include <fstream>
+#include <limits>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "solidnoise/geometry/mesh_codecs.h"
+
+namespace solidnoise {
+namespace {
+
+constexpr std::array<std::pair<std::string_view, MeshFormat>, 5> kExtensions{{{".ply", MeshFormat::ply},
+                                                                              {".obj", MeshFormat::obj},
+                                                                              {".off", MeshFormat::off},
+                                                                              {".stl", MeshFormat::stl},
+                                                                              {".om", MeshFormat::om}}};
+
+std::optional<MeshFormat> find_format(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  for (const auto& [name, format] : kExtensions) {
+    if (extension == name) return format;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+MeshFormat mesh_format(const std::filesystem::path& path) {
+  const std::optional<MeshFormat> format = find_format(path);
+  if (!format) {
+    throw std::runtime_error(fmt::format(
+        "{}: is not a mesh by its name; .ply, .obj, .off, .stl and .om are known", path.string()));
+  }
+  return *format;
+}
+
+bool is_mesh_path(const std::filesystem::path& path) {
+  return find_format(path).has_value();
+}
+
+namespace {
+
+std::string read_bytes(const std::filesystem::path& path) {
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) {
+    throw std::runtime_error(fmt::format("{}: is a folder, not a mesh", path.string()));
+  }
+  const auto fail = [&](const char* what) {
+    throw std::runtime_error(
+        fmt::format("{}: {}: {}", path.string(), what, std::generic_category().message(errno)));
+  };
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) fail("cannot be read");
+  constexpr std::size_t kFirst = std::size_t{1} << 16;
+  const auto size = std::filesystem::file_size(path, error);  // not that of a pipe
+  std::string bytes(error || size < kFirst ? kFirst : static_cast<std::size_t>(size) + 1, '\0');
+  std::size_t count = 0;
+  while (stream) {
+    if (count == bytes.size()) bytes.resize(2 * bytes.size());
+    stream.read(bytes.data() + count, static_cast<std::streamsize>(bytes.size() - count));
+    count += static_cast<std::size_t>(stream.gcount());
+  }
+  if (stream.bad()) fail("reading failed");
+  bytes.resize(count);
+  return bytes;
+}
+
+MeshReading read_format(std::string_view bytes, MeshFormat format, const std::string& name) {
+  switch (format) {
+    case MeshFormat::ply:
+      return read_ply(bytes, name);
+    case MeshFormat::obj:
+      return read_obj(bytes, name);
+    case MeshFormat::off:
+      return read_off(bytes, name);
+    case MeshFormat::stl:
+      return read_stl(bytes, name);
+    case MeshFormat::om:
+      return read_om(bytes, name);
+  }
+  throw std::invalid_argument("unknown mesh format");
+}
+
+}  // namespace
+
+MeshReading read_mesh(const std::filesystem::path& path) {
+  const MeshFormat format = mesh_format(path);
+  return read_mesh(read_bytes(path), format, path.string());
+}
+
+MeshReading read_mesh(std::string_view bytes, MeshFormat format, const std::string& name) {
+  if (bytes.empty()) throw std::runtime_error(fmt::format("{}: the file is empty", name));
+  MeshReading reading = read_format(bytes, format, name);
+  const PolygonMesh& mesh = reading.mesh;
+  if (mesh.positions.empty()) throw std::runtime_error(fmt::format("{}: the mesh has no vertices", name));
+  if (mesh.face_count() == 0) {
+    throw std::runtime_error(
+        fmt::format("{}: the mesh has {} vertices but no faces", name, mesh.positions.size()));
+  }
+  if (mesh.corners.size() > std::numeric_limits<std::uint32_t>::max()) {
+    throw std::runtime_error(fmt::format("{}: the mesh has more than 2^32 corners of faces", name));
+  }
+  return reading;
+}
+
+namespace {
+
+void require_sound_properties(const PolygonMesh& mesh) {
+  std::set<std::string_view> names{"x", "y", "z"};
+  for (const VertexProperty& property : mesh.properties) {
+    if (property.name.empty() || property.name.find_first_of(" \t\r\n\v\f") != std::string::npos) {
+      throw std::invalid_argument(
+          fmt::format("'{}' cannot be a property's name: it is empty or has blanks", property.name));
+    }
+    if (!names.insert(property.name).second) {
+      throw std::invalid_argument(fmt::format("there are two properties '{}'", property.name));
+    }
+    if (property.values.size() != mesh.positions.size()) {
+      throw std::invalid_argument(fmt::format("property {} has {} values for {} vertices", property.name,
+                                              property.values.size(), mesh.positions.size()));
+    }
+  }
+}
+
+}  // namespace
+
+void write_mesh(const std::filesystem::path& path, const PolygonMesh& mesh, const MeshWriteOptions& options) {
+  const MeshFormat format = mesh_format(path);
+  require_sound_properties(mesh);
+  write_output(path, {options.existing, options.progress},
+               [&](std::ostream& stream) { write_mesh(stream, format, mesh, options); });
+}
+
+void write_mesh(std::ostream& stream, MeshFormat format, const PolygonMesh& mesh,
+                const MeshWriteOptions& options) {
+  require_sound_properties(mesh);
+  switch (format) {
+    case MeshFormat::ply:
+      return write_ply(stream, mesh, options);
+    case MeshFormat::obj:
+      return write_obj(stream, mesh, options);
+    case MeshFormat::off:
+      return write_off(stream, mesh, options);
+    case MeshFormat::stl:
+      return write_stl(stream, mesh);
+    case MeshFormat::om:
+      return write_om(stream, mesh);
+  }
+}
+
+}  // namespace solidnoise

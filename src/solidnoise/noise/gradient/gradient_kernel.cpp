@@ -1,0 +1,254 @@
+#include "solidnoise/noise/gradient/gradient_kernel.h"
+
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <vector>
+
+#include "solidnoise/core/numerics.h"
+#include "solidnoise/core/special_functions.h"
+
+namespace solidnoise {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+double square(double x) {
+  return x * x;
+}
+
+// Integral of r^q t^p over 0 <= r <= 2, t = 1 - r^2/4: a Beta function, by the substitution u = r^2/4.
+double radial_moment(double q, double p) {
+  return std::pow(2.0, q) * std::beta(0.5 * (q + 1.0), p + 1.0);
+}
+
+// The n-dimensional Fourier transform of t^p over the ball |x| < 2,
+//   2^n pi^-p p! (2f)^-(n/2 + p) J_{n/2 + p}(4 pi f),
+// written as its value at 0 times a mean cosine in n + 2p + 2 dimensions; and its derivative with respect to
+// f.
+double ball_power_at_zero(int n, int p) {
+  return std::pow(2.0, n) * std::pow(kPi, 0.5 * n) * std::tgamma(p + 1.0) / std::tgamma(0.5 * n + p + 1.0);
+}
+double ball_power_transform(int n, int p, double f) {
+  return ball_power_at_zero(n, p) * mean_cosine(n + 2 * p + 2, 4.0 * kPi * f);
+}
+double ball_power_transform_slope(int n, int p, double f) {
+  const int dimensions = n + 2 * p + 2;
+  return -ball_power_at_zero(n, p) * (16.0 * kPi * kPi * f / dimensions) *
+         mean_cosine(dimensions + 2, 4.0 * kPi * f);
+}
+
+// Visits the offset of x from each point of the lattice that may lie within the kernel's radius.
+template <int Dim, typename Visit>
+void for_each_offset(const Vec<Dim>& x, double spacing, const Visit& visit) {
+  constexpr double kReach = GradientKernel<Dim>::kRadius;
+  Vec<Dim> first;
+  glm::vec<Dim, int> count;
+  std::size_t total = 1;
+  for (int axis = 0; axis < Dim; ++axis) {
+    first[axis] = std::ceil((x[axis] - kReach) / spacing);
+    count[axis] = static_cast<int>(std::floor((x[axis] + kReach) / spacing) - first[axis]) + 1;
+    total *= static_cast<std::size_t>(count[axis]);
+  }
+  for (std::size_t index = 0; index < total; ++index) {
+    Vec<Dim> offset;
+    std::size_t rest = index;
+    for (int axis = 0; axis < Dim; ++axis) {
+      const std::size_t extent = static_cast<std::size_t>(count[axis]);
+      offset[axis] = x[axis] - spacing * (first[axis] + static_cast<double>(rest % extent));
+      rest /= extent;
+    }
+    visit(offset);
+  }
+}
+
+template <int Dim>
+double squared_length(const Vec<Dim>& v) {
+  double sum = 0.0;
+  for (int axis = 0; axis < Dim; ++axis) sum += v[axis] * v[axis];
+  return sum;
+}
+
+// How many points of the integer lattice have the squared length m, for m = 0 to `last`.
+std::vector<double> lattice_points_by_norm(int dim, int last) {
+  std::vector<double> counts(static_cast<std::size_t>(last) + 1, 0.0);
+  counts[0] = 1.0;
+  for (int axis = 0; axis < dim; ++axis) {
+    std::vector<double> next = counts;
+    for (int k = 1; k * k <= last; ++k) {
+      for (int m = k * k; m <= last; ++m) {
+        next[static_cast<std::size_t>(m)] += 2.0 * counts[static_cast<std::size_t>(m - k * k)];
+      }
+    }
+    counts = next;
+  }
+  return counts;
+}
+
+}  // namespace
+
+template <int Dim>
+GradientKernel<Dim>::GradientKernel(Kernel kernel, Support support) {
+  if (kernel == Kernel::zero_dc) {
+    const double ratio = 5.0 / (0.5 * Dim + 6.0);
+    c1_ = 1.0 / (1.0 - ratio);
+    c2_ = ratio * c1_;
+  }
+  if (support == Support::half) {
+    spacing_ = 2.0;
+    density_ = std::pow(0.5, Dim);
+  }
+  spectrum_peak_ = find_peak(2.0);
+  radial_peak_ = find_peak(Dim + 1.0);
+}
+
+template <int Dim>
+double GradientKernel<Dim>::value(double r) const {
+  if (r >= kRadius) return 0.0;
+  const double t = 1.0 - 0.25 * r * r;
+  return square(square(t)) * (c1_ * t - c2_);
+}
+
+template <int Dim>
+double GradientKernel<Dim>::mean_variance() const {
+  const double n = Dim;
+  const double integral = c1_ * c1_ * radial_moment(n + 1.0, 10.0) -
+                          2.0 * c1_ * c2_ * radial_moment(n + 1.0, 9.0) +
+                          c2_ * c2_ * radial_moment(n + 1.0, 8.0);
+  return density_ * unit_sphere_area(Dim) / n * integral;
+}
+
+template <int Dim>
+double GradientKernel<Dim>::mean_gradient_variance() const {
+  const double n = Dim;
+  const double integral = integrate(
+      [&](double r) {
+        const double t = 1.0 - 0.25 * r * r;
+        const double s = value(r);
+        const double r_slope = -0.5 * r * r * t * t * t * (5.0 * c1_ * t - 4.0 * c2_);  // r s'
+        return std::pow(r, n - 1.0) * (n * s * s + 2.0 * s * r_slope + r_slope * r_slope);
+      },
+      0.0, kRadius);
+  return density_ * unit_sphere_area(Dim) / (n * n) * integral;
+}
+
+template <int Dim>
+double GradientKernel<Dim>::potential_transform(double f) const {
+  return 0.4 * c2_ * ball_power_transform(Dim, 5, f) - c1_ / 3.0 * ball_power_transform(Dim, 6, f);
+}
+
+template <int Dim>
+double GradientKernel<Dim>::potential_transform_slope(double f) const {
+  return 0.4 * c2_ * ball_power_transform_slope(Dim, 5, f) -
+         c1_ / 3.0 * ball_power_transform_slope(Dim, 6, f);
+}
+
+template <int Dim>
+double GradientKernel<Dim>::power_spectrum(double f) const {
+  return density_ * square(2.0 * kPi * f * potential_transform(f)) / Dim;
+}
+
+template <int Dim>
+double GradientKernel<Dim>::find_peak(double power) const {
+  constexpr double kStep = 0.01;
+  constexpr double kHighest = 1.5;  // past it, S is below 1e-4 of its peak in every dimension
+  double best = 0.0;
+  double peak = 0.0;
+  for (double f = kStep; f < kHighest; f += kStep) {
+    const double height = std::pow(f, power) * square(potential_transform(f));
+    if (height > best) {
+      best = height;
+      peak = f;
+    }
+  }
+  // The derivative of f^power psi^2, up to the factor f^(power - 1) psi, which has one sign near the peak.
+  const auto slope = [&](double f) {
+    return power * potential_transform(f) + 2.0 * f * potential_transform_slope(f);
+  };
+  return bisect(slope, peak - kStep, peak + kStep);
+}
+
+template <int Dim>
+double GradientKernel<Dim>::variance_at(const Vec<Dim>& x) const {
+  double sum = 0.0;
+  for_each_offset<Dim>(x, spacing_, [&](const Vec<Dim>& offset) {
+    const double squared = squared_length<Dim>(offset);
+    sum += squared * square(value(std::sqrt(squared)));
+  });
+  return sum / Dim;
+}
+
+template <int Dim>
+double GradientKernel<Dim>::bound_at(const Vec<Dim>& x) const {
+  double sum = 0.0;
+  for_each_offset<Dim>(x, spacing_, [&](const Vec<Dim>& offset) {
+    const double length = std::sqrt(squared_length<Dim>(offset));
+    sum += length * std::abs(value(length));
+  });
+  return sum;
+}
+
+template <int Dim>
+double GradientKernel<Dim>::excess_kurtosis() const {
+  const double n = Dim;
+  // Mean over the cell of the sum of |v|^4 = (r s)^4; s^4 = t^16 (c1 t - c2)^4 by the binomial formula.
+  constexpr double kBinomial[5] = {1.0, 4.0, 6.0, 4.0, 1.0};
+  double fourth = 0.0;
+  for (int k = 0; k <= 4; ++k) {
+    fourth += kBinomial[k] * std::pow(c1_, k) * std::pow(-c2_, 4 - k) * radial_moment(n + 3.0, 16.0 + k);
+  }
+  fourth *= density_ * unit_sphere_area(Dim);
+
+  // The variance at x is the sum over lattice points of w = r^2 s^2 / n = (4/n) (1 - t) (c1 t^5 - c2 t^4)^2,
+  // so its Fourier coefficients are density times the transform of w at the reciprocal lattice's points.
+  const auto coefficient = [&](double f) {
+    const double mixed = 2.0 * c1_ * c2_;
+    return density_ * 4.0 / n *
+           (c2_ * c2_ * ball_power_transform(Dim, 8, f) -
+            (c2_ * c2_ + mixed) * ball_power_transform(Dim, 9, f) +
+            (c1_ * c1_ + mixed) * ball_power_transform(Dim, 10, f) -
+            c1_ * c1_ * ball_power_transform(Dim, 11, f));
+  };
+  // They fall as f^-9 or faster; at 6 cycles per unit their squares are below 1e-15 of the first.
+  const int last = static_cast<int>(square(6.0 * spacing_));
+  const std::vector<double> counts = lattice_points_by_norm(Dim, last);
+  double mean_squared_variance = 0.0;
+  for (int m = 0; m <= last; ++m) {
+    mean_squared_variance +=
+        counts[static_cast<std::size_t>(m)] * square(coefficient(std::sqrt(m) / spacing_));
+  }
+  const double fourth_moment = 3.0 * mean_squared_variance - 6.0 / (n * n * (n + 2.0)) * fourth;
+  return fourth_moment / square(mean_variance()) - 3.0;
+}
+
+template <int Dim>
+typename Noise<Dim>::Band GradientKernel<Dim>::band() const {
+  constexpr double kTail = 5e-4;
+  constexpr double kHighest = 4.0;  // S falls as f^-(n + 9): the rest has less than 1e-7 of the variance
+  constexpr double kPanel = 0.125;  // two cycles of the spectrum's lobes, 1/2 apart, need no finer panels
+  const double total = mean_variance() / unit_sphere_area(Dim);
+  const auto power = [&](double f) { return std::pow(f, Dim - 1) * power_spectrum(f); };
+
+  // Walks from `start` in panels until the tail is passed, then bisects within that panel.
+  const auto edge = [&](double start, double panel) {
+    double before = 0.0;
+    for (double f = start;; f += panel) {
+      const double within = std::abs(integrate(power, f, f + panel));
+      if (before + within > kTail * total) {
+        const auto excess = [&](double g) {
+          return before + std::abs(integrate(power, f, g)) - kTail * total;
+        };
+        return panel > 0.0 ? bisect(excess, f, f + panel) : bisect(excess, f + panel, f);
+      }
+      before += within;
+    }
+  };
+  return {edge(0.0, kPanel), edge(kHighest, -kPanel)};
+}
+
+template class GradientKernel<1>;
+template class GradientKernel<2>;
+template class GradientKernel<3>;
+template class GradientKernel<4>;
+
+}  // namespace solidnoise

@@ -1,0 +1,214 @@
+#include "solidnoise/volume/vdb/grid_values.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+#include <openvdb/tree/LeafManager.h>
+
+#include "solidnoise/core/check.h"
+#include "solidnoise/volume/vdb/openvdb.h"
+
+namespace solidnoise {
+namespace {
+
+// Calls `visit(value, box of voxels)` for every active tile.
+template <typename Grid, typename Visit>
+void visit_active_tiles(const Grid& grid, const Visit& visit) {
+  auto tile = grid.tree().cbeginValueOn();
+  tile.setMaxDepth(Grid::TreeType::ValueOnCIter::LEAF_DEPTH - 1);
+  for (; tile; ++tile) {
+    openvdb::CoordBBox box;
+    tile.getBoundingBox(box);
+    visit(tile.getValue(), box);
+  }
+}
+
+// What measure() finds for each leaf of a grid, in tree order.
+template <typename Grid>
+auto measure_leaves(const Grid& grid) {
+  using Leaf = typename Grid::TreeType::LeafNodeType;
+  openvdb::tree::LeafManager<const typename Grid::TreeType> leaves(grid.tree());
+  std::vector<decltype(measure(std::declval<const Leaf&>()))> parts(leaves.leafCount());
+  leaves.foreach ([&](const Leaf& leaf, std::size_t index) { parts[index] = measure(leaf); });
+  return parts;
+}
+
+}  // namespace
+
+Moments measure(const openvdb::FloatTree::LeafNodeType& leaf) {
+  constexpr std::size_t kSize = openvdb::FloatTree::LeafNodeType::SIZE;
+  const float* const values = leaf.buffer().data();
+  if (leaf.isValueMaskOn()) return Moments::of({values, kSize});
+  std::array<float, kSize> active;
+  std::size_t count = 0;
+  for (auto voxel = leaf.valueMask().beginOn(); voxel; ++voxel) active[count++] = values[voxel.pos()];
+  return Moments::of({active.data(), count});
+}
+
+std::array<Moments, 3> measure(const openvdb::Vec3STree::LeafNodeType& leaf) {
+  constexpr std::size_t kSize = openvdb::Vec3STree::LeafNodeType::SIZE;
+  const openvdb::Vec3s* const values = leaf.buffer().data();
+  std::array<std::array<float, kSize>, 3> active;
+  std::size_t count = 0;
+  for (auto voxel = leaf.valueMask().beginOn(); voxel; ++voxel, ++count) {
+    for (int axis = 0; axis < 3; ++axis) active[axis][count] = values[voxel.pos()][axis];
+  }
+  std::array<Moments, 3> moments;
+  for (int axis = 0; axis < 3; ++axis) moments[axis] = Moments::of({active[axis].data(), count});
+  return moments;
+}
+
+Moments measure(const openvdb::FloatGrid& grid) {
+  Moments total;
+  for (const Moments& part : measure_leaves(grid)) total.merge(part);
+  visit_active_tiles(grid, [&](float value, const openvdb::CoordBBox& box) {
+    total.merge(Moments::of_constant(value, box.volume()));
+  });
+  return total;
+}
+
+std::array<Moments, 3> measure(const openvdb::Vec3SGrid& grid) {
+  std::array<Moments, 3> total;
+  for (const auto& part : measure_leaves(grid)) {
+    for (int axis = 0; axis < 3; ++axis) total[axis].merge(part[axis]);
+  }
+  visit_active_tiles(grid, [&](const openvdb::Vec3s& value, const openvdb::CoordBBox& box) {
+    for (int axis = 0; axis < 3; ++axis) {
+      total[axis].merge(Moments::of_constant(value[axis], box.volume()));
+    }
+  });
+  return total;
+}
+
+Histogram histogram(const openvdb::FloatGrid& grid, double lower, double upper, int bins) {
+  require_finite("the histogram's lower limit", lower);
+  require_finite("the histogram's upper limit", upper);
+  require_at_least("the histogram's number of bins", bins, 1.0);
+  if (!(lower < upper)) {
+    throw std::invalid_argument(fmt::format(
+        "the histogram's upper limit is {}; it must be greater than the lower, {}", upper, lower));
+  }
+  Histogram result{lower, upper, std::vector<std::uint64_t>(static_cast<std::size_t>(bins)), 0, 0};
+  const double per_unit = bins / (upper - lower);
+  const auto add = [&](double value, std::uint64_t count) {
+    if (value < lower) {
+      result.below += count;
+    } else if (!(value <= upper)) {
+      result.above += count;
+    } else {
+      const auto bin = static_cast<std::size_t>((value - lower) * per_unit);
+      result.counts[std::min(bin, result.counts.size() - 1)] += count;
+    }
+  };
+  for (auto leaf = grid.tree().cbeginLeaf(); leaf; ++leaf) {
+    for (auto value = leaf->cbeginValueOn(); value; ++value) add(*value, 1);
+  }
+  visit_active_tiles(grid, [&](float value, const openvdb::CoordBBox& box) { add(value, box.volume()); });
+  return result;
+}
+
+ColumnSums::ColumnSums(const openvdb::CoordBBox& voxels, int axis) : voxels_(voxels), axis_(axis) {
+  if (axis < 0 || axis > 2)
+    throw std::invalid_argument(fmt::format("axis is {}; it must be 0, 1 or 2", axis));
+  across_ = (axis + 1) % 3;
+  along_ = (axis + 2) % 3;
+  if (voxels.empty()) return;
+  sums_.assign(
+      static_cast<std::size_t>(voxels.dim()[across_]) * static_cast<std::size_t>(voxels.dim()[along_]), 0.0);
+}
+
+double& ColumnSums::column(const openvdb::Coord& voxel) {
+  const auto row = static_cast<std::size_t>(voxel[across_] - voxels_.min()[across_]);
+  const auto width = static_cast<std::size_t>(voxels_.dim()[along_]);
+  return sums_[row * width + static_cast<std::size_t>(voxel[along_] - voxels_.min()[along_])];
+}
+
+// A tree's order goes up along each axis while the others stand still.
+void ColumnSums::add(const openvdb::FloatGrid& grid) {
+  for (auto leaf = grid.tree().cbeginLeaf(); leaf; ++leaf) {
+    for (auto value = leaf->cbeginValueOn(); value; ++value) column(value.getCoord()) += *value;
+  }
+  visit_active_tiles(grid, [&](float value, openvdb::CoordBBox box) {
+    const double depth = value * static_cast<double>(box.dim()[axis_]);
+    box.max()[axis_] = box.min()[axis_];
+    for (auto voxel = box.begin(); voxel; ++voxel) column(*voxel) += depth;
+  });
+}
+
+double ColumnSums::largest() const {
+  return sums_.empty() ? 0.0 : *std::max_element(sums_.begin(), sums_.end());
+}
+
+double thickest_column(const openvdb::FloatGrid& grid, int axis) {
+  ColumnSums sums(grid.evalActiveVoxelBoundingBox(), axis);
+  sums.add(grid);
+  return sums.largest() * grid.transform().voxelSize()[axis];
+}
+
+namespace {
+
+using FiniteGrids =
+    openvdb::TypeList<openvdb::FloatGrid, openvdb::DoubleGrid, openvdb::Vec3SGrid, openvdb::Vec3DGrid>;
+
+struct Found {
+  std::uint64_t count = 0;
+  openvdb::Coord first;
+
+  void add(const openvdb::Coord& voxel, std::uint64_t voxels) {
+    if (count == 0 || voxel < first) first = voxel;
+    count += voxels;
+  }
+};
+
+template <typename Grid>
+Found find_not_finite(const Grid& grid) {
+  Found found;
+  for (auto leaf = grid.tree().cbeginLeaf(); leaf; ++leaf) {
+    for (auto value = leaf->cbeginValueOn(); value; ++value) {
+      if (!openvdb::math::isFinite(*value)) found.add(value.getCoord(), 1);
+    }
+  }
+  auto tile = grid.cbeginValueOn();
+  tile.setMaxDepth(Grid::ValueOnCIter::LEAF_DEPTH - 1);
+  for (; tile; ++tile) {
+    if (!openvdb::math::isFinite(*tile)) found.add(tile.getCoord(), tile.getVoxelCount());
+  }
+  return found;
+}
+
+}  // namespace
+
+void require_finite_values(const openvdb::GridBase& grid, const std::string& name) {
+  Found found;
+  grid.apply<FiniteGrids>([&](const auto& typed) { found = find_not_finite(typed); });
+  if (found.count == 0) return;
+  throw std::invalid_argument(
+      fmt::format("{} has {} values that are not finite, the first at voxel ({}, {}, {})", name, found.count,
+                  found.first.x(), found.first.y(), found.first.z()));
+}
+
+openvdb::Vec3SGrid::ConstPtr in_single_precision(const openvdb::GridBase& grid) {
+  using openvdb::Vec3s;
+  using openvdb::Vec3SGrid;
+  if (grid.isType<Vec3SGrid>()) return static_cast<const Vec3SGrid&>(grid).copy();
+  if (!grid.isType<openvdb::Vec3DGrid>()) return nullptr;
+  const auto& doubles = static_cast<const openvdb::Vec3DGrid&>(grid);
+  const auto floats = Vec3SGrid::create();
+  floats->setName(doubles.getName());
+  floats->setTransform(doubles.transform().copy());
+  floats->setTree(std::make_shared<openvdb::Vec3STree>(doubles.tree(), Vec3s(doubles.background()),
+                                                       openvdb::TopologyCopy()));
+  const auto values = doubles.getConstAccessor();
+  for (auto value = floats->beginValueOn(); value; ++value) {
+    value.setValue(Vec3s(values.getValue(value.getCoord())));
+  }
+  return floats;
+}
+
+}  // namespace solidnoise

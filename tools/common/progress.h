@@ -1,0 +1,90 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "solidnoise/core/progress.h"
+
+namespace solidnoise {
+
+// One line on a terminal's standard error, redrawn at most ten times a second; nothing where standard error
+// is not a terminal. The line is wiped when the bar goes.
+class ProgressBar {
+ public:
+  enum class Visibility { if_terminal, hidden };
+
+  explicit ProgressBar(Visibility visibility);
+  ~ProgressBar();
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
+
+  // `fraction` of the task done, 0 to 1. Call from one thread at a time.
+  void show(const std::string& task, double fraction);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  bool visible_ = false;
+  bool drawn_ = false;
+  std::string task_;
+  Clock::time_point last_drawn_;
+};
+
+// Where the time of a run goes: wall time and processor time of its stages. Processor time is that of all
+// threads, so that their ratio tells how many threads were at work.
+class StageTimes {
+ public:
+  // Begins with the stage "start". What the process has used of the processor before, loading the program,
+  // counts for it as both.
+  StageTimes();
+
+  // From now on time counts for this stage; of one that was there before, it goes on. From any thread.
+  void begin(const std::string& stage);
+
+  // A line per stage in the order of their first beginnings, and their sum: seconds, seconds of processor,
+  // share of all seconds in percent.
+  std::string report();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  struct Stage {
+    std::string name;
+    double wall = 0.0;
+    double processor = 0.0;  // seconds
+  };
+
+  void count_until_now();
+
+  std::mutex mutex_;
+  std::vector<Stage> stages_;
+  std::size_t current_ = 0;
+  Clock::time_point since_;
+  double processor_since_ = 0.0;
+};
+
+// Shows the progress of a tool's tasks, one after the other, and cancels them when the process is
+// interrupted.
+class TaskProgress final : public Progress {
+ public:
+  explicit TaskProgress(ProgressBar::Visibility visibility) : bar_(visibility) {}
+
+  // The name of what begins now, and what is called, by any thread, when all of its units of work are done.
+  // Not while a task runs.
+  void begin(const std::string& task, std::function<void()> done = {});
+
+  void advance(std::uint64_t done, std::uint64_t total) override;
+  bool cancelled() override;
+
+ private:
+  ProgressBar bar_;
+  std::mutex mutex_;
+  std::string task_;
+  std::function<void()> done_;
+};
+
+}  // namespace solidnoise

@@ -1,0 +1,115 @@
+#include "common/run_tool.h"
+
+#include <csignal>
+#include <errno.h>
+#include <exception>
+#include <iostream>
+#include <new>
+#include <string>
+#include <unistd.h>
+
+#include "common/flag_set.h"
+#include "solidnoise/core/progress.h"
+
+namespace solidnoise {
+namespace {
+
+volatile std::sig_atomic_t received_signal = 0;
+volatile std::sig_atomic_t ends_at_once = 0;
+
+std::string what_is_left = "nothing is written";
+
+// What a handler may not put together.
+std::string last_words;
+
+void compose_last_words() {
+  const std::string wipe = isatty(STDERR_FILENO) != 0 ? "\r\x1b[K" : "";  // of a progress bar
+  last_words = wipe + interruption_message();
+}
+
+// Calls only what a handler of signals may call.
+extern "C" void receive_signal(int signal) {
+  received_signal = signal;
+  if (ends_at_once == 0) return;
+  [[maybe_unused]] const auto written = write(STDERR_FILENO, last_words.data(), last_words.size());
+  _exit(kInterrupted + signal);
+}
+
+}  // namespace
+
+void catch_interrupts() {
+  compose_last_words();
+  struct sigaction action = {};
+  action.sa_handler = receive_signal;
+  action.sa_flags = SA_RESTART | static_cast<int>(SA_RESETHAND);
+  sigemptyset(&action.sa_mask);
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+  sigaction(SIGHUP, &action, nullptr);
+}
+
+int interrupt_signal() {
+  return received_signal;
+}
+
+void set_what_is_left(const std::string& what) {
+  what_is_left = what;
+  compose_last_words();
+}
+
+std::string interruption_message() {
+  return std::string(program_invocation_short_name) + ": interrupted; " + what_is_left + '\n';
+}
+
+EndsAtOnce::EndsAtOnce() {
+  ends_at_once = 1;
+  if (received_signal != 0) throw Cancelled();
+}
+
+EndsAtOnce::~EndsAtOnce() {
+  ends_at_once = 0;
+}
+
+namespace {
+
+// What other libraries say may have several lines; ours is one.
+std::string one_line(std::string text) {
+  for (char& c : text) {
+    if (c == '\n' || c == '\r') c = ' ';
+  }
+  return text;
+}
+
+}  // namespace
+
+int run_tool(const char* tool, const std::function<int()>& run) {
+  try {
+    return run();
+  } catch (const TextRequested& requested) {
+    std::cout << requested.text << std::flush;
+    return kDone;
+  } catch (const UsageError& error) {
+    const std::string command = error.command().empty() ? tool : error.command();
+    std::cerr << tool << ": " << one_line(error.what()) << "\nTry " << command << " --help\n";
+    return kWrongUsage;
+  } catch (const Cancelled&) {
+    std::cerr << interruption_message();
+    return kInterrupted + interrupt_signal();
+  } catch (const std::bad_alloc&) {
+    std::cerr << tool << ": out of memory\n";
+    return kFailed;
+  } catch (const std::exception& error) {
+    std::cerr << tool << ": " << one_line(error.what()) << '\n';
+    return kFailed;
+  }
+}
+
+int run_command(const std::string& command, const std::function<int()>& run) {
+  try {
+    return run();
+  } catch (const UsageError& error) {
+    throw UsageError(error.what(), command);
+  }
+}
+
+}  // namespace solidnoise

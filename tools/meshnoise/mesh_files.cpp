@@ -1,0 +1,49 @@
+#include "meshnoise/mesh_files.h"
+
+#include <iostream>
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "common/run_tool.h"
+#include "solidnoise/geometry/inspect_mesh.h"
+#include "solidnoise/geometry/mesh_file.h"
+
+namespace solidnoise {
+
+MeshReading read_input_mesh(const std::string& path, Notes notes) {
+  MeshReading reading = read_mesh(path);
+  if (notes == Notes::keep_quiet) return reading;
+  for (const std::string& note : reading.notes) std::cerr << fmt::format("meshnoise: {}: {}\n", path, note);
+  for (const std::string& warning : mesh_warnings(inspect_mesh(reading.mesh))) {
+    std::cerr << fmt::format("meshnoise: warning: {}: {}\n", path, warning);
+  }
+  return reading;
+}
+
+void require_mesh_name(const std::string& out, Shows shows) {
+  if (out == "-") {
+    if (isatty(STDOUT_FILENO) == 0) return;
+    throw UsageError("--out is -, and the standard output is a terminal; send it to a file or a program");
+  }
+  if (!is_mesh_path(out)) {
+    throw UsageError(fmt::format(
+        "--out is {}; it must end in .ply, .obj, .off or .om, or be - for the standard output", out));
+  }
+  if (shows == Shows::colors && mesh_format(out) == MeshFormat::stl) {
+    throw UsageError(fmt::format("--out is {}; .stl holds no colours: use .ply, .obj, .off or .om", out));
+  }
+}
+
+bool holds_numbers(const std::string& out) {
+  if (out == "-") return true;
+  return is_mesh_path(out) && (mesh_format(out) == MeshFormat::ply || mesh_format(out) == MeshFormat::om);
+}
+
+void write_output_mesh(const std::string& out, const PolygonMesh& mesh, const MeshWriteOptions& options) {
+  if (out != "-") return write_mesh(out, mesh, options);
+  write_output("-", {.progress = options.progress},
+               [&](std::ostream& stream) { write_mesh(stream, MeshFormat::ply, mesh, options); });
+}
+
+}  // namespace solidnoise
