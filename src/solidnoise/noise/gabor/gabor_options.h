@@ -4,12 +4,9 @@
 
 #include "solidnoise/core/vec.h"
 #include "solidnoise/noise/gabor/evolution.h"
+#include "solidnoise/noise/kernel/impulse_statistics.h"
 
 namespace solidnoise {
-
-// How an impulse of isotropic Gabor noise is weighted. Both have mean 0; `signs` is nearer to a Gaussian
-// field at the same number of impulses, `uniform` is what the papers use.
-enum class ImpulseWeights { signs, uniform };
 
 // Parameters of Gabor noise made of isotropic kernels (every impulse the same, up to its weight).
 struct GaborNoiseOptions {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "solidnoise/noise/gabor/gabor_options.h"
-
 namespace solidnoise {
 
 // A sparse convolution noise is the sum of kernels g at the points of a Poisson process, each with a random
@@ -15,6 +13,10 @@ namespace solidnoise {
 // back.
 double impulse_density(int n, double impulses, double radius);
 double impulses_in_ball(int n, double density, double radius);
+
+// How an impulse of isotropic Gabor noise is weighted. Both have mean 0; `signs` is nearer to a Gaussian
+// field at the same number of impulses, `uniform` is what the papers use.
+enum class ImpulseWeights { signs, uniform };
 
 // Moments of an impulse's weight; by default those of weights that are 1 or -1.
 struct WeightMoments {

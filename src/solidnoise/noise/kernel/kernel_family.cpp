@@ -9,7 +9,6 @@
 #include "solidnoise/core/numerics.h"
 #include "solidnoise/core/special_functions.h"
 #include "solidnoise/noise/kernel/gabor_parameters.h"
-#include "solidnoise/noise/point/point_cluster.h"
 
 namespace solidnoise {
 namespace {
@@ -105,7 +104,7 @@ std::unique_ptr<const KernelFamily::Tabulated> KernelFamily::make(int step) cons
   CompactKernel kernel =
       reference ? *reference_
                 : on_unit_ball(fit_isotropic(dimensions_, radius_times_a_ / cycles, cycles, error_));
-  const bool power = kernel.well_conditioned() && kernel.degree() <= PointCluster::kMaxHornerDegree;
+  const bool power = kernel.well_conditioned() && kernel.degree() <= kMostHornerDegree;
   auto made = std::make_unique<Tabulated>(Tabulated{std::move(kernel), cycles, power, {}, {}});
   for (const double c : made->kernel.power_coefficients())
     made->coefficients.push_back(static_cast<float>(c));

@@ -33,7 +33,8 @@ class KernelFamily {
  public:
   static constexpr double kLeastBandwidth = 0.1;  // octaves
   static constexpr double kMostBandwidth = 4.0;
-  static constexpr double kStep = 0.05;  // between tabulated kernels, in cycles
+  static constexpr double kStep = 0.05;         // between tabulated kernels, in cycles
+  static constexpr int kMostHornerDegree = 12;  // that Horner's rule is compiled for
 
   // `bandwidth`: the reference, in octaves; `error`: relative RMS error of its compact kernel. Others may
   // have an error up to three times that.

@@ -21,7 +21,7 @@ bool all_same(LanePolynomials::Kernels kernels, const KernelFamily::Member& kern
 // Those that Horner's rule is compiled for.
 int padded_degree(int degree) {
   if (degree <= 4) return 4;
-  return degree <= 8 ? 8 : PointCluster::kMaxHornerDegree;
+  return degree <= 8 ? 8 : KernelFamily::kMostHornerDegree;
 }
 
 float* aligned(float* memory) {

@@ -69,7 +69,6 @@ void cull_impulses(const PointImpulses& impulses, const PointCull& cull, PointIm
 // Up to 16 points and their kernels; unused lanes repeat a used one.
 struct PointCluster {
   static constexpr int kSamples = 16;
-  static constexpr int kMaxHornerDegree = 12;
 
   alignas(64) float coordinate[PointImpulses::kMaxAxes][kSamples];
   alignas(64) float inverse_square_radius[kSamples];
