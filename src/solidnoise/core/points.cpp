@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <ranges>
 #include <utility>
+
+#include <glm/common.hpp>
 
 namespace solidnoise {
 namespace {
@@ -61,18 +62,22 @@ std::vector<std::size_t> spatial_order(const Points<Dim>& points) {
   static const Spreader<Dim> spreader;
 
   std::vector<KeyedPoint> keyed(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) keyed[i].point = i;
-  for (int axis = 0; points.size() > 0 && axis < Dim; ++axis) {
-    const auto [least, most] =
-        std::ranges::minmax(points.positions | std::views::transform([axis](const Vec<Dim>& position) {
-                              return position[axis];
-                            }));
-    const double lower = least;
-    const double extent = most - lower;
-    const double scale = extent > 0.0 ? ((1 << kBits) - 1) / extent : 0.0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const auto quantised = static_cast<std::uint64_t>((points.coordinate(i, axis) - lower) * scale);
-      keyed[i].key |= spreader(quantised) << axis;
+  Box<Dim> box;
+  if (points.size() > 0) box = {points.positions.front(), points.positions.front()};
+  for (const Vec<Dim>& position : points.positions) {
+    box.lower = glm::min(box.lower, position);
+    box.upper = glm::max(box.upper, position);
+  }
+  Vec<Dim> scale(0.0);
+  for (int axis = 0; axis < Dim; ++axis) {
+    const double extent = box.upper[axis] - box.lower[axis];
+    if (extent > 0.0) scale[axis] = ((1 << kBits) - 1) / extent;
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    keyed[i].point = i;
+    for (int axis = 0; axis < Dim; ++axis) {
+      const double place = (points.coordinate(i, axis) - box.lower[axis]) * scale[axis];
+      keyed[i].key |= spreader(static_cast<std::uint64_t>(place)) << axis;
     }
   }
   sort_by_key(keyed, kBits * Dim);

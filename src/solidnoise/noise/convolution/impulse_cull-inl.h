@@ -48,39 +48,86 @@ HWY_INLINE void StoreKept(D d, V values, M keep, hn::TFromD<D>* to) {
 #endif
 }
 
-inline void CullImpulses(const ImpulseRun& run, const CullBox& box, ImpulseList& list) {
+// Appends the impulses of a source that reach the box. A source has their number, position(d, role, i), and
+// what else it asks of those that it keeps.
+template <class Source>
+HWY_INLINE void Cull(const Source& source, const CullBox& box, ImpulseList& list) {
   const hn::CappedTag<float, 16> d;
-  const hn::RebindToSigned<decltype(d)> di;
   using V = hn::Vec<decltype(d)>;
-  const std::size_t lanes = hn::Lanes(d);
-  const V quantum = hn::Set(d, 1.0f / static_cast<float>(1 << CellAxis::kFractionBits));
   const bool ball = box.support == CullBox::Support::ball;
-
-  const auto position = [&](int axis, std::size_t i) HWY_ATTR {
-    const auto quanta = hn::Sub(hn::LoadU(di, run.position[axis] + i), hn::Set(di, run.anchor[axis]));
-    return hn::Mul(hn::ConvertTo(d, quanta), quantum);
-  };
-
-  list.reserve(list.size() + run.count);
+  const int first = role_of_axis(box.dimensions, 0);  // the roles of a noise follow each other
+  const int end = first + box.dimensions;
+  list.reserve(list.size() + source.size());
   std::size_t kept = list.size();
-  for (std::size_t i = 0; i < run.count; i += lanes) {
+  for (std::size_t i = 0; i < source.size(); i += hn::Lanes(d)) {
     V distance = hn::Zero(d);
-    for (int axis = 0; axis < run.dimensions; ++axis) {
-      const int role = run.role[axis];
-      const V excess = Excess(d, position(axis, i), box.lower[role], box.upper[role], box.scale[role]);
+    for (int role = first; role < end; ++role) {
+      const V excess =
+          Excess(d, source.position(d, role, i), box.lower[role], box.upper[role], box.scale[role]);
       distance = ball ? hn::MulAdd(excess, excess, distance) : hn::Max(distance, excess);
     }
-    const auto valid = hn::FirstN(d, std::min(lanes, run.count - i));
-    const auto keep = hn::And(hn::Lt(distance, hn::Set(d, kSupportWithMargin)), valid);
-    for (int axis = 0; axis < run.dimensions; ++axis) {
-      StoreKept(d, position(axis, i), keep, list.position(run.role[axis]) + kept);
+    auto keep = hn::And(hn::Lt(distance, hn::Set(d, kSupportWithMargin)),
+                        hn::FirstN(d, std::min(hn::Lanes(d), source.size() - i)));
+    keep = source.narrow(d, keep, i);
+    for (int role = first; role < end; ++role) {
+      StoreKept(d, source.position(d, role, i), keep, list.position(role) + kept);
     }
-    for (int channel = 0; channel < run.attributes; ++channel) {
-      StoreKept(d, hn::LoadU(d, run.attribute[channel] + i), keep, list.attribute(channel) + kept);
+    for (int channel = 0; channel < box.attributes; ++channel) {
+      StoreKept(d, hn::LoadU(d, source.attribute(channel) + i), keep, list.attribute(channel) + kept);
     }
     kept += hn::CountTrue(d, keep);
   }
   list.set_size(kept);
+}
+
+// Of a block of impulses.
+struct RunSource {
+  std::size_t size() const { return run.count; }
+  const float* attribute(int channel) const { return run.attribute[static_cast<std::size_t>(channel)]; }
+  template <class D>
+  HWY_INLINE hn::Vec<D> position(D d, int role, std::size_t i) const {
+    const hn::RebindToSigned<D> di;
+    const auto quanta = hn::Sub(hn::LoadU(di, run.position[role] + i), hn::Set(di, run.anchor[role]));
+    return hn::Mul(hn::ConvertTo(d, quanta), hn::Set(d, 1.0f / (1 << CellAxis::kFractionBits)));
+  }
+  template <class D, class M>
+  HWY_INLINE M narrow(D, M keep, std::size_t) const {
+    return keep;
+  }
+
+  const ImpulseRun& run;
+};
+
+// Of another list.
+struct ListSource {
+  std::size_t size() const { return list.size(); }
+  const float* attribute(int channel) const { return list.attribute(channel); }
+  template <class D>
+  HWY_INLINE hn::Vec<D> position(D d, int role, std::size_t i) const {
+    return hn::LoadU(d, list.position(role) + i);
+  }
+  template <class D, class M>
+  HWY_INLINE M narrow(D d, M keep, std::size_t i) const {
+    auto along = hn::Mul(position(d, kX, i), hn::Set(d, cull.normal[0]));
+    along = hn::MulAdd(position(d, kY, i), hn::Set(d, cull.normal[1]), along);
+    along = hn::MulAdd(position(d, kZ, i), hn::Set(d, cull.normal[2]), along);
+    const auto turn = hn::LoadU(d, attribute(PointCull::kTurn) + i);
+    keep =
+        hn::And(keep, hn::And(hn::Ge(along, hn::Set(d, cull.below)), hn::Le(along, hn::Set(d, cull.above))));
+    return hn::And(
+        keep, hn::And(hn::Ge(turn, hn::Set(d, cull.least_turn)), hn::Le(turn, hn::Set(d, cull.most_turn))));
+  }
+
+  const ImpulseList& list;
+  const PointCull& cull;
+};
+
+inline void CullRun(const ImpulseRun& run, const CullBox& box, ImpulseList& list) {
+  Cull(RunSource{run}, box, list);
+}
+
+inline void CullList(const ImpulseList& impulses, const PointCull& cull, ImpulseList& list) {
+  Cull(ListSource{impulses, cull}, cull, list);
 }
 
 }  // namespace HWY_NAMESPACE

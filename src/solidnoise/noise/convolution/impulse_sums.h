@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <utility>
 #include <vector>
+
+#include "solidnoise/core/field.h"
 
 namespace solidnoise {
 
@@ -73,11 +76,8 @@ class ImpulseList {
 
 // A contiguous run of impulses as an impulse block stores them, to be culled into a list.
 struct ImpulseRun {
-  int dimensions = 0;
-  std::array<int, kRoles> role{};                      // of each axis
-  std::array<const std::int32_t*, kRoles> position{};  // of each axis, in 2^-20 of a cell
-  std::array<std::int32_t, kRoles> anchor{};           // of each axis: the anchor cell's corner, likewise
-  int attributes = 0;
+  std::array<const std::int32_t*, kRoles> position{};  // per role, in 2^-20 of a cell
+  std::array<std::int32_t, kRoles> anchor{};           // per role: the anchor cell's corner, likewise
   std::array<const float*, ImpulseList::kMaxAttributes> attribute{};
   std::size_t count = 0;
 };
@@ -86,10 +86,24 @@ struct ImpulseRun {
 struct CullBox {
   enum class Support { ball, box };
 
+  int dimensions = 3;
+  int attributes = 0;  // of the impulses, that are kept with them
   Support support = Support::ball;
   std::array<float, kRoles> lower{};  // per role, in cells from the anchor
   std::array<float, kRoles> upper{};
   std::array<float, kRoles> scale{};  // cells to radii of the support
+};
+
+// Of points with kernels of their own, impulses in a ball.
+struct PointCull : CullBox {
+  float reach = 1.0f;  // the largest distance of an impulse from a point, in cells
+  // The layer around a surface: normal . position from `below` to `above`. Normal 0: no layer.
+  std::array<float, 3> normal{};
+  float below = 0.0f;
+  float above = 0.0f;
+  static constexpr int kTurn = 1;  // attribute
+  float least_turn = -HUGE_VALF;
+  float most_turn = HUGE_VALF;
 };
 
 // Up to 8 x 8 x 8 samples on a regular lattice (an OpenVDB leaf), at one time: coordinates per role in cells
@@ -123,13 +137,19 @@ using ClusterSums = Sums<SampleCluster::kSamples>;
 
 enum class Derivatives { none, gradient };
 
+template <int Dim>
+Derivatives derivatives_of(const Samples<Dim>& samples) {
+  return samples.wants_gradient() ? Derivatives::gradient : Derivatives::none;
+}
+
 // The vectorised loops of sparse convolution: culling and summation. Each function runs the code of the
 // widest instruction set that the processor has. Every sum is taken impulse by impulse in the list's order,
 // elementwise per sample, so that its value does not depend on the vector width, the culling or the other
 // samples.
 
-// Appends to `list` the run's impulses whose support meets the box.
+// Appends to `list` the impulses of a run, or of another list, that are not out of reach of all samples.
 void cull_impulses(const ImpulseRun& run, const CullBox& box, ImpulseList& list);
+void cull_impulses(const ImpulseList& impulses, const PointCull& cull, ImpulseList& list);
 
 // A radial function of compact support, w t^2 P(t) with t = 1 - s and s the squared distance in radii; 0 for
 // s >= 1.

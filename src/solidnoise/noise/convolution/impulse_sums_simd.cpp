@@ -12,14 +12,21 @@
 #if HWY_ONCE
 namespace solidnoise {
 
-HWY_EXPORT(CullImpulses);
+HWY_EXPORT(CullRun);
+HWY_EXPORT(CullList);
 HWY_EXPORT(SumRadial);
 HWY_EXPORT(SumRadialScattered);
 HWY_EXPORT(SumOrientedLattice);
 HWY_EXPORT(SumOrientedScattered);
 
 void cull_impulses(const ImpulseRun& run, const CullBox& box, ImpulseList& list) {
-  HWY_DYNAMIC_DISPATCH(CullImpulses)(run, box, list);
+  HWY_DYNAMIC_DISPATCH(CullRun)(run, box, list);
+}
+
+void cull_impulses(const ImpulseList& impulses, const PointCull& cull, ImpulseList& list) {
+  PointCull scaled = cull;
+  scaled.scale.fill(1.0f / cull.reach);
+  HWY_DYNAMIC_DISPATCH(CullList)(impulses, scaled, list);
 }
 
 void sum_radial(const RadialSum& sum, const ImpulseList& list, const SampleBrick& brick,

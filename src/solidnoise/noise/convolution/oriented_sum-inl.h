@@ -6,6 +6,7 @@
 #include "solidnoise/noise/convolution/impulse_sums.h"
 #include "solidnoise/noise/convolution/oriented_brick-inl.h"
 #include "solidnoise/noise/convolution/oriented_factor-inl.h"
+#include "solidnoise/noise/convolution/point_terms-inl.h"
 #include "solidnoise/noise/convolution/polynomial-inl.h"
 
 #if defined(SOLIDNOISE_ORIENTED_SUM_INL) == defined(HWY_TARGET_TOGGLE)
@@ -20,52 +21,66 @@ namespace solidnoise {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Lanes are the scattered samples. The same operations in the same order as for a brick.
+// At scattered samples; the same operations in the same order as for a brick.
 template <class Polynomial, Derivatives kDerivatives>
-void SumOrientedCluster(const OrientedSum& sum, const ImpulseList& list, const SampleCluster& cluster,
-                        ClusterSums& sums) {
-  const hn::CappedTag<float, SampleCluster::kSamples> d;
-  using V = hn::Vec<decltype(d)>;
-  const typename Polynomial::template Bound<decltype(d)> envelope(d, sum.envelope);
-  const V zero = hn::Zero(d);
+class OrientedTerms {
+ public:
+  static constexpr std::size_t kAtOnce = 1;
 
-  for (int piece = 0; piece < cluster.count; piece += static_cast<int>(hn::Lanes(d))) {
-    V value = zero;
-    V gx = zero, gy = zero, gz = zero, gt = zero;
-    for (std::size_t i = 0; i < list.size(); ++i) {
-      const auto factor = [&](Role role) HWY_ATTR {
-        if (sum.scale[role] == 0.0f) return AxisFactor<V>{{hn::Set(d, 1.0f), zero}, {zero, zero}};
-        const V offset =
-            hn::Sub(hn::Load(d, cluster.coordinate[role] + piece), hn::Set(d, list.position(role)[i]));
-        const V phase = role == kZ ? hn::Set(d, list.attribute(OrientedSum::kPhase)[i]) : zero;
-        return FactorAlongAxis<kDerivatives>(d, envelope, offset,
-                                             hn::Set(d, list.attribute(OrientedSum::wave(role))[i]), phase,
-                                             sum.scale[role]);
-      };
-      AxisFactor<V> x = factor(kX);
-      const AxisFactor<V> y = factor(kY), z = factor(kZ), t = factor(kT);
-      const Complex<V> x_by_time = Multiply(x.value, t.derivative);
-      if (sum.scale[kT] != 0.0f) {
-        x.value = Multiply(x.value, t.value);
-        x.derivative = Multiply(x.derivative, t.value);
-      }
-      value = AddRealProduct(Multiply(y.value, z.value), x.value, value);
-      if constexpr (kDerivatives == Derivatives::gradient) {
-        gx = AddRealProduct(Multiply(y.value, z.value), x.derivative, gx);
-        gy = AddRealProduct(Multiply(y.derivative, z.value), x.value, gy);
-        gz = AddRealProduct(Multiply(y.value, z.derivative), x.value, gz);
-        gt = AddRealProduct(Multiply(y.value, z.value), x_by_time, gt);
-      }
+  HWY_INLINE OrientedTerms(const OrientedSum& sum, const SampleCluster& cluster, const ImpulseList& list,
+                           int lane)
+      : sum_(sum), cluster_(cluster), list_(list), lane_(lane), envelope_(PointTag(), sum.envelope) {
+    for (V& derivative : gradient_) derivative = hn::Zero(PointTag());
+  }
+
+  HWY_INLINE void add(std::size_t i) {
+    AxisFactor<V> x = factor(kX, i);
+    const AxisFactor<V> y = factor(kY, i), z = factor(kZ, i), t = factor(kT, i);
+    const Complex<V> x_by_time = Multiply(x.value, t.derivative);
+    if (sum_.scale[kT] != 0.0f) {
+      x.value = Multiply(x.value, t.value);
+      x.derivative = Multiply(x.derivative, t.value);
     }
-    hn::Store(value, d, sums.value + piece);
+    value_ = AddRealProduct(Multiply(y.value, z.value), x.value, value_);
     if constexpr (kDerivatives == Derivatives::gradient) {
-      hn::Store(gx, d, sums.gradient[kX] + piece);
-      hn::Store(gy, d, sums.gradient[kY] + piece);
-      hn::Store(gz, d, sums.gradient[kZ] + piece);
-      hn::Store(gt, d, sums.gradient[kT] + piece);
+      gradient_[kX] = AddRealProduct(Multiply(y.value, z.value), x.derivative, gradient_[kX]);
+      gradient_[kY] = AddRealProduct(Multiply(y.derivative, z.value), x.value, gradient_[kY]);
+      gradient_[kZ] = AddRealProduct(Multiply(y.value, z.derivative), x.value, gradient_[kZ]);
+      gradient_[kT] = AddRealProduct(Multiply(y.value, z.value), x_by_time, gradient_[kT]);
     }
   }
-}
+
+  HWY_INLINE void store(int lane, ClusterSums& sums) const {
+    const PointTag d;
+    hn::Store(value_, d, sums.value + lane);
+    if constexpr (kDerivatives == Derivatives::gradient) {
+      for (int role = 0; role < kRoles; ++role) hn::Store(gradient_[role], d, sums.gradient[role] + lane);
+    }
+  }
+
+ private:
+  using V = PointVector;
+
+  HWY_INLINE AxisFactor<V> factor(Role role, std::size_t i) const {
+    const PointTag d;
+    const V zero = hn::Zero(d);
+    if (sum_.scale[role] == 0.0f) return {{hn::Set(d, 1.0f), zero}, {zero, zero}};
+    const V offset =
+        hn::Sub(hn::Load(d, cluster_.coordinate[role] + lane_), hn::Set(d, list_.position(role)[i]));
+    const V phase = role == kZ ? hn::Set(d, list_.attribute(OrientedSum::kPhase)[i]) : zero;
+    return FactorAlongAxis<kDerivatives>(d, envelope_, offset,
+                                         hn::Set(d, list_.attribute(OrientedSum::wave(role))[i]), phase,
+                                         sum_.scale[role]);
+  }
+
+  const OrientedSum& sum_;
+  const SampleCluster& cluster_;
+  const ImpulseList& list_;
+  int lane_;
+  typename Polynomial::template Bound<PointTag> envelope_;
+  V value_ = hn::Zero(PointTag());
+  V gradient_[kRoles];
+};
 
 template <class Samples, class SamplesSums>
 HWY_INLINE void SumOriented(const OrientedSum& sum, const ImpulseList& list, const Samples& samples,
@@ -78,8 +93,8 @@ HWY_INLINE void SumOriented(const OrientedSum& sum, const ImpulseList& list, con
           : SumOrientedBrick<Polynomial, Derivatives::gradient>(sum, list, samples, sums);
     } else {
       derivatives == Derivatives::none
-          ? SumOrientedCluster<Polynomial, Derivatives::none>(sum, list, samples, sums)
-          : SumOrientedCluster<Polynomial, Derivatives::gradient>(sum, list, samples, sums);
+          ? SumTerms<OrientedTerms<Polynomial, Derivatives::none>>(sum, samples, list, sums)
+          : SumTerms<OrientedTerms<Polynomial, Derivatives::gradient>>(sum, samples, list, sums);
     }
   });
 }

@@ -8,6 +8,7 @@
 
 #include "solidnoise/noise/convolution/impulse_cull-inl.h"
 #include "solidnoise/noise/convolution/impulse_sums.h"
+#include "solidnoise/noise/convolution/point_terms-inl.h"
 #include "solidnoise/noise/convolution/polynomial-inl.h"
 
 #if defined(SOLIDNOISE_RADIAL_SUM_INL) == defined(HWY_TARGET_TOGGLE)
@@ -317,48 +318,65 @@ void SumRadialBrick(const RadialSum& sum, const ImpulseList& list, const SampleB
   }
 }
 
-// Lanes are the scattered samples. The same operations in the same order as for a brick.
+// At scattered samples; the same operations in the same order as for a brick.
 template <class Polynomial, Derivatives kDerivatives>
-void SumRadialCluster(const RadialSum& sum, const ImpulseList& list, const SampleCluster& cluster,
-                      ClusterSums& sums) {
-  const hn::CappedTag<float, SampleCluster::kSamples> d;
-  using V = hn::Vec<decltype(d)>;
-  const typename Polynomial::template Bound<decltype(d)> polynomial(d, sum.kernel);
-  const V one = hn::Set(d, 1.0f);
+class RadialTerms {
+ public:
+  static constexpr std::size_t kAtOnce = 1;
 
-  for (int piece = 0; piece < cluster.count; piece += static_cast<int>(hn::Lanes(d))) {
-    V value = hn::Zero(d);
-    V gx = hn::Zero(d), gy = hn::Zero(d), gz = hn::Zero(d), gt = hn::Zero(d);
-    for (std::size_t i = 0; i < list.size(); ++i) {
-      const auto offset = [&](Role role) HWY_ATTR {
-        const V sample = hn::Load(d, cluster.coordinate[role] + piece);
-        return hn::Mul(hn::Sub(sample, hn::Set(d, list.position(role)[i])), hn::Set(d, sum.scale[role]));
-      };
-      const V x = offset(kX), y = offset(kY), z = offset(kZ), time = offset(kT);
-      const V plane_squared = hn::MulAdd(z, z, hn::Mul(y, y));
-      const V rest = hn::Sub(hn::Sub(one, hn::Mul(time, time)), plane_squared);
-      const V t = PositivePart(d, hn::Sub(rest, hn::Mul(x, x)));
-      const V weight = hn::Set(d, list.attribute(0)[i]);
-      const RadialTerm<kDerivatives, decltype(d), decltype(polynomial)> term(d, polynomial, t, weight);
-      value = term.add_to(value);
-      if constexpr (kDerivatives == Derivatives::gradient) {
-        const V slope = term.derivative();
-        gx = hn::MulAdd(slope, x, gx);
-        gy = hn::MulAdd(slope, y, gy);
-        gz = hn::MulAdd(slope, z, gz);
-        gt = hn::MulAdd(slope, time, gt);
-      }
-    }
-    hn::Store(hn::Mul(polynomial.leading, value), d, sums.value + piece);
-    if constexpr (kDerivatives == Derivatives::gradient) {
-      const V chain = hn::Mul(hn::Set(d, -2.0f), polynomial.leading);  // d t / d offset = -2 offset
-      hn::Store(hn::Mul(chain, gx), d, sums.gradient[kX] + piece);
-      hn::Store(hn::Mul(chain, gy), d, sums.gradient[kY] + piece);
-      hn::Store(hn::Mul(chain, gz), d, sums.gradient[kZ] + piece);
-      hn::Store(hn::Mul(chain, gt), d, sums.gradient[kT] + piece);
+  HWY_INLINE RadialTerms(const RadialSum& sum, const SampleCluster& cluster, const ImpulseList& list,
+                         int lane)
+      : list_(list), polynomial_(PointTag(), sum.kernel) {
+    const PointTag d;
+    for (int role = 0; role < kRoles; ++role) {
+      at_[role] = hn::Load(d, cluster.coordinate[role] + lane);
+      scale_[role] = hn::Set(d, sum.scale[static_cast<std::size_t>(role)]);
+      gradient_[role] = hn::Zero(d);
     }
   }
-}
+
+  HWY_INLINE void add(std::size_t i) {
+    const PointTag d;
+    V offset[kRoles];
+    for (int role = 0; role < kRoles; ++role) {
+      offset[role] = hn::Mul(hn::Sub(at_[role], hn::Set(d, list_.position(role)[i])), scale_[role]);
+    }
+    const V plane_squared = hn::MulAdd(offset[kZ], offset[kZ], hn::Mul(offset[kY], offset[kY]));
+    const V rest = hn::Sub(hn::Sub(hn::Set(d, 1.0f), hn::Mul(offset[kT], offset[kT])), plane_squared);
+    const V t = PositivePart(d, hn::Sub(rest, hn::Mul(offset[kX], offset[kX])));
+    const V weight = hn::Set(d, list_.attribute(0)[i]);
+    const RadialTerm<kDerivatives, PointTag, Bound> term(d, polynomial_, t, weight);
+    value_ = term.add_to(value_);
+    if constexpr (kDerivatives == Derivatives::gradient) {
+      const V slope = term.derivative();
+      for (int role = 0; role < kRoles; ++role) {
+        gradient_[role] = hn::MulAdd(slope, offset[role], gradient_[role]);
+      }
+    }
+  }
+
+  HWY_INLINE void store(int lane, ClusterSums& sums) const {
+    const PointTag d;
+    hn::Store(hn::Mul(polynomial_.leading, value_), d, sums.value + lane);
+    if constexpr (kDerivatives == Derivatives::gradient) {
+      const V chain = hn::Mul(hn::Set(d, -2.0f), polynomial_.leading);  // d t / d offset = -2 offset
+      for (int role = 0; role < kRoles; ++role) {
+        hn::Store(hn::Mul(chain, gradient_[role]), d, sums.gradient[role] + lane);
+      }
+    }
+  }
+
+ private:
+  using V = PointVector;
+  using Bound = typename Polynomial::template Bound<PointTag>;
+
+  const ImpulseList& list_;
+  Bound polynomial_;
+  V at_[kRoles];
+  V scale_[kRoles];
+  V value_ = hn::Zero(PointTag());
+  V gradient_[kRoles];
+};
 
 inline void SumRadial(const RadialSum& sum, const ImpulseList& list, const SampleBrick& brick,
                       Derivatives derivatives, BrickSums& sums) {
@@ -377,9 +395,9 @@ inline void SumRadialScattered(const RadialSum& sum, const ImpulseList& list, co
   WithPolynomial<RadialSum::kFactored.degree>(sum.kernel, [&](const auto& polynomial) {
     using Polynomial = std::decay_t<decltype(polynomial)>;
     if (derivatives == Derivatives::none) {
-      SumRadialCluster<Polynomial, Derivatives::none>(sum, list, cluster, sums);
+      SumTerms<RadialTerms<Polynomial, Derivatives::none>>(sum, cluster, list, sums);
     } else {
-      SumRadialCluster<Polynomial, Derivatives::gradient>(sum, list, cluster, sums);
+      SumTerms<RadialTerms<Polynomial, Derivatives::gradient>>(sum, cluster, list, sums);
     }
   });
 }

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
+#include <optional>
+#include <span>
 
-#include "solidnoise/core/points.h"
-#include "solidnoise/core/random.h"
+#include "solidnoise/noise/convolution/cell_sums.h"
 #include "solidnoise/noise/convolution/impulse_sums.h"
 #include "solidnoise/noise/convolution/sparse_convolution_source.h"
 
@@ -29,14 +29,12 @@ SparseConvolution<Dim>::SparseConvolution(ImpulseProcess<Dim> process,
 template <int Dim>
 void SparseConvolution<Dim>::gather(const Source& source, const Neighborhood& neighborhood,
                                     ImpulseList& list) const {
-  CullBox box{kernel_->support(), neighborhood.lower, neighborhood.upper, scale_};
+  const CullBox box{
+      Dim, kernel_->attribute_count(), kernel_->support(), neighborhood.lower, neighborhood.upper, scale_};
   ImpulseRun run;
-  run.dimensions = Dim;
-  run.attributes = kernel_->attribute_count();
   const Index<Dim>& origin = source.impulses.first_cell();
   for (int axis = 0; axis < Dim; ++axis) {
-    run.role[axis] = role_of_axis<Dim>(axis);
-    run.anchor[axis] =
+    run.anchor[role_of_axis<Dim>(axis)] =
         static_cast<std::int32_t>((neighborhood.first[axis] - origin[axis]) * ImpulseBlock<Dim>::kQuanta);
   }
 
@@ -47,8 +45,10 @@ void SparseConvolution<Dim>::gather(const Source& source, const Neighborhood& ne
     const auto [begin, end] =
         source.impulses.run(cell, cell[kLast], neighborhood.last[kLast] + reach_[kLast]);
     if (begin != end) {
-      for (int axis = 0; axis < Dim; ++axis) run.position[axis] = source.impulses.position(axis) + begin;
-      for (int channel = 0; channel < run.attributes; ++channel) {
+      for (int axis = 0; axis < Dim; ++axis) {
+        run.position[role_of_axis<Dim>(axis)] = source.impulses.position(axis) + begin;
+      }
+      for (int channel = 0; channel < box.attributes; ++channel) {
         run.attribute[channel] = source.attributes[channel].data() + begin;
       }
       run.count = end - begin;
@@ -63,112 +63,65 @@ void SparseConvolution<Dim>::gather(const Source& source, const Neighborhood& ne
   }
 }
 
-template class SparseConvolution<1>;
-template class SparseConvolution<2>;
-template class SparseConvolution<3>;
-template class SparseConvolution<4>;
+// The impulses around a group of points, for sum_by_cell().
+template <int Dim>
+class SparseConvolution<Dim>::PointSource {
+ public:
+  PointSource(const SparseConvolution& noise, Derivatives derivatives)
+      : noise_(noise), derivatives_(derivatives) {}
+
+  const std::array<CellAxis, Dim>& axes() const { return noise_.process_.axes(); }
+
+  void enter(std::span<const CellPoint<Dim>> group) {
+    const CellSpan<Dim> cells = cells_of(group);
+    typename ImpulseBlock<Dim>::Reach reach{cells.first - noise_.reach_, cells.last + noise_.reach_, {}, {}};
+    reach.into_last.fill(1.0f);
+    source_.emplace(noise_.process_, *noise_.kernel_, reach);
+  }
+
+  bool may_share(const CellPoint<Dim>&, const CellPoint<Dim>&) const { return true; }
+
+  const ClusterSums& sum(std::span<const CellPoint<Dim>> points) {
+    const CellSpan<Dim> cells = cells_of(points);
+    Neighborhood neighborhood{cells.first, cells.last, {}, {}};
+    cluster_.count = static_cast<int>(points.size());
+    for (int axis = 0; axis < Dim; ++axis) {
+      float* const coordinates = cluster_.coordinate[role(axis)];
+      for (std::size_t i = 0; i < SampleCluster::kSamples; ++i) {
+        const CellPoint<Dim>& point = points[std::min(i, points.size() - 1)];
+        coordinates[i] = from_anchor({point.cell[axis], point.fraction[axis]}, cells.first[axis]);
+      }
+      const auto [lower, upper] = std::minmax_element(coordinates, coordinates + cluster_.count);
+      neighborhood.lower[role(axis)] = *lower;
+      neighborhood.upper[role(axis)] = *upper;
+    }
+    noise_.gather(*source_, neighborhood, list_);
+    noise_.kernel_->sum(list_, cluster_, derivatives_, sums_);
+    return sums_;
+  }
+
+  int role(int axis) const { return role_of_axis<Dim>(axis); }
+  float amplitude() const { return static_cast<float>(noise_.amplitude_); }
+  float slope(int axis) const { return noise_.slope_[axis]; }
+
+ private:
+  const SparseConvolution& noise_;
+  Derivatives derivatives_;
+  std::optional<Source> source_;
+  ImpulseList list_{Dim};
+  SampleCluster cluster_;
+  ClusterSums sums_;
+};
 
 template <int Dim>
 void SparseConvolution<Dim>::evaluate(const Points<Dim>& points, const Samples<Dim>& samples) const {
   if (!kernel_) return fill_with_zero(samples);
-  // Sort the points by groups of cells, then by cell and part of it: points of one group share their
-  // impulses, and those of one cluster are near each other. Groups are in the order of their hashes; two that
-  // share one are only slower.
-  constexpr int kGroupBits = 2;  // cells of a group along each axis, and parts of a cell
-  constexpr int kHashBits = 32;
-  struct Located {
-    Index<Dim> cell;
-    std::array<float, Dim> fraction;
-    std::size_t sample;
-  };
-  std::vector<KeyedPoint> order(points.size());
-  std::vector<Located> unsorted(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    Located& point = unsorted[i];
-    point.sample = i;
-    Index<Dim> group;
-    std::uint64_t cell = 0;
-    std::uint64_t part = 0;
-    for (int axis = 0; axis < Dim; ++axis) {
-      const CellPosition position = process_.axes()[axis].locate(points.coordinate(i, axis));
-      point.cell[axis] = position.cell;
-      point.fraction[axis] = position.fraction;
-      group[axis] = position.cell >> kGroupBits;
-      cell = cell << kGroupBits | (static_cast<std::uint64_t>(position.cell) & ((1u << kGroupBits) - 1));
-      part = part << kGroupBits | static_cast<std::uint64_t>(position.fraction * (1 << kGroupBits));
-    }
-    const std::uint64_t hash = hash_cell<Dim>(group, 0) >> (64 - kHashBits);
-    order[i] = {(hash << (Dim * kGroupBits) | cell) << (Dim * kGroupBits) | part, i};
-  }
-  sort_by_key(order, kHashBits + 2 * Dim * kGroupBits);
-  std::vector<Located> located;
-  located.reserve(points.size());
-  for (const KeyedPoint& point : order) located.push_back(unsorted[point.point]);
-  const auto group_differs = [](const Located& a, const Located& b) {
-    for (int axis = 0; axis < Dim; ++axis) {
-      if (a.cell[axis] >> kGroupBits != b.cell[axis] >> kGroupBits) return true;
-    }
-    return false;
-  };
-  const auto bounds = [](auto begin, auto end) {
-    typename ImpulseBlock<Dim>::Reach range{begin->cell, begin->cell, {}, {}};
-    range.into_last.fill(1.0f);
-    for (auto it = begin; it != end; ++it) {
-      for (int axis = 0; axis < Dim; ++axis) {
-        range.first[axis] = std::min(range.first[axis], it->cell[axis]);
-        range.last[axis] = std::max(range.last[axis], it->cell[axis]);
-      }
-    }
-    return range;
-  };
-
-  const Derivatives derivatives = samples.wants_gradient() ? Derivatives::gradient : Derivatives::none;
-  ImpulseList list(Dim);
-  ClusterSums sums;
-  for (auto group = located.begin(); group != located.end();) {
-    auto group_end = group;
-    while (group_end != located.end() && !group_differs(*group, *group_end)) ++group_end;
-    auto range = bounds(group, group_end);
-    range.first -= reach_;
-    range.last += reach_;
-    const Source source(process_, *kernel_, range);
-
-    for (auto begin = group; begin != group_end;) {
-      const auto end = begin + std::min<std::ptrdiff_t>(SampleCluster::kSamples, group_end - begin);
-      const auto cells = bounds(begin, end);
-      SampleCluster cluster;
-      cluster.count = static_cast<int>(end - begin);
-      Neighborhood neighborhood{cells.first, cells.last, {}, {}};
-      for (int axis = 0; axis < Dim; ++axis) {
-        const Role role = role_of_axis<Dim>(axis);
-        float* const coordinates = cluster.coordinate[role];
-        for (int i = 0; i < SampleCluster::kSamples; ++i) {
-          const Located& point = begin[std::min(i, cluster.count - 1)];
-          coordinates[i] = from_anchor({point.cell[axis], point.fraction[axis]}, cells.first[axis]);
-        }
-        const auto [lower, upper] = std::minmax_element(coordinates, coordinates + cluster.count);
-        neighborhood.lower[role] = *lower;
-        neighborhood.upper[role] = *upper;
-      }
-      gather(source, neighborhood, list);
-      kernel_->sum(list, cluster, derivatives, sums);
-
-      for (int i = 0; i < cluster.count; ++i) {
-        const std::size_t sample = begin[i].sample;
-        samples.values[sample] = static_cast<float>(amplitude_) * sums.value[i];
-        for (int axis = 0; derivatives == Derivatives::gradient && axis < Dim; ++axis) {
-          samples.gradient[axis][sample] = slope_[axis] * sums.gradient[role_of_axis<Dim>(axis)][i];
-        }
-      }
-      begin = end;
-    }
-    group = group_end;
-  }
+  sum_by_cell(points, samples, PointSource(*this, derivatives_of(samples)));
 }
 
-template void SparseConvolution<1>::evaluate(const Points<1>&, const Samples<1>&) const;
-template void SparseConvolution<2>::evaluate(const Points<2>&, const Samples<2>&) const;
-template void SparseConvolution<3>::evaluate(const Points<3>&, const Samples<3>&) const;
-template void SparseConvolution<4>::evaluate(const Points<4>&, const Samples<4>&) const;
+template class SparseConvolution<1>;
+template class SparseConvolution<2>;
+template class SparseConvolution<3>;
+template class SparseConvolution<4>;
 
 }  // namespace solidnoise

@@ -55,6 +55,7 @@ class SparseConvolution {
   class Block;
   struct Source;
   struct Neighborhood;
+  class PointSource;
 
   void gather(const Source& source, const Neighborhood& neighborhood, ImpulseList& list) const;
 

@@ -112,7 +112,7 @@ class SparseConvolution<Dim>::Block final : public FieldBlock<Dim> {
 
     BrickSums sums;
     const bool gradient = samples.wants_gradient();
-    noise_.kernel_->sum(list_, brick, gradient ? Derivatives::gradient : Derivatives::none, sums);
+    noise_.kernel_->sum(list_, brick, derivatives_of(samples), sums);
     scatter(lattice, start, brick, sums.value, static_cast<float>(noise_.amplitude_), samples.values);
     for (int axis = 0; gradient && axis < Dim; ++axis) {
       scatter(lattice, start, brick, sums.gradient[role_of_axis<Dim>(axis)], noise_.slope_[axis],

@@ -52,7 +52,7 @@ class SurfaceSpectrumNoise::Band {
   double layer() const { return layer_; }
 
   // Appends the impulses of a cell relative to the anchor.
-  void append(const Index<3>& anchor, const Index<3>& cell, PointImpulses& impulses) const {
+  void append(const Index<3>& anchor, const Index<3>& cell, ImpulseList& impulses) const {
     process_.generate(anchor + cell, [&](const Impulse<3>& impulse) {
       const std::size_t end = impulses.size();
       impulses.reserve(end + 1);
@@ -67,15 +67,14 @@ class SurfaceSpectrumNoise::Band {
       const Vec<2> wave = frequencies_(stream);
       // The energy of envelope^2 cos^2 over that of envelope^2 / 2.
       const double energy = 1.0 + std::exp(-sharpness_ * glm::dot(wave, wave));
-      impulses.attribute(PointImpulses::kWaveX)[end] = static_cast<float>(wave.x * axis_.size());
-      impulses.attribute(PointImpulses::kWaveY)[end] = static_cast<float>(wave.y * axis_.size());
-      impulses.attribute(PointImpulses::kWaveWeight)[end] =
-          static_cast<float>(sign * amplitude_ / std::sqrt(energy));
+      impulses.attribute(kWaveX)[end] = static_cast<float>(wave.x * axis_.size());
+      impulses.attribute(kWaveY)[end] = static_cast<float>(wave.y * axis_.size());
+      impulses.attribute(kWaveWeight)[end] = static_cast<float>(sign * amplitude_ / std::sqrt(energy));
       impulses.set_size(end + 1);
     });
   }
 
-  void sum(const PointCluster& cluster, const PointImpulses& impulses, float* sums) const {
+  void sum(const PointCluster& cluster, const ImpulseList& impulses, ClusterSums& sums) const {
     sum_layer_waves(kernel_, cluster, impulses, sums);
   }
 

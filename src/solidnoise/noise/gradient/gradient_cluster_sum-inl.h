@@ -20,7 +20,7 @@ namespace HWY_NAMESPACE {
 namespace gradient_noise {
 
 // The sums of one vector of samples, by the same operations in the same order as in a tile.
-template <int kDim, GradientOutput kOutput>
+template <int kDim, Derivatives kDerivatives>
 class ClusterLane {
  public:
   HWY_INLINE ClusterLane(const GradientSum& sum, const GradientCluster& cluster, int lane)
@@ -51,12 +51,12 @@ class ClusterLane {
     }
   }
 
-  HWY_INLINE void store(GradientClusterResults& results) const {
+  HWY_INLINE void store(ClusterSums& results) const {
     const Tag d;
     hn::Store(value_, d, results.value + lane_);
-    if constexpr (kOutput == GradientOutput::value_and_derivative) {
+    if constexpr (kDerivatives == Derivatives::gradient) {
       for (int role = 0; role < kGradientRoles; ++role) {
-        hn::Store(along_[role], d, results.derivative[role] + lane_);
+        hn::Store(along_[role], d, results.gradient[role] + lane_);
       }
     }
   }
@@ -64,7 +64,7 @@ class ClusterLane {
  private:
   HWY_INLINE V offset_from(GradientRole role, int row) const {
     const Tag d;
-    return hn::Sub(hn::Load(d, cluster_.position[role] + lane_),
+    return hn::Sub(hn::Load(d, cluster_.coordinate[role] + lane_),
                    hn::Set(d, row_coordinate(sum_, cluster_.lattice, role, row)));
   }
 
@@ -78,7 +78,7 @@ class ClusterLane {
     if constexpr (kDim >= 3) l = hn::MulAdd(hn::Set(d, gradient[kMid]), offsets[kMid], l);
     l = hn::MulAdd(hn::Set(d, gradient[kFast]), offsets[kFast], l);
     if constexpr (kDim >= 2) l = hn::Add(l, hn::Mul(hn::Set(d, gradient[kSlow]), offsets[kSlow]));
-    if constexpr (kOutput == GradientOutput::value) {
+    if constexpr (kDerivatives == Derivatives::none) {
       add_term(t, l, root, value_);
     } else {
       const TermSlope slope = add_term_with_slope(t, l, root, value_);
@@ -95,10 +95,10 @@ class ClusterLane {
   V along_[kGradientRoles];
 };
 
-template <int kDim, GradientOutput kOutput>
-void sum_terms(const GradientSum& sum, const GradientCluster& cluster, GradientClusterResults& results) {
+template <int kDim, Derivatives kDerivatives>
+void sum_terms(const GradientSum& sum, const GradientCluster& cluster, ClusterSums& results) {
   for (int lane = 0; lane < cluster.count; lane += lanes()) {
-    ClusterLane<kDim, kOutput> samples(sum, cluster, lane);
+    ClusterLane<kDim, kDerivatives> samples(sum, cluster, lane);
     samples.add_all_points();
     samples.store(results);
   }

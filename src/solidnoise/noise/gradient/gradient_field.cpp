@@ -1,14 +1,11 @@
-// Evaluation of gradient noise at scattered points.
-
 #include "solidnoise/noise/gradient/gradient_field.h"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <utility>
-#include <vector>
+
+#include "solidnoise/noise/convolution/cell_sums.h"
 
 namespace solidnoise {
 namespace {
@@ -74,116 +71,67 @@ template KnownGradients<4> gradients_around(const GradientField<4>&, const Box<4
 
 namespace {
 
-// Points that are put in order together: few enough for their memory to be reused from call to call.
-constexpr std::size_t kBatch = 2048;
-
+// The lattice points around the cell of a cluster, for sum_by_cell().
 template <int Dim>
-struct LocatedPoint {
-  Index<Dim> cell;
-  std::array<float, Dim> fraction;
-  std::size_t index;
+class PointSource {
+ public:
+  PointSource(const GradientField<Dim>& field, Derivatives derivatives)
+      : field_(field), derivatives_(derivatives) {
+    const int rows = 2 * field.reach_cells();
+    int stride = 1;
+    for (int axis = Dim - 1; axis >= 0; --axis) {
+      cluster_.lattice.first[role(axis)] =
+          static_cast<float>(1 - field.reach_cells()) * field.cell_in_radii();
+      cluster_.lattice.rows[role(axis)] = rows;
+      cluster_.lattice.stride[role(axis)] = stride;
+      around_.count[axis] = rows;
+      stride *= rows;
+    }
+    cluster_.lattice.gradient_index = indices_.data();
+  }
+
+  const std::array<CellAxis, Dim>& axes() const { return field_.axes(); }
+  void enter(std::span<const CellPoint<Dim>>) { known_ = false; }
+  bool may_share(const CellPoint<Dim>& a, const CellPoint<Dim>& b) const { return a.cell == b.cell; }
+
+  const ClusterSums& sum(std::span<const CellPoint<Dim>> points) {
+    const Index<Dim> first = points.front().cell - static_cast<std::int64_t>(field_.reach_cells() - 1);
+    if (!known_ || around_.first != first) {
+      around_.first = first;
+      field_.lattice().gradient_indices(around_, indices_.data());
+      known_ = true;
+    }
+    cluster_.count = static_cast<int>(points.size());
+    for (int axis = 0; axis < Dim; ++axis) {
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        cluster_.coordinate[role(axis)][i] =
+            points[i].fraction[static_cast<std::size_t>(axis)] * field_.cell_in_radii();
+      }
+    }
+    sum_gradient_noise(field_.sum(), cluster_, derivatives_, sums_);
+    return sums_;
+  }
+
+  int role(int axis) const { return gradient_role<Dim>(axis); }
+  float amplitude() const { return 1.0f; }
+  float slope(int axis) const { return field_.derivative_factor(axis); }
+
+ private:
+  const GradientField<Dim>& field_;
+  Derivatives derivatives_;
+  CellBox<Dim> around_;  // the lattice points whose gradients are known
+  bool known_ = false;
+  std::array<std::uint8_t, 256> indices_{};  // at most 4 rows per axis, in at most 4 dimensions
+  GradientCluster cluster_;
+  ClusterSums sums_;
 };
-
-// The points from `first` on, those of one cell next to each other.
-template <int Dim>
-std::vector<LocatedPoint<Dim>> locate(const GradientField<Dim>& field, const Points<Dim>& points,
-                                      std::size_t first, std::size_t count) {
-  std::vector<LocatedPoint<Dim>> located(count);
-  std::vector<std::pair<std::uint64_t, std::size_t>> order(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    LocatedPoint<Dim>& point = located[i];
-    point.index = first + i;
-    // The key need not tell all cells apart: it decides the speed, not the result.
-    std::uint64_t key = 0;
-    for (int axis = 0; axis < Dim; ++axis) {
-      const std::size_t a = static_cast<std::size_t>(axis);
-      const CellPosition position = field.axis(axis).locate(points.coordinate(point.index, axis));
-      point.cell[axis] = position.cell;
-      point.fraction[a] = position.fraction;
-      key = key << 16 | (static_cast<std::uint64_t>(position.cell) & 0xffffu);
-    }
-    order[i] = {key, i};
-  }
-  if (std::is_sorted(order.begin(), order.end())) return located;
-  std::sort(order.begin(), order.end());
-  std::vector<LocatedPoint<Dim>> sorted;
-  sorted.reserve(count);
-  for (const auto& [key, i] : order) sorted.push_back(located[i]);
-  return sorted;
-}
-
-// Moves points of one cell from the front of the rest to a cluster.
-template <int Dim>
-void take_cluster(const GradientField<Dim>& field, std::span<const LocatedPoint<Dim>>& rest,
-                  GradientCluster& cluster) {
-  const Index<Dim>& cell = rest.front().cell;
-  std::size_t count = 0;
-  while (count < rest.size() && count < GradientCluster::kSamples && rest[count].cell == cell) {
-    for (int axis = 0; axis < Dim; ++axis) {
-      cluster.position[role_of_axis<Dim>(axis)][count] =
-          rest[count].fraction[static_cast<std::size_t>(axis)] * field.cell_in_radii();
-    }
-    ++count;
-  }
-  cluster.count = static_cast<int>(count);
-  rest = rest.subspan(count);
-}
-
-// Writes a cluster's results to where its points are in the batch.
-template <int Dim>
-void store(const GradientField<Dim>& field, std::span<const LocatedPoint<Dim>> members,
-           const GradientClusterResults& results, const Samples<Dim>& samples) {
-  for (std::size_t i = 0; i < members.size(); ++i) {
-    samples.values[members[i].index] = results.value[i];
-    if (!samples.wants_gradient()) continue;
-    for (int axis = 0; axis < Dim; ++axis) {
-      const std::size_t a = static_cast<std::size_t>(axis);
-      samples.gradient[a][members[i].index] =
-          results.derivative[role_of_axis<Dim>(axis)][i] * field.derivative_factor(axis);
-    }
-  }
-}
 
 }  // namespace
 
 template <int Dim>
 void evaluate_gradient_noise(const GradientField<Dim>& field, const Points<Dim>& points,
                              const Samples<Dim>& samples) {
-  // The rows of lattice points around a cell.
-  GradientCluster cluster;
-  CellBox<Dim> cells;
-  const int rows = 2 * field.reach_cells();
-  int stride = 1;
-  for (int axis = Dim - 1; axis >= 0; --axis) {
-    const int role = role_of_axis<Dim>(axis);
-    cluster.lattice.first[role] = static_cast<float>(1 - field.reach_cells()) * field.cell_in_radii();
-    cluster.lattice.rows[role] = rows;
-    cluster.lattice.stride[role] = stride;
-    cells.count[axis] = rows;
-    stride *= rows;
-  }
-  std::array<std::uint8_t, 256> indices;  // at most 4 rows per axis, in at most 4 dimensions
-  cluster.lattice.gradient_index = indices.data();
-
-  GradientClusterResults results;
-  for (std::size_t first = 0; first < points.size(); first += kBatch) {
-    const std::vector<LocatedPoint<Dim>> located =
-        locate(field, points, first, std::min(kBatch, points.size() - first));
-    std::span<const LocatedPoint<Dim>> rest = located;
-    const Index<Dim>* gathered = nullptr;  // the cell whose gradients `indices` holds
-    while (!rest.empty()) {
-      const Index<Dim>& cell = rest.front().cell;
-      if (gathered == nullptr || *gathered != cell) {
-        for (int axis = 0; axis < Dim; ++axis) cells.first[axis] = cell[axis] - field.reach_cells() + 1;
-        field.lattice().gradient_indices(cells, indices.data());
-        gathered = &cell;
-      }
-      const std::span<const LocatedPoint<Dim>> before = rest;
-      take_cluster(field, rest, cluster);
-      sum_gradient_noise(field.sum(), cluster, output_for(samples), results);
-      store<Dim>(field, before.first(static_cast<std::size_t>(cluster.count)), results, samples);
-    }
-  }
+  sum_by_cell(points, samples, PointSource<Dim>(field, derivatives_of(samples)));
 }
 
 template void evaluate_gradient_noise(const GradientField<1>&, const Points<1>&, const Samples<1>&);

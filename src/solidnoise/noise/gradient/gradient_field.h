@@ -29,6 +29,7 @@ class GradientField {
   GradientField(const GradientField&) = delete;  // sum() points into the field
   GradientField& operator=(const GradientField&) = delete;
 
+  const std::array<CellAxis, Dim>& axes() const { return axes_; }
   const CellAxis& axis(int axis) const { return axes_[static_cast<std::size_t>(axis)]; }
   const GradientLattice<Dim>& lattice() const { return lattice_; }
   int reach_cells() const { return reach_cells_; }        // the kernel's radius, in cells
@@ -67,11 +68,6 @@ void evaluate_gradient_noise(const GradientField<Dim>& field, const KnownGradien
 template <int Dim>
 void evaluate_gradient_noise(const GradientField<Dim>& field, const Points<Dim>& points,
                              const Samples<Dim>& samples);
-
-template <int Dim>
-GradientOutput output_for(const Samples<Dim>& samples) {
-  return samples.wants_gradient() ? GradientOutput::value_and_derivative : GradientOutput::value;
-}
 
 extern template class GradientField<1>;
 extern template class GradientField<2>;

@@ -57,7 +57,7 @@ template <int Dim>
 LocatedAxis locate(const GradientField<Dim>& field, const Lattice<Dim>& lattice, int axis, int first) {
   constexpr std::int64_t kQuanta = CellAxis::kQuantaPerCell;
   const CellAxis& cells = field.axis(axis);
-  const int role = role_of_axis<Dim>(axis);
+  const int role = gradient_role<Dim>(axis);
   const int wanted = std::min(samples_per_tile<Dim>(role), lattice.count[axis] - first);
   const std::int64_t most = (2 * field.reach_cells() + 1) * kQuanta;
   const float radii_per_quantum = field.cell_in_radii() / static_cast<float>(kQuanta);
@@ -105,7 +105,7 @@ void place_samples(const GradientField<Dim>& field, const TileSpan<Dim>& span, G
   if constexpr (Dim == 4) tile.outer = span.axes[axis_of_role<Dim>(kOuter)].position[0];
 
   for (int axis = 0; axis < Dim; ++axis) {
-    const int role = role_of_axis<Dim>(axis);
+    const int role = gradient_role<Dim>(axis);
     const LocatedAxis& located = span.axes[static_cast<std::size_t>(axis)];
     if (located.count > samples_per_group<Dim>(role)) tile.groups[role] = 2;
     tile.lattice.first[role] = static_cast<float>(1 - field.reach_cells()) * field.cell_in_radii();
@@ -133,7 +133,7 @@ void place_gradients(const GradientField<Dim>& field, const TileSpan<Dim>& span,
   std::ptrdiff_t stride = 1;
   for (int axis = Dim - 1; axis >= 0; --axis) {
     indices += (cells.first[axis] - stored.first[axis]) * stride;
-    tile.lattice.stride[role_of_axis<Dim>(axis)] = static_cast<int>(stride);
+    tile.lattice.stride[gradient_role<Dim>(axis)] = static_cast<int>(stride);
     stride *= stored.count[axis];
   }
   tile.lattice.gradient_index = indices;
@@ -148,7 +148,7 @@ void scatter(const float* results, float factor, const Lattice<Dim>& lattice, co
   std::size_t next_stride = 1;
   for (int axis = Dim - 1; axis >= 0; --axis) {
     const std::size_t a = static_cast<std::size_t>(axis);
-    const std::size_t role = static_cast<std::size_t>(role_of_axis<Dim>(axis));
+    const std::size_t role = static_cast<std::size_t>(gradient_role<Dim>(axis));
     stride[role] = next_stride;
     count[role] = span.axes[a].count;
     samples += static_cast<std::size_t>(span.first[a]) * next_stride;
@@ -189,14 +189,14 @@ void evaluate_tile(const GradientField<Dim>& field, const Lattice<Dim>& lattice,
   place_samples(field, span, tile);
   place_gradients(field, span, known, looked_up, tile);
 
-  GradientTileResults results;
-  sum_gradient_noise(field.sum(), tile, output_for(samples), results);
+  GradientTileSums results;
+  sum_gradient_noise(field.sum(), tile, derivatives_of(samples), results);
 
   scatter(results.value, 1.0f, lattice, span, samples.values.data());
   if (!samples.wants_gradient()) return;
   for (int axis = 0; axis < Dim; ++axis) {
     const std::size_t a = static_cast<std::size_t>(axis);
-    scatter(results.derivative[role_of_axis<Dim>(axis)], field.derivative_factor(axis), lattice, span,
+    scatter(results.gradient[gradient_role<Dim>(axis)], field.derivative_factor(axis), lattice, span,
             samples.gradient[a].data());
   }
 }

@@ -15,38 +15,38 @@ namespace HWY_NAMESPACE {
 namespace gradient_noise {
 
 template <int kDim, typename Batch, typename Results>
-void sum_terms(const GradientSum& sum, const Batch& batch, GradientOutput output, Results& results) {
-  if (output == GradientOutput::value) {
-    sum_terms<kDim, GradientOutput::value>(sum, batch, results);
+void sum_terms(const GradientSum& sum, const Batch& batch, Derivatives derivatives, Results& results) {
+  if (derivatives == Derivatives::none) {
+    sum_terms<kDim, Derivatives::none>(sum, batch, results);
   } else {
-    sum_terms<kDim, GradientOutput::value_and_derivative>(sum, batch, results);
+    sum_terms<kDim, Derivatives::gradient>(sum, batch, results);
   }
 }
 
 template <typename Batch, typename Results>
-void sum_terms(const GradientSum& sum, const Batch& batch, GradientOutput output, Results& results) {
+void sum_terms(const GradientSum& sum, const Batch& batch, Derivatives derivatives, Results& results) {
   switch (sum.dimensions) {
     case 1:
-      return sum_terms<1>(sum, batch, output, results);
+      return sum_terms<1>(sum, batch, derivatives, results);
     case 2:
-      return sum_terms<2>(sum, batch, output, results);
+      return sum_terms<2>(sum, batch, derivatives, results);
     case 3:
-      return sum_terms<3>(sum, batch, output, results);
+      return sum_terms<3>(sum, batch, derivatives, results);
     default:
-      return sum_terms<4>(sum, batch, output, results);
+      return sum_terms<4>(sum, batch, derivatives, results);
   }
 }
 
 }  // namespace gradient_noise
 
-void sum_gradient_tile(const GradientSum& sum, const GradientTile& tile, GradientOutput output,
-                       GradientTileResults& results) {
-  gradient_noise::sum_terms(sum, tile, output, results);
+void sum_gradient_tile(const GradientSum& sum, const GradientTile& tile, Derivatives derivatives,
+                       GradientTileSums& results) {
+  gradient_noise::sum_terms(sum, tile, derivatives, results);
 }
 
-void sum_gradient_cluster(const GradientSum& sum, const GradientCluster& cluster, GradientOutput output,
-                          GradientClusterResults& results) {
-  gradient_noise::sum_terms(sum, cluster, output, results);
+void sum_gradient_cluster(const GradientSum& sum, const GradientCluster& cluster, Derivatives derivatives,
+                          ClusterSums& results) {
+  gradient_noise::sum_terms(sum, cluster, derivatives, results);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -59,14 +59,14 @@ namespace solidnoise {
 HWY_EXPORT(sum_gradient_tile);
 HWY_EXPORT(sum_gradient_cluster);
 
-void sum_gradient_noise(const GradientSum& sum, const GradientTile& tile, GradientOutput output,
-                        GradientTileResults& results) {
-  HWY_DYNAMIC_DISPATCH(sum_gradient_tile)(sum, tile, output, results);
+void sum_gradient_noise(const GradientSum& sum, const GradientTile& tile, Derivatives derivatives,
+                        GradientTileSums& results) {
+  HWY_DYNAMIC_DISPATCH(sum_gradient_tile)(sum, tile, derivatives, results);
 }
 
-void sum_gradient_noise(const GradientSum& sum, const GradientCluster& cluster, GradientOutput output,
-                        GradientClusterResults& results) {
-  HWY_DYNAMIC_DISPATCH(sum_gradient_cluster)(sum, cluster, output, results);
+void sum_gradient_noise(const GradientSum& sum, const GradientCluster& cluster, Derivatives derivatives,
+                        ClusterSums& results) {
+  HWY_DYNAMIC_DISPATCH(sum_gradient_cluster)(sum, cluster, derivatives, results);
 }
 
 }  // namespace solidnoise

@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "solidnoise/noise/convolution/impulse_sums.h"
+
 namespace solidnoise {
 
 // How the vectorised sums of gradient noise see the axes of a block. Vectors hold `mid` by `fast` samples; a
@@ -9,6 +11,7 @@ namespace solidnoise {
 // 1D: fast; 2D: slow, fast; 3D: slow, mid, fast; 4D: outer, slow, mid, fast, for t, x, y, z. Others stay 0.
 enum GradientRole { kOuter, kSlow, kMid, kFast };
 inline constexpr int kGradientRoles = 4;
+static_assert(kGradientRoles == kRoles);
 
 // The axis that has a role in Dim dimensions, or -1.
 template <int Dim>
@@ -21,7 +24,7 @@ constexpr int axis_of_role(int role) {
 
 // The role that an axis has.
 template <int Dim>
-constexpr int role_of_axis(int axis) {
+constexpr int gradient_role(int axis) {
   int role = 0;
   while (axis_of_role<Dim>(role) != axis) ++role;
   return role;
@@ -64,34 +67,22 @@ struct GradientTile {
   static constexpr int group_index(int slow, int mid, int fast) { return (slow * 2 + mid) * 2 + fast; }
 };
 
-// Up to 16 samples of one lattice cell, anywhere in it; unused entries repeat a used one.
-struct GradientCluster {
-  static constexpr int kSamples = 16;
-
-  alignas(64) float position[kGradientRoles][kSamples] = {};
-  int count = 0;
+// Up to 16 samples of one lattice cell, anywhere in it, in radii.
+struct GradientCluster : SampleCluster {
   GradientRows lattice;
 };
 
 // Values, and derivatives along each role with respect to lengths in radii. A tile's sample is at
 // group_index * kGroupSamples + slow * kLanes + lane.
-template <int kSamples>
-struct GradientResults {
-  alignas(64) float value[kSamples];
-  alignas(64) float derivative[kGradientRoles][kSamples];
-};
-using GradientTileResults = GradientResults<GradientTile::kSamples>;
-using GradientClusterResults = GradientResults<GradientCluster::kSamples>;
-
-enum class GradientOutput { value, value_and_derivative };
+using GradientTileSums = Sums<GradientTile::kSamples>;
 
 // The sums over lattice points, by the widest instruction set that the processor has. Terms are added in the
 // lexicographic order of (t, x, y, z), elementwise, and points out of reach add exactly 0, so that a sample's
 // value does not depend on the tile or cluster it is in, nor on the vector width. Only used groups and
 // samples are written.
-void sum_gradient_noise(const GradientSum& sum, const GradientTile& tile, GradientOutput output,
-                        GradientTileResults& results);
-void sum_gradient_noise(const GradientSum& sum, const GradientCluster& cluster, GradientOutput output,
-                        GradientClusterResults& results);
+void sum_gradient_noise(const GradientSum& sum, const GradientTile& tile, Derivatives derivatives,
+                        GradientTileSums& sums);
+void sum_gradient_noise(const GradientSum& sum, const GradientCluster& cluster, Derivatives derivatives,
+                        ClusterSums& sums);
 
 }  // namespace solidnoise

@@ -80,26 +80,26 @@ struct Accumulators {
   V along[kGradientRoles];
 };
 
-HWY_INLINE Accumulators load_accumulators(const GradientTileResults& results, int at) {
+HWY_INLINE Accumulators load_accumulators(const GradientTileSums& results, int at) {
   const Tag d;
   Accumulators sums;
   sums.value = hn::Load(d, results.value + at);
   for (int role = 0; role < kGradientRoles; ++role)
-    sums.along[role] = hn::Load(d, results.derivative[role] + at);
+    sums.along[role] = hn::Load(d, results.gradient[role] + at);
   return sums;
 }
 
-HWY_INLINE void store_accumulators(const Accumulators& sums, int at, GradientTileResults& results) {
+HWY_INLINE void store_accumulators(const Accumulators& sums, int at, GradientTileSums& results) {
   const Tag d;
   hn::Store(sums.value, d, results.value + at);
   for (int role = 0; role < kGradientRoles; ++role)
-    hn::Store(sums.along[role], d, results.derivative[role] + at);
+    hn::Store(sums.along[role], d, results.gradient[role] + at);
 }
 
 // As add_values, with derivatives, for two slow samples from `first`: more would not fit the registers.
 template <int kDim>
 HWY_INLINE void add_derivatives(const TilePoints& points, const GroupLane& at, V root, int first, int base,
-                                GradientTileResults& results) {
+                                GradientTileSums& results) {
   const Tag d;
   Accumulators sums0 = load_accumulators(results, base);
   Accumulators sums1 = load_accumulators(results, base + kLanes);
@@ -134,9 +134,9 @@ HWY_INLINE void add_derivatives(const TilePoints& points, const GroupLane& at, V
 }
 
 // Adds the terms of the gathered points to all groups.
-template <int kDim, GradientOutput kOutput>
+template <int kDim, Derivatives kDerivatives>
 HWY_INLINE void add_groups(const TilePoints& points, const GradientTile& tile, GroupLane at, V root,
-                           GradientTileResults& results) {
+                           GradientTileSums& results) {
   for (int slow = 0; slow < tile.groups[kSlow]; ++slow) {
     for (int mid = 0; mid < tile.groups[kMid]; ++mid) {
       for (int fast = 0; fast < tile.groups[kFast]; ++fast) {
@@ -146,7 +146,7 @@ HWY_INLINE void add_groups(const TilePoints& points, const GradientTile& tile, G
           at.mid = mid * kLanes + lane;
           at.fast = fast * kLanes + lane;
           const int base = at.group * GradientTile::kGroupSamples + lane;
-          if constexpr (kOutput == GradientOutput::value) {
+          if constexpr (kDerivatives == Derivatives::none) {
             add_values<kDim>(points, at, root, results.value + base);
           } else {
             for (int first = 0; first < kSlowSamples; first += 2) {
@@ -159,30 +159,29 @@ HWY_INLINE void add_groups(const TilePoints& points, const GradientTile& tile, G
   }
 }
 
-template <GradientOutput kOutput>
-HWY_INLINE void clear(GradientTileResults& results) {
+template <Derivatives kDerivatives>
+HWY_INLINE void clear(GradientTileSums& results) {
   const Tag d;
   for (int i = 0; i < GradientTile::kSamples; i += lanes()) {
     hn::Store(hn::Zero(d), d, results.value + i);
-    if constexpr (kOutput == GradientOutput::value_and_derivative) {
-      for (int role = 0; role < kGradientRoles; ++role)
-        hn::Store(hn::Zero(d), d, results.derivative[role] + i);
+    if constexpr (kDerivatives == Derivatives::gradient) {
+      for (int role = 0; role < kGradientRoles; ++role) hn::Store(hn::Zero(d), d, results.gradient[role] + i);
     }
   }
 }
 
-template <int kDim, GradientOutput kOutput>
-void sum_terms(const GradientSum& sum, const GradientTile& tile, GradientTileResults& results) {
+template <int kDim, Derivatives kDerivatives>
+void sum_terms(const GradientSum& sum, const GradientTile& tile, GradientTileSums& results) {
   TilePoints points;
   fill_rows(sum, tile, points);
-  clear<kOutput>(results);
+  clear<kDerivatives>(results);
   for (int outer = 0; outer < tile.lattice.rows[kOuter]; ++outer) {
     GroupLane at;
     at.outer_offset = tile.outer - row_coordinate(sum, tile.lattice, kOuter, outer);
     at.remaining = 1.0f - at.outer_offset * at.outer_offset;
     if (at.remaining <= 0.0f) continue;
     gather_points(sum, tile, outer, at.outer_offset, at.remaining, points);
-    add_groups<kDim, kOutput>(points, tile, at, hn::Set(Tag(), sum.root), results);
+    add_groups<kDim, kDerivatives>(points, tile, at, hn::Set(Tag(), sum.root), results);
   }
 }
 

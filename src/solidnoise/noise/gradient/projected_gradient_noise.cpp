@@ -63,18 +63,18 @@ class LatticePoints {
   float radius() const { return radius_; }
   double layer() const { return 1.0 / radius_; }
 
-  void append(const Index<3>& anchor, const Index<3>& cell, PointImpulses& points) const {
+  void append(const Index<3>& anchor, const Index<3>& cell, ImpulseList& points) const {
     const auto& gradient = gradients_[lattice_.gradient_index(anchor + cell)];
     const std::size_t end = points.size();
     points.reserve(end + 1);
     for (int axis = 0; axis < 3; ++axis) {
       points.position(axis)[end] = static_cast<float>(cell[axis]);
-      points.attribute(PointImpulses::kGradientX + axis)[end] = gradient[static_cast<std::size_t>(axis)];
+      points.attribute(kGradientX + axis)[end] = gradient[static_cast<std::size_t>(axis)];
     }
     points.set_size(end + 1);
   }
 
-  void sum(const PointCluster& cluster, const PointImpulses& points, float* sums) const {
+  void sum(const PointCluster& cluster, const ImpulseList& points, ClusterSums& sums) const {
     sum_projected(kernel_, cluster, points, sums);
   }
 

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <array>
-#include <cmath>
-#include <cstddef>
 #include <vector>
+
+#include "solidnoise/noise/convolution/impulse_sums.h"
 
 namespace solidnoise {
 
@@ -12,72 +11,27 @@ namespace solidnoise {
 // add exactly 0, so that a point's value depends neither on the vector width nor on the other points. Lengths
 // are in cells.
 
-// Impulses near some points, as arrays. Positions are relative to the points' anchor, exact.
-class PointImpulses {
- public:
-  static constexpr int kMaxAxes = 4;
-  static constexpr std::size_t kPadding = 16;  // SIMD loads and stores may go this far past the end
-
-  void clear() { size_ = 0; }
-  std::size_t size() const { return size_; }
-  void set_size(std::size_t size) { size_ = size; }
-  // Makes room for `capacity` impulses, keeping those that are there.
-  void reserve(std::size_t capacity) {
-    if (capacity + kPadding <= channels_[0].size()) return;
-    for (auto& channel : channels_) channel.resize(2 * capacity + kPadding);
-  }
-
-  float* position(int axis) { return channels_[static_cast<std::size_t>(axis)].data(); }
-  const float* position(int axis) const { return channels_[static_cast<std::size_t>(axis)].data(); }
-  // What an impulse carries: weight and turn, or the components of a gradient, or a wave along the surface.
-  enum Attribute {
-    kWeight,  // 1 or -1
-    kTurn,    // 2^-n + (1 - 2^-n) u of ScaleTransition::fade: its y divided by (r / 2^l)^n
-    kGradientX = 0,
-    kGradientY,
-    kGradientZ,
-    kMaxAttributes,
-    kWaveX = 0,  // cycles per cell along the points' tangents
-    kWaveY,      // and across them
-    kWaveWeight,
-  };
-  float* attribute(int channel) { return position(kMaxAxes + channel); }
-  const float* attribute(int channel) const { return position(kMaxAxes + channel); }
-
- private:
-  std::array<std::vector<float>, kMaxAxes + kMaxAttributes> channels_;
-  std::size_t size_ = 0;
+// What an impulse carries: weight and turn, or the components of a gradient, or a wave along the surface.
+enum PointAttribute {
+  kWeight,  // 1 or -1
+  kTurn,    // 2^-n + (1 - 2^-n) u of ScaleTransition::fade: its y divided by (r / 2^l)^n
+  kGradientX = 0,
+  kGradientY,
+  kGradientZ,
+  kWaveX = 0,  // cycles per cell along the points' tangents
+  kWaveY,      // and across them
+  kWaveWeight,
 };
-
-// What may be of interest to some points.
-struct PointCull {
-  int dimensions = 3;
-  int attributes = 2;                                  // of the impulses, that are kept with them
-  std::array<float, PointImpulses::kMaxAxes> lower{};  // of the points' box
-  std::array<float, PointImpulses::kMaxAxes> upper{};
-  float reach = 1.0f;  // the largest distance of an impulse from a point
-  // The layer around a surface: normal . position from `below` to `above`. Normal 0: no layer.
-  std::array<float, 3> normal{};
-  float below = 0.0f;
-  float above = 0.0f;
-  float least_turn = -HUGE_VALF;
-  float most_turn = HUGE_VALF;
-};
-// Appends to `kept` the impulses that are not out of reach of all points.
-void cull_impulses(const PointImpulses& impulses, const PointCull& cull, PointImpulses& kept);
+static_assert(kTurn == PointCull::kTurn);
 
 // Up to 16 points and their kernels; unused lanes repeat a used one.
-struct PointCluster {
-  static constexpr int kSamples = 16;
-
-  alignas(64) float coordinate[PointImpulses::kMaxAxes][kSamples];
+struct PointCluster : SampleCluster {
   alignas(64) float inverse_square_radius[kSamples];
-  alignas(64) float density[kSamples];                        // (r / 2^l)^n
-  alignas(64) float wave[PointImpulses::kMaxAxes][kSamples];  // cycles per cell
-  alignas(64) float normal[3][kSamples];                      // of unit length
-  alignas(64) float tangent[3][kSamples];  // of unit length, at a right angle to the normal
+  alignas(64) float density[kSamples];       // (r / 2^l)^n
+  alignas(64) float wave[kRoles][kSamples];  // cycles per cell
+  alignas(64) float normal[3][kSamples];     // of unit length
+  alignas(64) float tangent[3][kSamples];    // of unit length, at a right angle to the normal
   alignas(64) float inverse_square_height[kSamples];
-  int count = 0;
 };
 
 // Coefficients of each point's polynomial, from degree 0, `kSamples` to a degree.
@@ -100,7 +54,7 @@ struct PointKernel {
 };
 // `impulses` is padded by one if their number is odd, with one of weight 0.
 void sum_impulses(const PointKernel& kernel, const PointCluster& cluster, const PointPolynomials& polynomials,
-                  PointImpulses& impulses, float* values);
+                  ImpulseList& impulses, ClusterSums& sums);
 
 // Waves along a surface: with d = o n + x u + y (n cross u) the offset split along the normal and the
 // tangents, the sum of
@@ -110,8 +64,8 @@ struct LayerWaveKernel {
   std::vector<float> envelope;  // P, in Chebyshev polynomials of 2 t - 1, from degree 0; at least one
 };
 // Of the cluster it takes coordinates, normals, tangents and inverse squares.
-void sum_layer_waves(const LayerWaveKernel& kernel, const PointCluster& cluster,
-                     const PointImpulses& impulses, float* values);
+void sum_layer_waves(const LayerWaveKernel& kernel, const PointCluster& cluster, const ImpulseList& impulses,
+                     ClusterSums& sums);
 
 // Gradient noise projected on surfaces: impulses are lattice points with gradients G, and with d = o n + A
 // the offset split along the normal and along the surface, the kernel is
@@ -125,7 +79,7 @@ struct ProjectedKernel {
   float root = 0.75f;
 };
 // Of the cluster it takes coordinates, normals and inverse squares; the same for all lanes.
-void sum_projected(const ProjectedKernel& kernel, const PointCluster& cluster, const PointImpulses& impulses,
-                   float* values);
+void sum_projected(const ProjectedKernel& kernel, const PointCluster& cluster, const ImpulseList& impulses,
+                   ClusterSums& sums);
 
 }  // namespace solidnoise

@@ -117,7 +117,8 @@ class PointConvolution<Dim>::Evaluation {
         level_ = &level;
         const double size = level.cells->axis().size();
         coarse_cells_ = extent_.fade ? this->level(l + 1, 2.0 * size).cells.get() : nullptr;
-        evaluate_level(points, power);
+        power_ = power;
+        tiles_.add(points, sums_);
         points.clear();
       }
     }
@@ -170,67 +171,70 @@ class PointConvolution<Dim>::Evaluation {
     level.points[prepared_[point].kernel.power() ? 1 : 0].push_back(located);
   }
 
-  void evaluate_level(std::span<Located> points, bool power) {
-    while (!points.empty()) {
-      const PointTile<Dim> tile(points);
-      impulses_.gather(tile, extent_, *level_->cells, coarse_cells_);
-      for (std::size_t first = 0; first < tile.points.size(); first += kPatchPoints) {
-        evaluate_patch(tile.points.subspan(first, std::min(kPatchPoints, tile.points.size() - first)), power);
-      }
+  // The impulses that the points of a tile need, from one grid or, with ScaleTransition::fade, from two: cell
+  // by cell in lexicographic order, the finer grid first. Positions and turns in cells of the finer grid.
+  void gather(const Index<Dim>& anchor, const PointCull& cull, ImpulseList& impulses) {
+    Scale scale;
+    for_each_reaching_cell<Dim>(cull, [&](const Index<Dim>& cell) {
+      append(level_->cells->at(anchor + cell), cell, scale, cull, impulses);
+    });
+    if (coarse_cells_ == nullptr) return;
+    for (int axis = 0; axis < Dim; ++axis) {
+      scale.offset[role_of_axis<Dim>(axis)] = static_cast<float>(anchor[axis] & 1);
     }
+    scale.size = 2.0f;
+    scale.turn = 1.0f / static_cast<float>(1 << Dim);
+    for_each_reaching_cell<Dim>(coarsened(cull, scale.offset), [&](const Index<Dim>& cell) {
+      append(coarse_cells_->at((anchor >> std::int64_t{1}) + cell), cell, scale, cull, impulses);
+    });
   }
 
-  void evaluate_patch(std::span<const Located> points, bool power) {
-    constexpr std::size_t kClusters = kPatchPoints / PointCluster::kSamples;
-    std::array<PointCull, kClusters> culls;
-    const auto cluster = [&](std::size_t i) {
-      const std::size_t first = i * PointCluster::kSamples;
-      return points.subspan(first, std::min<std::size_t>(PointCluster::kSamples, points.size() - first));
-    };
-    const std::size_t count = (points.size() + PointCluster::kSamples - 1) / PointCluster::kSamples;
-    for (std::size_t i = 0; i < count; ++i) culls[i] = bounds<Dim>(cluster(i), extent_);
-    PointCull all = culls[0];
-    for (std::size_t i = 1; i < count; ++i) all = joined(all, culls[i]);
-    near_.clear();
-    cull_impulses(impulses_.impulses(), all, near_);
-    for (std::size_t i = 0; i < count; ++i) evaluate_cluster(cluster(i), culls[i], power);
+  // A grid as the finer one sees it.
+  struct Scale {
+    float size = 1.0f;                   // of a cell
+    std::array<float, kRoles> offset{};  // from the corner of its anchor to the tile's anchor
+    // With the radius r in cells of the finer grid, the y of an impulse is r^n times its turn: of a coarser
+    // one it is (r / 2)^n times what it carries.
+    float turn = 1.0f;
+  };
+  static void append(std::span<const typename ImpulseCells<Dim>::Item> items, const Index<Dim>& cell,
+                     const Scale& scale, const PointCull& cull, ImpulseList& impulses) {
+    constexpr float kLowest = 1.0f / static_cast<float>(1 << Dim);
+    impulses.reserve(impulses.size() + items.size());
+    std::array<float*, Dim> position;
+    std::array<float, Dim> corner;
+    for (int axis = 0; axis < Dim; ++axis) {
+      const auto a = static_cast<std::size_t>(axis);
+      const Role role = role_of_axis<Dim>(axis);
+      position[a] = impulses.position(role);
+      corner[a] = static_cast<float>(cell[axis]) * scale.size - scale.offset[role];
+    }
+    float* const weight = impulses.attribute(kWeight);
+    float* const turn = impulses.attribute(kTurn);
+    std::size_t end = impulses.size();
+    for (const auto& item : items) {
+      for (std::size_t axis = 0; axis < Dim; ++axis) {
+        position[axis][end] = corner[axis] + scale.size * item.position[axis];
+      }
+      weight[end] = item.weight;
+      turn[end] = scale.turn * (kLowest + (1.0f - kLowest) * item.share);
+      end += turn[end] >= cull.least_turn && turn[end] <= cull.most_turn ? 1 : 0;
+    }
+    impulses.set_size(end);
   }
 
-  void evaluate_cluster(std::span<const Located> points, const PointCull& cull, bool power) {
-    kept_.clear();
-    cull_impulses(near_, cull, kept_);
-
+  void sum(std::span<const Located> points, PointCluster& cluster, ImpulseList& impulses, ClusterSums& sums) {
     std::array<const KernelFamily::Member*, PointCluster::kSamples> kernels;
     for (std::size_t i = 0; i < points.size(); ++i) kernels[i] = &prepared_[points[i].point].kernel;
-    const PointPolynomials& polynomials = polynomials_.fill(std::span(kernels).first(points.size()), power);
-
-    cluster_.count = static_cast<int>(points.size());
-    for (std::size_t lane = 0; lane < PointCluster::kSamples; ++lane) {
-      fill_lane(points[std::min(lane, points.size() - 1)], lane);
-    }
-    alignas(64) float sums[PointCluster::kSamples];
-    sum_impulses(kernel_, cluster_, polynomials, kept_, sums);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      sums_[points[i].point] += points[i].weight * sums[i];
-    }
-  }
-
-  void fill_lane(const Located& point, std::size_t lane) {
-    for (std::size_t axis = 0; axis < Dim; ++axis) cluster_.coordinate[axis][lane] = point.at[axis];
-    cluster_.density[lane] = point.density;
-    cluster_.inverse_square_radius[lane] = 1.0f / (point.radius * point.radius);
-    if (kernel_.oriented) {
-      const auto& wave = prepared_[point.point].wave;
-      const double cell_size = level_->cells->axis().size();
-      for (std::size_t axis = 0; axis < Dim; ++axis) {
-        cluster_.wave[axis][lane] = static_cast<float>(wave[axis] * cell_size);
+    const PointPolynomials& polynomials = polynomials_.fill(std::span(kernels).first(points.size()), power_);
+    for (std::size_t lane = 0; kernel_.oriented && lane < PointCluster::kSamples; ++lane) {
+      const auto& wave = prepared_[points[std::min(lane, points.size() - 1)].point].wave;
+      for (int axis = 0; axis < Dim; ++axis) {
+        cluster.wave[role_of_axis<Dim>(axis)][lane] =
+            static_cast<float>(wave[static_cast<std::size_t>(axis)] * level_->cells->axis().size());
       }
     }
-    if (kernel_.layer) {
-      const float height = point.radius * extent_.layer;
-      cluster_.inverse_square_height[lane] = 1.0f / (height * height);
-      for (std::size_t axis = 0; axis < 3; ++axis) cluster_.normal[axis][lane] = point.normal[axis];
-    }
+    sum_impulses(kernel_, cluster, polynomials, impulses, sums);
   }
 
   const PointConvolution& noise_;
@@ -250,11 +254,10 @@ class PointConvolution<Dim>::Evaluation {
   std::vector<float> sums_;
   Level* level_ = nullptr;                     // whose points are evaluated
   ImpulseCells<Dim>* coarse_cells_ = nullptr;  // that the same points use too
-  TileImpulses<Dim> impulses_;
-  PointImpulses near_;  // of a patch
-  PointImpulses kept_;  // of a cluster
-  PointCluster cluster_;
+  bool power_ = false;                         // whether their polynomials are in powers
   LanePolynomials polynomials_;
+  TiledSum<Dim, Evaluation> tiles_{*this, extent_, 2};
+  friend TiledSum<Dim, Evaluation>;
 };
 
 template <int Dim>

@@ -5,42 +5,37 @@
 #define HWY_TARGET_INCLUDE "solidnoise/noise/point/point_sums_simd.cpp"
 #include <hwy/foreach_target.h>
 // After foreach_target.
-#include "solidnoise/noise/point/layer_wave_sum-inl.h"
 #include "solidnoise/noise/point/point_sum-inl.h"
-#include "solidnoise/noise/point/projected_sum-inl.h"
+#include "solidnoise/noise/point/surface_sum-inl.h"
 
 #if HWY_ONCE
 namespace solidnoise {
 
-HWY_EXPORT(CullPointImpulses);
 HWY_EXPORT(SumPointImpulses);
 HWY_EXPORT(SumLayerWaves);
 HWY_EXPORT(SumProjected);
 
-void cull_impulses(const PointImpulses& impulses, const PointCull& cull, PointImpulses& kept) {
-  HWY_DYNAMIC_DISPATCH(CullPointImpulses)(impulses, cull, kept);
-}
-
 void sum_impulses(const PointKernel& kernel, const PointCluster& cluster, const PointPolynomials& polynomials,
-                  PointImpulses& impulses, float* values) {
+                  ImpulseList& impulses, ClusterSums& sums) {
   if (impulses.size() % 2 == 1) {
-    impulses.reserve(impulses.size() + 1);
-    for (int axis = 0; axis < kernel.dimensions; ++axis) impulses.position(axis)[impulses.size()] = 0.0f;
-    impulses.attribute(PointImpulses::kWeight)[impulses.size()] = 0.0f;
-    impulses.attribute(PointImpulses::kTurn)[impulses.size()] = 0.0f;
-    impulses.set_size(impulses.size() + 1);
+    const std::size_t last = impulses.size();
+    impulses.reserve(last + 1);
+    for (int role = 0; role < kRoles; ++role) impulses.position(role)[last] = 0.0f;
+    impulses.attribute(kWeight)[last] = 0.0f;
+    impulses.attribute(kTurn)[last] = 0.0f;
+    impulses.set_size(last + 1);
   }
-  HWY_DYNAMIC_DISPATCH(SumPointImpulses)(kernel, cluster, polynomials, impulses, values);
+  HWY_DYNAMIC_DISPATCH(SumPointImpulses)(kernel, cluster, polynomials, impulses, sums);
 }
 
-void sum_layer_waves(const LayerWaveKernel& kernel, const PointCluster& cluster,
-                     const PointImpulses& impulses, float* values) {
-  HWY_DYNAMIC_DISPATCH(SumLayerWaves)(kernel, cluster, impulses, values);
+void sum_layer_waves(const LayerWaveKernel& kernel, const PointCluster& cluster, const ImpulseList& impulses,
+                     ClusterSums& sums) {
+  HWY_DYNAMIC_DISPATCH(SumLayerWaves)(kernel, cluster, impulses, sums);
 }
 
-void sum_projected(const ProjectedKernel& kernel, const PointCluster& cluster, const PointImpulses& impulses,
-                   float* values) {
-  HWY_DYNAMIC_DISPATCH(SumProjected)(kernel, cluster, impulses, values);
+void sum_projected(const ProjectedKernel& kernel, const PointCluster& cluster, const ImpulseList& impulses,
+                   ClusterSums& sums) {
+  HWY_DYNAMIC_DISPATCH(SumProjected)(kernel, cluster, impulses, sums);
 }
 
 }  // namespace solidnoise

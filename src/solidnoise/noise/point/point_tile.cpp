@@ -47,15 +47,15 @@ CellPosition locate_point(const CellAxis& axis, double coordinate, std::size_t p
   return axis.locate(coordinate);
 }
 
-CellRange::CellRange(const PointCull& cull, int axis) {
-  const auto a = static_cast<std::size_t>(axis);
+CellRange::CellRange(const PointCull& cull, Role role) {
+  const auto a = static_cast<std::size_t>(role);
   first = static_cast<int>(std::floor(cull.lower[a] - cull.reach));
   count = std::min(static_cast<int>(std::floor(cull.upper[a] + cull.reach)) - first + 1, kMost);
   for (int i = 0; i < count; ++i) {
     const auto lower = static_cast<float>(first + i);
     const float excess = std::max({lower - cull.upper[a], cull.lower[a] - lower - 1.0f, 0.0f});
     square[static_cast<std::size_t>(i)] = excess * excess;
-    along[static_cast<std::size_t>(i)] = axis < 3 ? cull.normal[a] * (lower + 0.5f) : 0.0f;
+    along[static_cast<std::size_t>(i)] = role != kT ? cull.normal[a] * (lower + 0.5f) : 0.0f;
   }
 }
 
@@ -107,9 +107,11 @@ PointCull bounds(std::span<const LocatedPoint<Dim>> points, const KernelExtent& 
   float least_density = HUGE_VALF;
   float most_density = 0.0f;
   for (const auto& point : points) {
-    for (std::size_t axis = 0; axis < Dim; ++axis) {
-      cull.lower[axis] = std::min(cull.lower[axis], point.at[axis]);
-      cull.upper[axis] = std::max(cull.upper[axis], point.at[axis]);
+    for (int axis = 0; axis < Dim; ++axis) {
+      const Role role = role_of_axis<Dim>(axis);
+      const float at = point.at[static_cast<std::size_t>(axis)];
+      cull.lower[role] = std::min(cull.lower[role], at);
+      cull.upper[role] = std::max(cull.upper[role], at);
     }
     largest = std::max(largest, point.radius);
     least_density = std::min(least_density, point.density);
@@ -141,13 +143,13 @@ PointCull joined(const PointCull& a, const PointCull& b) {
   return both;
 }
 
-PointCull coarsened(const PointCull& cull, const std::array<float, PointImpulses::kMaxAxes>& offset) {
+PointCull coarsened(const PointCull& cull, const std::array<float, kRoles>& offset) {
   PointCull coarse = cull;
   float along = 0.0f;
-  for (std::size_t axis = 0; axis < offset.size(); ++axis) {
-    coarse.lower[axis] = 0.5f * (cull.lower[axis] + offset[axis]);
-    coarse.upper[axis] = 0.5f * (cull.upper[axis] + offset[axis]);
-    if (axis < 3) along += cull.normal[axis] * offset[axis];
+  for (std::size_t role = 0; role < kRoles; ++role) {
+    coarse.lower[role] = 0.5f * (cull.lower[role] + offset[role]);
+    coarse.upper[role] = 0.5f * (cull.upper[role] + offset[role]);
+    if (role != kT) along += cull.normal[role] * offset[role];
   }
   coarse.reach = 0.5f * cull.reach;
   coarse.below = 0.5f * (cull.below + along);

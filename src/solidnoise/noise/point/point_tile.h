@@ -10,7 +10,6 @@
 
 #include "solidnoise/core/cell_grid.h"
 #include "solidnoise/core/vec.h"
-#include "solidnoise/noise/convolution/impulse_process.h"
 #include "solidnoise/noise/point/point_cluster.h"
 
 namespace solidnoise {
@@ -68,19 +67,19 @@ PointCull bounds(std::span<const LocatedPoint<Dim>> points, const KernelExtent& 
 PointCull joined(const PointCull& a, const PointCull& b);
 
 // The same in cells of twice the size, relative to the one that the anchor lies in. `offset`: the anchor's
-// corner in that cell, in cells of the smaller size, 0 or 1 per axis. Turns are not changed.
-PointCull coarsened(const PointCull& cull, const std::array<float, PointImpulses::kMaxAxes>& offset);
+// corner in that cell, in cells of the smaller size, 0 or 1 per role. Turns are not changed.
+PointCull coarsened(const PointCull& cull, const std::array<float, kRoles>& offset);
 
-// The cells along one axis that may hold impulses of interest.
+// The cells along one role that may hold impulses of interest.
 struct CellRange {
   static constexpr int kMost = 24;
 
   int first = 0;
   int count = 0;
-  std::array<float, kMost> square;  // squared distance from the points' box, along this axis
+  std::array<float, kMost> square;  // squared distance from the points' box, along the role
   std::array<float, kMost> along;   // of a cell's middle, along the normal
 
-  CellRange(const PointCull& cull, int axis);
+  CellRange(const PointCull& cull, Role role);
 
   // The first and the last of the cells whose `along` is between two numbers, or one more on either side.
   std::pair<int, int> between(float lower, float upper) const;
@@ -90,7 +89,7 @@ struct CellRange {
 // lexicographic order.
 template <int Dim, typename Visit>
 void for_each_reaching_cell(const PointCull& cull, const Visit& visit) {
-  const CellRange last(cull, Dim - 1);
+  const CellRange last(cull, role_of_axis<Dim>(Dim - 1));
   const float most = cull.reach * cull.reach * 1.0001f;
   const float half =
       0.5f * (std::abs(cull.normal[0]) + std::abs(cull.normal[1]) + std::abs(cull.normal[2])) + 1e-4f;
@@ -109,7 +108,7 @@ void for_each_reaching_cell(const PointCull& cull, const Visit& visit) {
     if constexpr (kAxis == Dim - 1) {
       visit_row(square, along);
     } else {
-      const CellRange range(cull, kAxis);
+      const CellRange range(cull, role_of_axis<Dim>(kAxis));
       for (int i = 0; i < range.count; ++i) {
         const auto k = static_cast<std::size_t>(i);
         if (square + range.square[k] > most) continue;
@@ -121,86 +120,89 @@ void for_each_reaching_cell(const PointCull& cull, const Visit& visit) {
   visit_axis.template operator()<0>(visit_axis, 0.0f, 0.0f);
 }
 
+// Sums over impulses at points of one grid of cells, tile by tile. A source has these, and what is in them:
+//   void gather(const Index<Dim>& anchor, const PointCull&, ImpulseList&);  appends the impulses of a tile
+//   void sum(std::span<const LocatedPoint<Dim>>, PointCluster&, ImpulseList&, ClusterSums&);  at a cluster of
+//   points, of which it fills in what its kernel wants to know besides places, extents and normals
+template <int Dim, typename Source>
+class TiledSum {
+ public:
+  // `attributes` of an impulse.
+  TiledSum(Source& source, const KernelExtent& extent, int attributes)
+      : source_(source), extent_(extent), attributes_(attributes) {}
+
+  // Adds the sum at each point, times its weight, to the value that it is the number of.
+  void add(std::span<LocatedPoint<Dim>> points, std::span<float> values) {
+    while (!points.empty()) {
+      const PointTile<Dim> tile(points);
+      gathered_.clear();
+      source_.gather(tile.anchor, bounds<Dim>(tile.points, extent_), gathered_);
+      for (std::size_t first = 0; first < tile.points.size(); first += kPatchPoints) {
+        add_patch(tile.points.subspan(first, std::min(kPatchPoints, tile.points.size() - first)), values);
+      }
+    }
+  }
+
+ private:
+  using Located = std::span<const LocatedPoint<Dim>>;
+
+  void add_patch(Located points, std::span<float> values) {
+    constexpr std::size_t kSamples = PointCluster::kSamples;
+    std::array<PointCull, kPatchPoints / kSamples> culls;
+    const std::size_t count = (points.size() + kSamples - 1) / kSamples;
+    const auto cluster = [&](std::size_t i) {
+      return points.subspan(i * kSamples, std::min(kSamples, points.size() - i * kSamples));
+    };
+    for (std::size_t i = 0; i < count; ++i) {
+      culls[i] = bounds<Dim>(cluster(i), extent_);
+      culls[i].attributes = attributes_;
+    }
+    PointCull all = culls[0];
+    for (std::size_t i = 1; i < count; ++i) all = joined(all, culls[i]);
+    near_.clear();
+    cull_impulses(gathered_, all, near_);
+    for (std::size_t i = 0; i < count; ++i) {
+      kept_.clear();
+      cull_impulses(near_, culls[i], kept_);
+      add_cluster(cluster(i), values);
+    }
+  }
+
+  void add_cluster(Located points, std::span<float> values) {
+    cluster_.count = static_cast<int>(points.size());
+    for (std::size_t lane = 0; lane < PointCluster::kSamples; ++lane) {
+      const LocatedPoint<Dim>& point = points[std::min(lane, points.size() - 1)];
+      for (int axis = 0; axis < Dim; ++axis) {
+        cluster_.coordinate[role_of_axis<Dim>(axis)][lane] = point.at[static_cast<std::size_t>(axis)];
+      }
+      cluster_.density[lane] = point.density;
+      cluster_.inverse_square_radius[lane] = 1.0f / (point.radius * point.radius);
+      if (extent_.layer == 0.0f) continue;
+      const float height = point.radius * extent_.layer;
+      cluster_.inverse_square_height[lane] = 1.0f / (height * height);
+      for (std::size_t axis = 0; axis < 3; ++axis) cluster_.normal[axis][lane] = point.normal[axis];
+    }
+    ClusterSums sums;
+    source_.sum(points, cluster_, kept_, sums);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      values[points[i].point] += points[i].weight * sums.value[i];
+    }
+  }
+
+  Source& source_;
+  const KernelExtent& extent_;
+  int attributes_;
+  ImpulseList gathered_{Dim};  // of a tile
+  ImpulseList near_{Dim};      // of a patch
+  ImpulseList kept_{Dim};      // of a cluster
+  PointCluster cluster_;
+};
+
 extern template struct PointTile<2>;
 extern template struct PointTile<3>;
 extern template struct PointTile<4>;
 extern template PointCull bounds(std::span<const LocatedPoint<2>>, const KernelExtent&);
 extern template PointCull bounds(std::span<const LocatedPoint<3>>, const KernelExtent&);
 extern template PointCull bounds(std::span<const LocatedPoint<4>>, const KernelExtent&);
-
-// The impulses that the points of a tile need, from one grid or, with ScaleTransition::fade, from two.
-template <int Dim>
-class TileImpulses {
- public:
-  // Collects them, cell by cell in lexicographic order, the finer grid first. `coarse` may be null.
-  void gather(const PointTile<Dim>& tile, const KernelExtent& extent, ImpulseCells<Dim>& fine,
-              ImpulseCells<Dim>* coarse);
-
-  // Positions and turns in cells of the finer grid.
-  const PointImpulses& impulses() const { return impulses_; }
-
- private:
-  // A grid as the finer one sees it.
-  struct Scale {
-    float size = 1.0f;  // of a cell
-    std::array<float, PointImpulses::kMaxAxes>
-        offset{};  // from the corner of its anchor to the tile's anchor
-    // With the radius r in cells of the finer grid, the y of an impulse is r^n times its turn: of a coarser
-    // one it is (r / 2)^n times what it carries.
-    float turn = 1.0f;
-  };
-  void append(std::span<const typename ImpulseCells<Dim>::Item> items, const Index<Dim>& cell,
-              const Scale& scale, const PointCull& cull);
-
-  PointImpulses impulses_;
-};
-
-template <int Dim>
-void TileImpulses<Dim>::gather(const PointTile<Dim>& tile, const KernelExtent& extent,
-                               ImpulseCells<Dim>& fine, ImpulseCells<Dim>* coarse) {
-  const PointCull cull = bounds<Dim>(tile.points, extent);
-  impulses_.clear();
-  Scale scale;
-  for_each_reaching_cell<Dim>(
-      cull, [&](const Index<Dim>& cell) { append(fine.at(tile.anchor + cell), cell, scale, cull); });
-  if (coarse == nullptr) return;
-
-  Index<Dim> anchor;
-  for (int axis = 0; axis < Dim; ++axis) {
-    anchor[axis] = tile.anchor[axis] >> 1;
-    scale.offset[static_cast<std::size_t>(axis)] = static_cast<float>(tile.anchor[axis] & 1);
-  }
-  scale.size = 2.0f;
-  scale.turn = 1.0f / static_cast<float>(1 << Dim);
-  for_each_reaching_cell<Dim>(coarsened(cull, scale.offset), [&](const Index<Dim>& cell) {
-    append(coarse->at(anchor + cell), cell, scale, cull);
-  });
-}
-
-template <int Dim>
-void TileImpulses<Dim>::append(std::span<const typename ImpulseCells<Dim>::Item> items,
-                               const Index<Dim>& cell, const Scale& scale, const PointCull& cull) {
-  constexpr float kLowest = 1.0f / static_cast<float>(1 << Dim);
-  impulses_.reserve(impulses_.size() + items.size());
-  std::array<float*, Dim> position;
-  std::array<float, Dim> corner;
-  for (int axis = 0; axis < Dim; ++axis) {
-    const auto a = static_cast<std::size_t>(axis);
-    position[a] = impulses_.position(axis);
-    corner[a] = static_cast<float>(cell[axis]) * scale.size - scale.offset[a];
-  }
-  float* const weight = impulses_.attribute(PointImpulses::kWeight);
-  float* const turn = impulses_.attribute(PointImpulses::kTurn);
-  std::size_t end = impulses_.size();
-  for (const auto& item : items) {
-    for (std::size_t axis = 0; axis < Dim; ++axis) {
-      position[axis][end] = corner[axis] + scale.size * item.position[axis];
-    }
-    weight[end] = item.weight;
-    turn[end] = scale.turn * (kLowest + (1.0f - kLowest) * item.share);
-    end += turn[end] >= cull.least_turn && turn[end] <= cull.most_turn ? 1 : 0;
-  }
-  impulses_.set_size(end);
-}
 
 }  // namespace solidnoise

@@ -30,23 +30,11 @@ struct SurfaceBatch {
 template <typename Source>
 class SurfaceSum {
  public:
-  explicit SurfaceSum(const Source& source) : source_(source), extent_(source.layer()) {
-    const float height = source.radius() * extent_.layer;
-    for (std::size_t lane = 0; lane < PointCluster::kSamples; ++lane) {
-      cluster_.inverse_square_radius[lane] = 1.0f / (source.radius() * source.radius());
-      cluster_.inverse_square_height[lane] = 1.0f / (height * height);
-    }
-  }
+  explicit SurfaceSum(const Source& source) : source_(source), extent_(source.layer()) {}
 
-  // Adds to the values of a batch.
+  // Adds to the values of the batch's points.
   void add(const SurfaceBatch& batch, std::span<float> values) {
-    locate(batch);
-    std::span<LocatedPoint<3>> rest = located_;
-    while (!rest.empty()) add_tile(PointTile<3>(rest), batch, values);
-  }
-
- private:
-  void locate(const SurfaceBatch& batch) {
+    tangents_ = batch.tangents;
     located_.resize(batch.order.size());
     for (std::size_t i = 0; i < located_.size(); ++i) {
       LocatedPoint<3>& point = located_[i];
@@ -59,47 +47,30 @@ class SurfaceSum {
       }
       point.radius = source_.radius();
       point.density = 1.0f;
+      point.weight = 1.0f;
       point.point = static_cast<std::uint32_t>(i);
     }
+    TiledSum<3, SurfaceSum>(*this, extent_, 3).add(located_, values);
   }
 
-  void add_tile(const PointTile<3>& tile, const SurfaceBatch& batch, std::span<float> values) {
-    gathered_.clear();
-    for_each_reaching_cell<3>(bounds<3>(tile.points, extent_),
-                              [&](const Index<3>& cell) { source_.append(tile.anchor, cell, gathered_); });
-    for (std::size_t first = 0; first < tile.points.size(); first += PointCluster::kSamples) {
-      const auto points = tile.points.subspan(
-          first, std::min<std::size_t>(PointCluster::kSamples, tile.points.size() - first));
-      alignas(64) float sums[PointCluster::kSamples];
-      sum(points, batch.tangents, sums);
-      for (std::size_t i = 0; i < points.size(); ++i) values[batch.order[points[i].point]] += sums[i];
+  void gather(const Index<3>& anchor, const PointCull& cull, ImpulseList& impulses) const {
+    for_each_reaching_cell<3>(cull, [&](const Index<3>& cell) { source_.append(anchor, cell, impulses); });
+  }
+
+  void sum(std::span<const LocatedPoint<3>> points, PointCluster& cluster, const ImpulseList& impulses,
+           ClusterSums& sums) const {
+    for (std::size_t lane = 0; !tangents_.empty() && lane < PointCluster::kSamples; ++lane) {
+      const Vec<3>& tangent = tangents_[points[std::min(lane, points.size() - 1)].point];
+      for (int axis = 0; axis < 3; ++axis) cluster.tangent[axis][lane] = static_cast<float>(tangent[axis]);
     }
+    source_.sum(cluster, impulses, sums);
   }
 
-  void sum(std::span<const LocatedPoint<3>> points, std::span<const Vec<3>> tangents, float* sums) {
-    PointCull cull = bounds<3>(points, extent_);
-    cull.attributes = 3;
-    kept_.clear();
-    cull_impulses(gathered_, cull, kept_);
-    cluster_.count = static_cast<int>(points.size());
-    for (std::size_t lane = 0; lane < PointCluster::kSamples; ++lane) {
-      const LocatedPoint<3>& point = points[std::min(lane, points.size() - 1)];
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        cluster_.coordinate[axis][lane] = point.at[axis];
-        cluster_.normal[axis][lane] = point.normal[axis];
-        if (tangents.empty()) continue;
-        cluster_.tangent[axis][lane] = static_cast<float>(tangents[point.point][static_cast<int>(axis)]);
-      }
-    }
-    source_.sum(cluster_, kept_, sums);
-  }
-
+ private:
   const Source& source_;
   KernelExtent extent_;
+  std::span<const Vec<3>> tangents_;
   std::vector<LocatedPoint<3>> located_;
-  PointImpulses gathered_;
-  PointImpulses kept_;
-  PointCluster cluster_;
 };
 
 // The sum over several sources at points of a surface. A source has impulses of three attributes in a grid of
@@ -107,14 +78,14 @@ class SurfaceSum {
 //   const CellAxis& axis() const;  the cells, along each axis
 //   float radius() const;          of the kernel along the surface, in cells
 //   double layer() const;          half the layer's thickness, in radii
-//   void append(anchor, cell, PointImpulses&) const;  the impulses of a cell relative to the anchor
-//   void sum(const PointCluster&, const PointImpulses&, float* sums) const;
+//   void append(anchor, cell, ImpulseList&) const;  the impulses of a cell relative to the anchor
+//   void sum(const PointCluster&, const ImpulseList&, ClusterSums&) const;
 // `tangent` is all empty for kernels that need none. A value depends on its point only.
 template <typename Source>
 void sum_on_surface(std::span<const Source> sources, const SurfacePoints& points,
                     const std::array<std::span<const float>, 3>& tangent, std::span<float> values) {
   constexpr std::size_t kBatch = 4096;  // points that are located together
-  std::fill(values.begin(), values.end(), 0.0f);
+  std::vector<float> batch_values;
   std::vector<SurfaceSum<Source>> sums(sources.begin(), sources.end());
   const std::vector<std::size_t> order = spatial_order(points.positions);
   SurfaceBatch batch;
@@ -132,7 +103,9 @@ void sum_on_surface(std::span<const Source> sources, const SurfacePoints& points
       batch.tangents.push_back(
           unit_tangent({tangent[0][i], tangent[1][i], tangent[2][i]}, batch.normals.back()));
     }
-    for (SurfaceSum<Source>& sum : sums) sum.add(batch, values);
+    batch_values.assign(batch.order.size(), 0.0f);
+    for (SurfaceSum<Source>& sum : sums) sum.add(batch, batch_values);
+    for (std::size_t i = 0; i < batch_values.size(); ++i) values[batch.order[i]] = batch_values[i];
   }
 }
 

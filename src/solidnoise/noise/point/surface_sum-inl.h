@@ -1,0 +1,188 @@
+// Sums in a layer around a surface, for one instruction set. Included once per target; see
+// point_sums_simd.cpp.
+#include <hwy/highway.h>
+
+#include "solidnoise/noise/convolution/cosine-inl.h"
+#include "solidnoise/noise/convolution/point_terms-inl.h"
+#include "solidnoise/noise/point/point_cluster.h"
+
+#if defined(SOLIDNOISE_SURFACE_SUM_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef SOLIDNOISE_SURFACE_SUM_INL
+#undef SOLIDNOISE_SURFACE_SUM_INL
+#else
+#define SOLIDNOISE_SURFACE_SUM_INL
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace solidnoise {
+namespace HWY_NAMESPACE {
+namespace surface_sum {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Tag = PointTag;
+using V = PointVector;
+
+// Where the points are, and how far the kernel reaches along the surface and across it.
+struct Frame {
+  HWY_INLINE Frame(const PointCluster& cluster, int lane) {
+    const Tag d;
+    for (int axis = 0; axis < 3; ++axis) {
+      at[axis] = hn::Load(d, cluster.coordinate[axis] + lane);
+      normal[axis] = hn::Load(d, cluster.normal[axis] + lane);
+    }
+    shrink = hn::Load(d, cluster.inverse_square_radius + lane);
+    flatten = hn::Load(d, cluster.inverse_square_height + lane);
+  }
+
+  HWY_INLINE void offset_from(const ImpulseList& impulses, std::size_t i, V (&offset)[3]) const {
+    for (int axis = 0; axis < 3; ++axis) {
+      offset[axis] = hn::Sub(at[axis], hn::Set(Tag(), impulses.position(axis)[i]));
+    }
+  }
+
+  V at[3], normal[3];
+  V shrink, flatten;
+};
+
+class LayerWaveTerms {
+ public:
+  static constexpr std::size_t kAtOnce = 1;
+
+  HWY_INLINE LayerWaveTerms(const LayerWaveKernel& kernel, const PointCluster& cluster,
+                            const ImpulseList& impulses, int lane)
+      : kernel_(kernel), impulses_(impulses), frame_(cluster, lane) {
+    for (int axis = 0; axis < 3; ++axis) along_[axis] = hn::Load(Tag(), cluster.tangent[axis] + lane);
+    for (int axis = 0; axis < 3; ++axis) {
+      const int b = (axis + 1) % 3;
+      const int c = (axis + 2) % 3;
+      across_[axis] = hn::NegMulAdd(frame_.normal[c], along_[b], hn::Mul(frame_.normal[b], along_[c]));
+    }
+  }
+
+  HWY_INLINE void add(std::size_t i) {
+    const Tag d;
+    const V one = hn::Set(d, 1.0f);
+    V offset[3];
+    frame_.offset_from(impulses_, i, offset);
+    const V height = Dot<3>(offset, frame_.normal);
+    const V x = Dot<3>(offset, along_);
+    const V y = Dot<3>(offset, across_);
+    const V square = hn::MulAdd(x, x, hn::Mul(y, y));
+    const V t = hn::Max(hn::NegMulAdd(square, frame_.shrink, one), hn::Zero(d));
+    const V inside = hn::Max(hn::NegMulAdd(hn::Mul(height, height), frame_.flatten, one), hn::Zero(d));
+    const V window = hn::Mul(hn::Mul(t, t), hn::Mul(inside, inside));
+    const V turns = hn::MulAdd(x, attribute(kWaveX, i), hn::Mul(y, attribute(kWaveY, i)));
+    V cosine, sine;
+    CosineSine(d, turns, cosine, sine);
+    const V envelope =
+        hn::Mul(polynomial(hn::Sub(t, hn::Set(d, 0.5f))), hn::Mul(attribute(kWaveWeight, i), window));
+    sum_ = hn::MulAdd(envelope, cosine, sum_);
+  }
+
+  HWY_INLINE void store(int lane, ClusterSums& sums) const { hn::Store(sum_, Tag(), sums.value + lane); }
+
+ private:
+  HWY_INLINE V attribute(int channel, std::size_t i) const {
+    return hn::Set(Tag(), impulses_.attribute(channel)[i]);
+  }
+
+  // In Chebyshev polynomials of 2 v, by Clenshaw's recurrence.
+  HWY_INLINE V polynomial(V v) const {
+    const Tag d;
+    const V four_v = hn::Mul(hn::Set(d, 4.0f), v);
+    V next = hn::Zero(d);
+    V after = hn::Zero(d);
+    for (std::size_t k = kernel_.envelope.size() - 1; k >= 1; --k) {
+      const V current = hn::MulAdd(four_v, next, hn::Sub(hn::Set(d, kernel_.envelope[k]), after));
+      after = next;
+      next = current;
+    }
+    return hn::MulAdd(hn::Add(v, v), next, hn::Sub(hn::Set(d, kernel_.envelope[0]), after));
+  }
+
+  const LayerWaveKernel& kernel_;
+  const ImpulseList& impulses_;
+  Frame frame_;
+  V along_[3];
+  V across_[3];
+  V sum_ = hn::Zero(Tag());
+};
+
+// 3 x^2 - 2 x^3.
+HWY_INLINE V SmoothStep(V x) {
+  const Tag d;
+  return hn::Mul(hn::Mul(x, x), hn::NegMulAdd(x, hn::Set(d, 2.0f), hn::Set(d, 3.0f)));
+}
+
+// Of u >= 0; 0 for u >= 1.
+template <ProjectedKernel::Window kWindow>
+HWY_INLINE V Window(V u) {
+  const Tag d;
+  const V one = hn::Set(d, 1.0f);
+  const V inside = hn::Max(hn::Sub(one, u), hn::Zero(d));
+  if constexpr (kWindow == ProjectedKernel::Window::hermite) return SmoothStep(inside);
+  // cos(pi/2 S(u)) = sin(pi/2 S(1 - u)): exactly 0 at the end.
+  V cosine, sine;
+  CosineSine(d, hn::Mul(SmoothStep(inside), hn::Set(d, 0.25f)), cosine, sine);
+  return sine;
+}
+
+template <ProjectedKernel::Window kWindow>
+class ProjectedTerms {
+ public:
+  static constexpr std::size_t kAtOnce = 1;
+
+  HWY_INLINE ProjectedTerms(const ProjectedKernel& kernel, const PointCluster& cluster,
+                            const ImpulseList& impulses, int lane)
+      : impulses_(impulses), frame_(cluster, lane), root_(hn::Set(Tag(), kernel.root)) {
+    frame_.flatten = hn::Sqrt(frame_.flatten);
+  }
+
+  HWY_INLINE void add(std::size_t i) {
+    const Tag d;
+    V offset[3], gradient[3];
+    frame_.offset_from(impulses_, i, offset);
+    for (int axis = 0; axis < 3; ++axis) {
+      gradient[axis] = hn::Set(d, impulses_.attribute(kGradientX + axis)[i]);
+    }
+    const V height = Dot<3>(offset, frame_.normal);
+    const V square = hn::NegMulAdd(height, height, Dot<3>(offset, offset));
+    const V slope = hn::NegMulAdd(height, Dot<3>(frame_.normal, gradient), Dot<3>(offset, gradient));
+    const V t = hn::Max(hn::NegMulAdd(square, frame_.shrink, hn::Set(d, 1.0f)), hn::Zero(d));
+    const V t2 = hn::Mul(t, t);
+    const V window = Window<kWindow>(hn::Mul(hn::Abs(height), frame_.flatten));
+    const V factor = hn::Mul(hn::Mul(hn::Mul(t2, t2), hn::Sub(t, root_)), window);
+    sum_ = hn::MulAdd(factor, slope, sum_);
+  }
+
+  HWY_INLINE void store(int lane, ClusterSums& sums) const { hn::Store(sum_, Tag(), sums.value + lane); }
+
+ private:
+  const ImpulseList& impulses_;
+  Frame frame_;
+  V root_;
+  V sum_ = hn::Zero(Tag());
+};
+
+}  // namespace surface_sum
+
+inline void SumLayerWaves(const LayerWaveKernel& kernel, const PointCluster& cluster,
+                          const ImpulseList& impulses, ClusterSums& sums) {
+  SumTerms<surface_sum::LayerWaveTerms>(kernel, cluster, impulses, sums);
+}
+
+inline void SumProjected(const ProjectedKernel& kernel, const PointCluster& cluster,
+                         const ImpulseList& impulses, ClusterSums& sums) {
+  using Window = ProjectedKernel::Window;
+  if (kernel.window == Window::hermite) {
+    SumTerms<surface_sum::ProjectedTerms<Window::hermite>>(kernel, cluster, impulses, sums);
+  } else {
+    SumTerms<surface_sum::ProjectedTerms<Window::cosine>>(kernel, cluster, impulses, sums);
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace solidnoise
+HWY_AFTER_NAMESPACE();
+
+#endif  // SOLIDNOISE_SURFACE_SUM_INL
