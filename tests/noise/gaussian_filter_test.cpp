@@ -271,10 +271,10 @@ TEST(GaussianFilter, TilesAndFramesStayExact) {
 
 TEST(GaussianFilter, BadOptionsAreRefused) {
   EXPECT_EQ(message_of<std::invalid_argument>([] { GaborNoise<3>{GaborNoiseOptions{.filter = -1.0}}; }),
-            "filter is -1; it must be at least 0 (world units; 0 for none)");
+            "filter is -1; it must be between 0 and 1000000000 (world units; 0 for none)");
   EXPECT_EQ(message_of<std::invalid_argument>(
                 [] { OrientedGaborNoise<3>{OrientedGaborNoiseOptions{.filter = NAN}}; }),
-            "filter is nan; it must be at least 0 (world units; 0 for none)");
+            "filter is nan; it must be between 0 and 1000000000 (world units; 0 for none)");
 }
 
 }  // namespace

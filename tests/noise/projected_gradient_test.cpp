@@ -247,7 +247,7 @@ TEST(ProjectedGradientNoise, NormalsHaveNoSignAndTheNoiseNoSeams) {
 
 TEST(ProjectedGradientNoise, RefusesWhatIsNotAllowed) {
   EXPECT_EQ(message_of<std::invalid_argument>([] { ProjectedGradientNoise noise({.frequency = -1.0}); }),
-            "frequency is -1; it must be greater than 0 (cycles per world unit)");
+            "frequency is -1; it must be between 1e-12 and 1000000000000 (cycles per world unit)");
   Scattered<3> scattered = scattered_points<3>(3, 1.0);
   scattered.normal[0][1] = NAN;
   EXPECT_EQ(message_of<std::invalid_argument>([&] {

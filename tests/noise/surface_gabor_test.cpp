@@ -266,7 +266,7 @@ TEST(SurfaceGaborNoise, NamesTheFirstPointThatIsNotAllowed) {
             "position of point 4 is nan along axis 1; it must be finite");
   EXPECT_EQ(message([](auto& s) { s.normal[2].pop_back(); }), "there are 4 normals for 5 points");
   EXPECT_EQ(message([](auto& s) { s.frequency[1] = -2.0f; }),
-            "frequency of point 1 is -2; it must be greater than 0 (cycles per world unit)");
+            "frequency of point 1 is -2; it must be between 1e-12 and 1000000000000 (cycles per world unit)");
 }
 
 TEST(SurfaceGaborNoise, RefusesOptionsOutOfRange) {

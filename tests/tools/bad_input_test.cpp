@@ -72,7 +72,7 @@ const Refusal kRefusals[] = {
     {"DimZero", 2, {"--out", "x.vdb", "--dim", "0"}, {"--dim is 0", "between 1 and"}},
     {"NegativeImpulses", 2, {"--out", "x.vdb", "--impulses", "-3"}, {"--impulses is -3", "between 0 and"}},
     {"NegativeBandwidth", 2, {"--out", "x.vdb", "--bandwidth", "-1"}, {"--bandwidth is -1", "octaves"}},
-    {"FrequencyZero", 2, {"--out", "x.vdb", "--frequency", "0"}, {"--frequency is 0", "greater than 0"}},
+    {"FrequencyZero", 2, {"--out", "x.vdb", "--frequency", "0"}, {"--frequency is 0", "between"}},
     {"SizeZero", 2, {"--out", "x.vdb", "--size", "0"}, {"--size is 0", "greater than 0"}},
     {"ErrorTooLarge", 2, {"--out", "x.vdb", "--error", "2"}, {"--error is 2"}},
     {"NoOctaves", 2, {"--out", "x.vdb", "--octaves", "0"}, {"--octaves is 0"}},

@@ -48,7 +48,8 @@ TEST(LayerJson, MessagesGiveThePathInTheTree) {
   EXPECT_EQ(refusal_of(R"([{"layers": [{}, {"fold": "wavy"}]}])"),
             "layers[0].layers[1].fold is \"wavy\"; it must be one of none, ridged, billow, turbulence");
   EXPECT_EQ(refusal_of(R"([{"warp": {"noise": {"type": "kensler", "frequency": 0}}}])"),
-            "layers[0].warp.noise.frequency is 0; it must be greater than 0 (cycles per world unit)");
+            "layers[0].warp.noise.frequency is 0; it must be between 1e-12 and 1000000000000 (cycles per "
+            "world unit)");
   EXPECT_EQ(refusal_of(R"([{"warp": {"amount": -2}}])"),
             "layers[0].warp.amount is -2; it must be at least 0 (world units)");
   EXPECT_EQ(refusal_of(R"([{"warp": {"size": 1}}])"),

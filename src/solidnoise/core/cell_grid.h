@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 namespace solidnoise {
@@ -19,6 +20,9 @@ class CellAxis {
   static constexpr int kFractionBits = 20;
   static constexpr std::int64_t kQuantaPerCell = std::int64_t{1} << kFractionBits;
   static constexpr double kExact = 16.0;
+  // Cells from 0 to the farthest coordinate: farther away, positions in the cells would have lost most of
+  // their digits, and then overflow.
+  static constexpr double kMostCells = 0x1p40;
   static constexpr double kMaxSpan = 12.0;  // cells a block may span, with a margin of 4 for its neighbours
 
   CellAxis() = default;
@@ -29,9 +33,11 @@ class CellAxis {
   double size() const { return size_; }
   std::int64_t period_cells() const { return period_cells_; }
 
-  // A coordinate in quanta of 2^-20 of a cell, rounded.
+  // A coordinate in quanta of 2^-20 of a cell, rounded. Throws std::invalid_argument where it is not finite
+  // or kMostCells or more from 0.
   std::int64_t quanta(double coordinate) const {
     const double scaled = coordinate * cells_per_unit_ * static_cast<double>(kQuantaPerCell) + 0.5;
+    if (!(std::abs(scaled) < kMostCells * static_cast<double>(kQuantaPerCell))) refuse(coordinate);
     // The floor, by integers: std::floor is a slow call on processors without SSE 4.1.
     const std::int64_t truncated = static_cast<std::int64_t>(scaled);
     return truncated - (static_cast<double>(truncated) > scaled ? 1 : 0);
@@ -51,6 +57,8 @@ class CellAxis {
   }
 
  private:
+  [[noreturn]] void refuse(double coordinate) const;
+
   double size_ = 1.0;
   double cells_per_unit_ = 1.0;
   std::int64_t period_cells_ = 0;

@@ -7,10 +7,6 @@
 
 namespace solidnoise {
 
-bool Interval::contains(double value) const {
-  return std::isfinite(value) && (without_least ? value > least : value >= least) && value <= most;
-}
-
 std::string Interval::text() const {
   const bool is_bounded_above = std::isfinite(most);
   if (!std::isfinite(least)) return is_bounded_above ? fmt::format("at most {}", most) : "a finite number";
@@ -43,6 +39,12 @@ void require_at_least(std::string_view field, double value, double lowest, std::
 void require_in_range(std::string_view field, double value, double lowest, double highest,
                       std::string_view unit) {
   require(field, value, between(lowest, highest), unit);
+}
+
+void require_room(std::string_view name, std::size_t room, std::size_t needed) {
+  if (room >= needed) return;
+  throw std::invalid_argument(
+      fmt::format("{} has room for {} numbers; it must have room for {}", name, room, needed));
 }
 
 }  // namespace solidnoise

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+#include <cstddef>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -12,7 +14,9 @@ struct Interval {
   double most = std::numeric_limits<double>::infinity();
   bool without_least = false;
 
-  bool contains(double value) const;
+  bool contains(double value) const {
+    return std::isfinite(value) && (without_least ? value > least : value >= least) && value <= most;
+  }
   // "greater than 0", "at least 0", "between 0.05 and 4", "a finite number".
   std::string text() const;
 };
@@ -35,5 +39,8 @@ void require_positive(std::string_view field, double value, std::string_view uni
 void require_at_least(std::string_view field, double value, double lowest, std::string_view unit = {});
 void require_in_range(std::string_view field, double value, double lowest, double highest,
                       std::string_view unit = {});
+
+// Of an array of the caller's that is written to: "values has room for 4 numbers; it must have room for 5".
+void require_room(std::string_view name, std::size_t room, std::size_t needed);
 
 }  // namespace solidnoise

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 
+#include "solidnoise/core/check.h"
 #include "solidnoise/core/points.h"
 #include "solidnoise/core/vec.h"
 
@@ -31,6 +32,15 @@ struct Samples {
     return part;
   }
 };
+
+// Throws std::invalid_argument for samples without room for so many numbers.
+template <int Dim>
+void require_room(const Samples<Dim>& samples, std::size_t needed) {
+  require_room("values", samples.values.size(), needed);
+  for (std::size_t axis = 0; samples.wants_gradient() && axis < Dim; ++axis) {
+    require_room("gradient", samples.gradient[axis].size(), needed);
+  }
+}
 
 template <int Dim>
 void fill_with_zero(const Samples<Dim>& samples) {

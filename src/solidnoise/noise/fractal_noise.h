@@ -15,7 +15,7 @@ struct FractalOptions {
   int octaves = 1;  // 1 to 16
   double lacunarity =
       2.0;            // frequency ratio of consecutive octaves; > 1; a whole number where there is a period
-  double gain = 0.5;  // amplitude ratio of consecutive octaves; > 0
+  double gain = 0.5;  // amplitude ratio of consecutive octaves; > 0, at most 16
   bool renormalize = true;  // scale the sum to unit variance, by the closed form
 
   // Throws std::invalid_argument naming the field, its value and what is allowed.
@@ -33,8 +33,8 @@ constexpr auto fields_of(std::type_identity<FractalOptions>) {
       field("octaves", &Options::octaves, between(1, 16), "", "Octaves that are summed"),
       field("lacunarity", &Options::lacunarity, between(1.0 + 1e-9, 64.0), "frequency ratio of octaves",
             "How much finer each octave is than the one before it"),
-      field("gain", &Options::gain, kPositive, "amplitude ratio of octaves",
-            "How much weaker each octave is than the one before it"),
+      field("gain", &Options::gain, Interval{.least = 0.0, .most = 16.0, .without_least = true},
+            "amplitude ratio of octaves", "How much weaker each octave is than the one before it"),
       field("renormalize", &Options::renormalize, "Keep the variance at 1, whatever the octaves"));
 }
 

@@ -43,8 +43,13 @@ void scatter(const Chunk<Dim>& chunk, const glm::vec<Dim, int>& lattice_count, s
 
 }  // namespace
 
+void require_impulses(double impulses) {
+  if (impulses != 0.0) require("impulses", impulses, kImpulses, "mean impulses per kernel; 0 chooses");
+}
+
 template <int Dim>
 void Noise<Dim>::evaluate(const Lattice<Dim>& lattice, const Samples<Dim>& samples) const {
+  require_room(samples, lattice.size());
   constexpr auto kBlock = block_size<Dim>();
   std::array<std::vector<float>, 1 + Dim> buffers;
   Chunk<Dim> chunk;

@@ -4,10 +4,19 @@
 #include <optional>
 #include <vector>
 
+#include "solidnoise/core/check.h"
 #include "solidnoise/core/field.h"
 #include "solidnoise/noise/wave_mixture.h"
 
 namespace solidnoise {
+
+// What options of noises may be. Far beyond these, numbers overflow.
+inline constexpr Interval kFrequencies = between(1e-12, 1e12);  // cycles per world unit
+inline constexpr Interval kDirections = between(-1e9, 1e9);     // components
+inline constexpr Interval kImpulses = between(1e-3, 1e5);  // mean, per kernel: of fewer a noise is mostly 0
+
+// Throws std::invalid_argument for the option `impulses`, unless it is among them, or 0, which chooses.
+void require_impulses(double impulses);
 
 // A stationary random field of one channel, with its gradient, and its statistics in closed form.
 template <int Dim>

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "solidnoise/core/fields.h"
+#include "solidnoise/noise/noise.h"
 
 namespace solidnoise {
 
@@ -64,7 +65,8 @@ concept HasPhase = std::constructible_from<typename NoiseEntry<Options>::templat
 // Fields that all noises have.
 template <typename Options>
 constexpr auto fields_of_frequency() {
-  return field("frequency", &Options::frequency, kPositive, "cycles per world unit", "Principal frequency");
+  return field("frequency", &Options::frequency, kFrequencies, "cycles per world unit",
+               "Principal frequency");
 }
 
 template <typename Options>
@@ -77,11 +79,11 @@ constexpr auto fields_of_place() {
 // Those of noises that are sums over random impulses.
 template <typename Options>
 constexpr auto fields_of_impulses() {
-  return list_fields(
-      field("error", &Options::error, between(1e-4, 0.5), "relative RMS error",
-            "Accuracy that may be given up to save time"),
-      field("impulses", &Options::impulses, between(0.0, 100000.0), "mean impulses per kernel; 0 chooses",
-            "How dense impulses are; by default as few as look Gaussian"));
+  return list_fields(field("error", &Options::error, between(1e-4, 0.5), "relative RMS error",
+                           "Accuracy that may be given up to save time"),
+                     field("impulses", &Options::impulses, between(0.0, kImpulses.most),
+                           "mean impulses per kernel; 0 chooses",
+                           "How dense impulses are; by default as few as look Gaussian"));
 }
 
 }  // namespace solidnoise

@@ -17,6 +17,7 @@ namespace {
 // Samples of places on a plane.
 void evaluate_on_plane(const Noise<3>& noise, const Plane& plane, std::span<const Vec<2>> places,
                        const Samples<2>& samples) {
+  require_room(samples, places.size());
   std::vector<Vec<3>> positions;
   positions.reserve(places.size());
   for (const Vec<2>& place : places) {

@@ -67,6 +67,7 @@ CellSpan<Dim> cells_of(std::span<const CellPoint<Dim>> points) {
 //   float slope(int axis) const;  and of the gradient
 template <int Dim, typename Source>
 void sum_by_cell(const Points<Dim>& points, const Samples<Dim>& samples, Source&& source) {
+  require_room(samples, points.size());
   const std::vector<CellPoint<Dim>> ordered = order_by_cell<Dim>(points, source.axes());
   std::span<const CellPoint<Dim>> rest = ordered;
   // Takes points from the front of others, as far as they belong to the first one.

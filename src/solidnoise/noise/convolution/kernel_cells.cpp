@@ -51,6 +51,12 @@ KernelCells<Dim> make_kernel_cells(double radius, const Vec<4>& period) {
             "period is {} along {}; it must be at least {:.6g} (twice the kernel's radius), or 0 for none",
             period[axis], kAxisNames[axis], 2.0 * radius));
       }
+      const double most = CellAxis::kMostCells * radius;
+      if (period[axis] > most) {
+        throw std::invalid_argument(
+            fmt::format("period is {} along {}; it must be at most {:.6g} (2^40 of the kernel's radius)",
+                        period[axis], kAxisNames[axis], most));
+      }
       period_cells = static_cast<std::int64_t>(std::floor(period[axis] / radius));
       size = period[axis] / static_cast<double>(period_cells);
     }

@@ -63,6 +63,7 @@ class SparseConvolution<Dim>::Block final : public FieldBlock<Dim> {
   }
 
   void evaluate(const Lattice<Dim>& lattice, const Samples<Dim>& samples) const override {
+    require_room(samples, lattice.size());
     for (int axis = 0; axis < Dim; ++axis) {
       axes_[axis].locate(lattice, noise_.process_.axes()[axis], axis, noise_.reach_[axis]);
     }

@@ -28,7 +28,7 @@ constexpr auto fields_of_band() {
                      field("bandwidth", &Options::bandwidth, between(0.05, 4.0), "octaves",
                            "Width of the band at half amplitude"),
                      fields_of_impulses<Options>(), part(&Options::evolution),
-                     field("filter", &Options::filter, at_least(0.0), "world units; 0 for none",
+                     field("filter", &Options::filter, between(0.0, 1e9), "world units; 0 for none",
                            "Standard deviation of a Gaussian that the noise is convolved with")
                          .without_flag());
 }
@@ -87,7 +87,7 @@ constexpr auto fields_of(std::type_identity<OrientedGaborNoiseOptions>) {
   return list_fields(fields_of_band<Options>(),
                      field("anisotropy", &Options::anisotropy, between(0.0, 1.0), "",
                            "0: all directions alike, 1: one direction"),
-                     field("direction", &Options::direction, kFinite, "", "Where the waves travel"),
+                     field("direction", &Options::direction, kDirections, "", "Where the waves travel"),
                      fields_of_place<Options>());
 }
 

@@ -9,14 +9,25 @@
 
 namespace solidnoise {
 
+namespace {
+
+template <typename Options>
+void validate_common(const Options& options) {
+  require_fields(options);
+  require_impulses(options.impulses);
+  constexpr double kLeastFilter = 1e-12;  // world units
+  if (options.filter > 0.0) require_at_least("filter", options.filter, kLeastFilter, "world units");
+  options.evolution.validate();
+}
+
+}  // namespace
+
 void GaborNoiseOptions::validate() const {
-  require_fields(*this);
-  evolution.validate();
+  validate_common(*this);
 }
 
 void OrientedGaborNoiseOptions::validate() const {
-  require_fields(*this);
-  evolution.validate();
+  validate_common(*this);
   if (glm::dot(direction, direction) == 0.0)
     throw std::invalid_argument("direction is 0; it must have a length");
 }

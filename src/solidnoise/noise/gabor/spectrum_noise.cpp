@@ -149,6 +149,7 @@ void SpectrumNoiseOptions::validate() const {
   model.validate();
   require_in_range("channel", channel, 0, static_cast<double>(model.channels.size() - 1), "of the model");
   require_fields(*this);
+  require_impulses(impulses);
   evolution.validate();
 }
 

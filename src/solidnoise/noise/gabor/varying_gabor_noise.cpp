@@ -7,16 +7,17 @@
 #include "solidnoise/core/check.h"
 #include "solidnoise/core/special_functions.h"
 #include "solidnoise/noise/kernel/impulse_statistics.h"
+#include "solidnoise/noise/noise.h"
 
 namespace solidnoise {
 
 void VaryingGaborOptions::validate() const {
-  require_positive("frequency", frequency, "cycles per world unit");
+  require("frequency", frequency, kFrequencies, "cycles per world unit");
   require_in_range("bandwidth", bandwidth, KernelFamily::kLeastBandwidth, KernelFamily::kMostBandwidth,
                    "octaves");
   require_in_range("error", error, 1e-4, 0.5, "relative RMS error");
-  require_in_range("impulses", impulses, 0.0, 100000.0, "mean impulses per kernel; 0 chooses");
-  for (int axis = 0; axis < 4; ++axis) require_finite("direction", direction[axis]);
+  require_impulses(impulses);
+  for (int axis = 0; axis < 4; ++axis) require("direction", direction[axis], kDirections);
 }
 
 namespace {

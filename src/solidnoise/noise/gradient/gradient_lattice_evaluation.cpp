@@ -206,6 +206,7 @@ void evaluate_tile(const GradientField<Dim>& field, const Lattice<Dim>& lattice,
 template <int Dim>
 void evaluate_gradient_noise(const GradientField<Dim>& field, const KnownGradients<Dim>& known,
                              const Lattice<Dim>& lattice, const Samples<Dim>& samples) {
+  require_room(samples, lattice.size());
   TileSpan<Dim> span;
   const auto locate_axis = [&](int axis) {
     const std::size_t a = static_cast<std::size_t>(axis);

@@ -39,6 +39,11 @@ CellAxis make_axis(const GradientNoiseOptions& options, double lattice_unit, int
         "period is {} along {}; it must be at least {:.6g} ({} steps of the lattice), or 0 for none", period,
         "xyzt"[axis], kLeastPeriod * lattice_unit, kLeastPeriod));
   }
+  if (cells > CellAxis::kMostCells) {
+    throw std::invalid_argument(
+        fmt::format("period is {} along {}; it must be at most {:.6g} (2^40 cells of the lattice)", period,
+                    "xyzt"[axis], CellAxis::kMostCells * size));
+  }
   if (options.hash == GradientNoiseOptions::Hash::xor_tables && cells * steps > kLongestTablePeriod) {
     throw std::invalid_argument(
         fmt::format("period is {} along {}; with hash xor-tables it must be at most {:.6g} ({} steps of the "

@@ -12,7 +12,7 @@
 namespace solidnoise {
 
 void ProjectedGradientOptions::validate() const {
-  require_positive("frequency", frequency, "cycles per world unit");
+  require("frequency", frequency, kFrequencies, "cycles per world unit");
 }
 
 namespace {

@@ -30,6 +30,7 @@ class InterpolatedBlock final : public FieldBlock<Dim> {
       : interpolation_(std::move(interpolation)), box_(box) {}
 
   void evaluate(const Lattice<Dim>& lattice, const Samples<Dim>& samples) const override {
+    require_room(samples, lattice.size());
     const bool applies = interpolation_->applies_to(lattice);
     const bool values = applies && interpolation_->values;
     const bool gradient = applies && samples.wants_gradient() && interpolation_->gradient;

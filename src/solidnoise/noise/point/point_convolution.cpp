@@ -263,6 +263,7 @@ class PointConvolution<Dim>::Evaluation {
 template <int Dim>
 void PointConvolution<Dim>::evaluate(const Points<Dim>& points, const Prepare& prepare,
                                      std::span<float> values) const {
+  require_room("values", values.size(), points.size());
   Evaluation(*this, points, prepare, values).run();
 }
 

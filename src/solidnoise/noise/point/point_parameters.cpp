@@ -7,7 +7,9 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "solidnoise/core/check.h"
 #include "solidnoise/noise/kernel/kernel_family.h"
+#include "solidnoise/noise/noise.h"
 
 namespace solidnoise {
 namespace {
@@ -53,20 +55,17 @@ Vec<3> unit_tangent(const Vec<3>& direction, const Vec<3>& normal) {
 
 namespace {
 
-// Checks one value per point; NaN is never allowed.
-template <typename Allowed>
+// Checks one value per point.
 void require_each(std::string_view name, std::span<const float> values, std::size_t count,
-                  std::string_view allowed_text, const Allowed& allowed) {
+                  const Interval& allowed, std::string_view unit) {
   if (values.empty()) return;
   if (values.size() != count) {
     throw std::invalid_argument(
         fmt::format("there are {} values of {} for {} points", values.size(), name, count));
   }
   for (std::size_t i = 0; i < count; ++i) {
-    if (!(std::isfinite(values[i]) && allowed(values[i]))) {
-      throw std::invalid_argument(
-          fmt::format("{} of point {} is {}; it must be {}", name, i, values[i], allowed_text));
-    }
+    if (!allowed.contains(values[i]))
+      require(fmt::format("{} of point {}", name, i), values[i], allowed, unit);
   }
 }
 
@@ -74,22 +73,15 @@ void require_each(std::string_view name, std::span<const float> values, std::siz
 
 template <int Dim>
 void VaryingParameters<Dim>::validate(std::size_t count) const {
-  require_each("frequency", frequency, count, "greater than 0 (cycles per world unit)",
-               [](float f) { return f > 0.0f; });
-  require_each(
-      "bandwidth", bandwidth, count,
-      fmt::format("between {} and {} (octaves)", KernelFamily::kLeastBandwidth, KernelFamily::kMostBandwidth),
-      [](float b) {
-        return b >= static_cast<float>(KernelFamily::kLeastBandwidth) &&
-               b <= static_cast<float>(KernelFamily::kMostBandwidth);
-      });
-  require_each("magnitude", magnitude, count, "at least 0 (standard deviation)",
-               [](float m) { return m >= 0.0f; });
+  require_each("frequency", frequency, count, kFrequencies, "cycles per world unit");
+  require_each("bandwidth", bandwidth, count,
+               between(KernelFamily::kLeastBandwidth, KernelFamily::kMostBandwidth), "octaves");
+  require_each("magnitude", magnitude, count, between(0.0, kMostMagnitude), "standard deviation");
   for (const std::span<const float>& component : direction) {
     if (component.size() != direction[0].size()) {
       throw std::invalid_argument("direction has components of different size");
     }
-    require_each("direction", component, count, "finite", [](float) { return true; });
+    require_each("direction", component, count, kDirections, {});
   }
 }
 

@@ -26,13 +26,15 @@ struct SurfacePoints {
 // the normal, as far as single precision tells.
 Vec<3> unit_tangent(const Vec<3>& direction, const Vec<3>& normal);
 
+inline constexpr double kMostMagnitude = 1e12;
+
 // Parameters that a noise has at each evaluation point, one float per point. Where a span is empty, the
 // noise's options hold for all points.
 template <int Dim>
 struct VaryingParameters {
-  std::span<const float> frequency;  // principal frequency F0, cycles per world unit; > 0
+  std::span<const float> frequency;  // principal frequency F0, cycles per world unit; of kFrequencies
   std::span<const float> bandwidth;  // octaves; 0.1 to 4
-  std::span<const float> magnitude;  // standard deviation of the value; >= 0
+  std::span<const float> magnitude;  // standard deviation of the value; 0 to kMostMagnitude
   // Along which the waves of an oriented kernel travel; any length, and either sign: a direction and its
   // opposite give the same value. Where it is 0 (or, on a surface, along the normal) an arbitrary direction
   // is taken. All empty, or none.

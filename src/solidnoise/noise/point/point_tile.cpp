@@ -38,11 +38,10 @@ void bound_layer(std::span<const LocatedPoint<Dim>> points, float layer, PointCu
 }  // namespace
 
 CellPosition locate_point(const CellAxis& axis, double coordinate, std::size_t point) {
-  constexpr double kMostCells = 0x1p40;
-  if (!(std::abs(coordinate) < kMostCells * axis.size())) {
+  if (!(std::abs(coordinate) < CellAxis::kMostCells * axis.size())) {
     throw std::invalid_argument(fmt::format(
         "position of point {} has a coordinate of {}; with the frequency there it must be within {:.6g}",
-        point, coordinate, kMostCells * axis.size()));
+        point, coordinate, CellAxis::kMostCells * axis.size()));
   }
   return axis.locate(coordinate);
 }

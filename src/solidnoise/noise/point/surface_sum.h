@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "solidnoise/core/cell_grid.h"
+#include "solidnoise/core/check.h"
 #include "solidnoise/core/points.h"
 #include "solidnoise/core/vec.h"
 #include "solidnoise/noise/point/point_cluster.h"
@@ -85,6 +86,7 @@ template <typename Source>
 void sum_on_surface(std::span<const Source> sources, const SurfacePoints& points,
                     const std::array<std::span<const float>, 3>& tangent, std::span<float> values) {
   constexpr std::size_t kBatch = 4096;  // points that are located together
+  require_room("values", values.size(), points.positions.size());
   std::vector<float> batch_values;
   std::vector<SurfaceSum<Source>> sums(sources.begin(), sources.end());
   const std::vector<std::size_t> order = spatial_order(points.positions);

@@ -22,7 +22,16 @@ template <int Dim, typename Options>
 std::unique_ptr<Noise<Dim>> make_single(const Options& options) {
   using Entry = NoiseEntry<Options>;
   if constexpr (Entry::kLeastDimensions <= Dim && Dim <= Entry::kMostDimensions) {
-    return std::make_unique<typename Entry::template Noise<Dim>>(options);
+    auto noise = std::make_unique<typename Entry::template Noise<Dim>>(options);
+    if constexpr (requires { noise->impulses_per_kernel(); }) {
+      if (noise->impulses_per_kernel() > kImpulses.most) {
+        throw std::invalid_argument(
+            fmt::format("impulses is 0, which chooses {:.0f} per kernel in {} dimensions; give at most {}, "
+                        "or a wider band",
+                        noise->impulses_per_kernel(), Dim, kImpulses.most));
+      }
+    }
+    return noise;
   } else {
     throw std::invalid_argument(fmt::format("{} has {} to {} dimensions, not {}", Entry::kTitle,
                                             Entry::kLeastDimensions, Entry::kMostDimensions, Dim));
@@ -42,6 +51,12 @@ void NoiseRecipe::validate() const {
   std::visit(
       [this](const auto& options) {
         options.validate();
+        const double highest = options.frequency * std::pow(fractal.lacunarity, fractal.octaves - 1);
+        if (highest > kFrequencies.most) {
+          throw std::invalid_argument(
+              fmt::format("frequency is {}, and {:.6g} in the last of {} octaves; it must be at most {}",
+                          options.frequency, highest, fractal.octaves, kFrequencies.most));
+        }
         const bool whole = fractal.lacunarity == std::floor(fractal.lacunarity);
         if (options.period != Vec<4>(0.0) && fractal.octaves > 1 && !whole) {
           throw std::invalid_argument(fmt::format(
