@@ -176,11 +176,14 @@ class TiledSum {
         cluster_.coordinate[role_of_axis<Dim>(axis)][lane] = point.at[static_cast<std::size_t>(axis)];
       }
       cluster_.density[lane] = point.density;
-      cluster_.inverse_square_radius[lane] = 1.0f / (point.radius * point.radius);
-      if (extent_.layer == 0.0f) continue;
+      for (std::size_t axis = 0; extent_.layer > 0.0f && axis < 3; ++axis) {
+        cluster_.normal[axis][lane] = point.normal[axis];
+      }
+      if (point.radius == radius_[lane]) continue;  // most often
+      radius_[lane] = point.radius;
       const float height = point.radius * extent_.layer;
+      cluster_.inverse_square_radius[lane] = 1.0f / (point.radius * point.radius);
       cluster_.inverse_square_height[lane] = 1.0f / (height * height);
-      for (std::size_t axis = 0; axis < 3; ++axis) cluster_.normal[axis][lane] = point.normal[axis];
     }
     ClusterSums sums;
     source_.sum(points, cluster_, kept_, sums);
@@ -196,6 +199,7 @@ class TiledSum {
   ImpulseList near_{Dim};      // of a patch
   ImpulseList kept_{Dim};      // of a cluster
   PointCluster cluster_;
+  std::array<float, PointCluster::kSamples> radius_{};  // that the cluster's extents are of
 };
 
 extern template struct PointTile<2>;
