@@ -181,6 +181,15 @@ TEST(ReadPly, RefusesWhatTheHeaderGetsWrong) {
 }
 
 // Memory is not asked for before the file is known to be long enough.
+// Rows without properties take no room in the file: a count of them may not take any in memory.
+TEST(ReadPly, RefusesCountlessVerticesWithoutProperties) {
+  for (const char* count : {"150000000", "4000000000"}) {
+    EXPECT_EQ(refusal(std::string("ply\nformat ascii 1.0\nelement vertex ") + count +
+                      "\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n3 0 1 2\n"),
+              "mesh.ply: the vertices have no x, y and z");
+  }
+}
+
 TEST(ReadPly, RefusesCountsThatTheFileCannotHold) {
   const auto header = [](const std::string& format, const std::string& vertices, const std::string& faces) {
     return "ply\nformat " + format + " 1.0\nelement vertex " + vertices + "\n" + kPositions +

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "solidnoise/core/printable.h"
 #include "solidnoise/geometry/mesh_codecs.h"
 #include "solidnoise/geometry/ply_header.h"
 #include "solidnoise/geometry/ply_rows.h"
@@ -73,8 +74,6 @@ class BodyReader {
 
   void read_vertices(const PlyElement& element) {
     PolygonMesh& mesh = reading_.mesh;
-    const auto count = static_cast<std::size_t>(element.count);
-    mesh.positions.resize(count);
 
     // Where each value goes; null for lists, which are dropped.
     struct Column {
@@ -98,13 +97,17 @@ class BodyReader {
         }
       } else {
         column.kept = mesh.properties.size();
-        mesh.properties.push_back({property.name, property.type, std::vector<double>(count)});
+        mesh.properties.push_back({property.name, property.type, {}});
       }
       columns.push_back(column);
     }
     if (has_axis != std::array{true, true, true}) {
       throw std::runtime_error(fmt::format("{}: the vertices have no x, y and z", name_));
     }
+    // Vertices that have these are no more than there is room for.
+    const auto count = static_cast<std::size_t>(element.count);
+    mesh.positions.resize(count);
+    for (VertexProperty& property : mesh.properties) property.values.resize(count);
 
     for (std::size_t i = 0; i < count; ++i) {
       rows_.begin_row(element, i);
