@@ -48,7 +48,8 @@ DenseField<2> sample(const Noise<2>& noise, int side) {
 void draw(const fs::path& path, const std::string& title, const Noise<2>& noise,
           const DenseField<2>& kernel) {
   write_image(path,
-              draw_four_panels(sample(noise, 512), kernel, {.title = title, .unit = "pixels", .width = 640}));
+              draw_four_panels(sample(noise, 512), kernel, {.title = title, .unit = "pixels", .width = 640}),
+              {.existing = Existing::replace});
 }
 
 // The three noises, each with its kernel and the transforms of both.

@@ -114,7 +114,8 @@ void write_sheets(const fs::path& folder) {
   for (const char* name : {"sand", "moss", "wood"}) {
     const Exemplar<2> grey = grey_middle(read_photograph(name));
     const ExemplarModel model = fit(grey, SpectrumFitOptions::of_paper()).model;
-    write_image(folder / fmt::format("sheet_{}.png", name), draw_exemplar_sheet(grey, model));
+    write_image(folder / fmt::format("sheet_{}.png", name), draw_exemplar_sheet(grey, model),
+                {.existing = Existing::replace});
   }
 }
 

@@ -90,6 +90,93 @@ TEST(WriteOutput, WritesThroughALink) {
   EXPECT_EQ(folder.read("target.txt"), "new");
 }
 
+TEST(WriteOutput, RefusesALinkUnlessToldToReplaceAndOneThatLeadsNowhere) {
+  const TemporaryFolder folder;
+  folder.write("target.txt", "old");
+  fs::create_symlink("target.txt", folder.path() / "link.txt");
+  EXPECT_THROW(write_text(folder.path() / "link.txt", "new"), OutputExists);
+  fs::create_symlink("nowhere.txt", folder.path() / "broken.txt");
+  for (const Existing existing : {Existing::refuse, Existing::replace}) {
+    EXPECT_THROW(write_text(folder.path() / "broken.txt", "new", {.existing = existing}), std::runtime_error);
+  }
+  EXPECT_EQ(folder.names(), (std::set<std::string>{"target.txt", "link.txt", "broken.txt"}));
+}
+
+fs::perms mode_of(const fs::path& path) {
+  return fs::status(path).permissions();
+}
+
+TEST(WriteOutput, KeepsTheModeOfAReplacedFile) {
+  const TemporaryFolder folder;
+  folder.write("a.txt", "secret");
+  for (const auto mode : {fs::perms::owner_read | fs::perms::owner_write,
+                          fs::perms::owner_all | fs::perms::group_all | fs::perms::others_write}) {
+    fs::permissions(folder.path() / "a.txt", mode);
+    write_text(folder.path() / "a.txt", "new", {.existing = Existing::replace});
+    EXPECT_EQ(mode_of(folder.path() / "a.txt"), mode);
+  }
+}
+
+TEST(WriteOutput, GivesANewFileTheUsersMode) {
+  const TemporaryFolder folder;
+  folder.write("plain.txt", "");
+  write_text(folder.path() / "a.txt", "new");
+  EXPECT_EQ(mode_of(folder.path() / "a.txt"), mode_of(folder.path() / "plain.txt"));
+}
+
+TEST(WriteOutput, DoesNotReplaceWhatAppearsMeanwhile) {
+  const TemporaryFolder folder;
+  const auto late = [&](std::ostream& stream) {
+    stream << "ours";
+    folder.write("a.txt", "theirs");
+  };
+  EXPECT_THROW(write_output(folder.path() / "a.txt", {}, late), OutputExists);
+  EXPECT_EQ(folder.read("a.txt"), "theirs");
+  EXPECT_EQ(folder.names(), std::set<std::string>{"a.txt"});
+}
+
+TEST(OutputGroup, FilesAppearTogether) {
+  const TemporaryFolder folder;
+  folder.write("b.txt", "old");
+  {
+    OutputGroup group;
+    write_text(folder.path() / "a.txt", "a", {.group = &group});
+    write_text(folder.path() / "b.txt", "b", {.existing = Existing::replace, .group = &group});
+    EXPECT_EQ(folder.names(), std::set<std::string>{"b.txt"});
+    EXPECT_EQ(folder.read("b.txt"), "old");
+    group.appear();
+  }
+  EXPECT_EQ(folder.read("a.txt") + folder.read("b.txt"), "ab");
+  EXPECT_EQ(folder.names(), (std::set<std::string>{"a.txt", "b.txt"}));
+}
+
+TEST(OutputGroup, NoFileAppearsWithoutTheOthers) {
+  const TemporaryFolder folder;
+  folder.write("b.txt", "old");
+  {
+    OutputGroup group;
+    write_text(folder.path() / "a.txt", "a", {.group = &group});
+    write_text(folder.path() / "b.txt", "b", {.existing = Existing::replace, .group = &group});
+    write_text(folder.path() / "c.txt", "c", {.group = &group});
+    folder.write("c.txt", "theirs");
+    EXPECT_THROW(group.appear(), OutputExists);
+  }
+  EXPECT_EQ(folder.read("b.txt") + folder.read("c.txt"), "oldtheirs");
+  EXPECT_EQ(folder.names(), (std::set<std::string>{"b.txt", "c.txt"}));
+}
+
+TEST(OutputTarget, IsOneForAllNamesOfAFile) {
+  const TemporaryFolder folder;
+  folder.write("a.txt", "");
+  fs::create_directory(folder.path() / "in");
+  fs::create_symlink("a.txt", folder.path() / "link.txt");
+  fs::create_directory_symlink(".", folder.path() / "here");
+  for (const char* name : {"link.txt", "./a.txt", "in/../a.txt", "here/a.txt", "here/link.txt"}) {
+    EXPECT_EQ(output_target(folder.path() / name), output_target(folder.path() / "a.txt")) << name;
+  }
+  EXPECT_NE(output_target(folder.path() / "b.txt"), output_target(folder.path() / "a.txt"));
+}
+
 TEST(WriteOutput, CanSeek) {
   const TemporaryFolder folder;
   write_output(folder.path() / "a.txt", {}, [](std::ostream& stream) {

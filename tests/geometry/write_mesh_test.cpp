@@ -293,7 +293,7 @@ TEST_F(MeshFiles, AreNamedInErrors) {
   EXPECT_EQ(refusal("mesh"),
             folder + "mesh: is not a mesh by its name; .ply, .obj, .off, .stl and .om are known");
   std::filesystem::create_directory(folder_ / "folder.ply");
-  EXPECT_EQ(refusal("folder.ply"), folder + "folder.ply: is a folder, not a mesh");
+  EXPECT_EQ(refusal("folder.ply"), folder + "folder.ply: is a folder, not a file");
   for (const std::string name : {"empty.ply", "empty.obj", "empty.off", "empty.stl", "empty.om"}) {
     put(name, "");
     EXPECT_EQ(refusal(name), folder + name + ": the file is empty");

@@ -171,7 +171,11 @@ const Refusal kUsage[] = {
      2,
      {"--out", "x.ply", "--preset", "rust", "--recipe", "r.json"},
      {"--preset", "--recipe"}},
-    {"TwoOutputsOfOneName", 2, {"--out", "x.ply", "--write-recipe", "./x.ply"}, {"x.ply", "two outputs"}},
+    {"TwoOutputsOfOneName", 2, {"--out", "x.ply", "--write-recipe", "./x.ply"}, {"./x.ply", ".json"}},
+    {"ExampleAsRecipe",
+     2,
+     {"--force", "--noise", "example.json", "--write-recipe", "./example.json"},
+     {"./example.json is an input, which this output would replace"}},
     {"TwoStandardOutputs", 2, {"--out", "-", "--write-recipe", "-"}, {"--out", "--write-recipe"}},
     // The other commands
     {"CurvatureOutput", 2, {"curvature", "in.ply"}, {"--out is missing"}},

@@ -9,6 +9,7 @@
 #include "meshnoise/run_meshnoise.h"
 #include "meshnoise/sample_torus.h"
 #include "support/paths.h"
+#include "tools/expect_whole_or_nothing.h"
 
 namespace solidnoise {
 namespace {
@@ -36,7 +37,7 @@ TEST(MeshnoiseInterrupt, WhileBakingLeavesNothing) {
   }
 }
 
-// Some 300000 vertices as text, which take longer to write than to notice the file.
+// Some 300000 vertices as text, which take long to write.
 TEST(MeshnoiseInterrupt, WhileWritingLeavesNothing) {
   const TemporaryFolder folder;
   write_sample(folder, "in.ply", sample_torus(44));
@@ -44,11 +45,8 @@ TEST(MeshnoiseInterrupt, WhileWritingLeavesNothing) {
                    {"bake", "in.ply", "--out", "x.off", "--noise", "kensler", "--detail", "1", "--octaves",
                     "1", "--bias", "0", "--refine", "3"},
                    {.folder = folder.path()});
-  const auto give_up = std::chrono::steady_clock::now() + 60s;
-  while (folder.names() == kInputOnly && std::chrono::steady_clock::now() < give_up)
-    std::this_thread::sleep_for(1ms);
-  ASSERT_NE(folder.names(), kInputOnly) << "no temporary file was seen";
-  ASSERT_EQ(folder.names().count("x.off"), 0u) << "the file must not have its name before it is whole";
+  ASSERT_TRUE(tool.wait_until_it_writes(folder.path()));
+  ASSERT_EQ(folder.names(), kInputOnly) << "the file must not have a name before it is whole";
   tool.send(SIGINT);
   const ToolResult result = tool.wait();
   EXPECT_EQ(result.status, 128 + SIGINT) << result.err;
@@ -109,6 +107,69 @@ TEST(MeshnoiseFullDisk, OfTheStandardOutputIsReported) {
     EXPECT_EQ(result.status, 1);
     EXPECT_NE(result.err.find("standard output"), std::string::npos) << result.err;
   }
+}
+
+TEST(MeshnoiseFullDisk, OfTheStandardOutputIsReportedOfTextsToo) {
+  const TemporaryFolder folder;
+  write_sample(folder, "in.ply", sample_torus());
+  for (const std::vector<std::string>& arguments : {std::vector<std::string>{"--help"},
+                                                    {"--version"},
+                                                    {"bake", "--help"},
+                                                    {"--list-presets"},
+                                                    {"--schema"},
+                                                    {"info", "in.ply"},
+                                                    {"bake", "in.ply", "--describe"}}) {
+    const ToolResult result =
+        run_meshnoise(arguments, {.folder = folder.path(), .standard_output = "/dev/full"});
+    EXPECT_EQ(result.status, 1) << arguments[0];
+    EXPECT_EQ(result.err, "meshnoise: standard output: writing failed: No space left on device\n");
+  }
+}
+
+TEST(MeshnoiseFaults, LeaveAllOutputsOrNone) {
+  const TemporaryFolder folder;
+  write_sample(folder, "in.ply", sample_torus(6));
+  std::vector<std::string> arguments{"bake",  "in.ply", "--quiet",        "--preset", "stone",
+                                     "--out", "x.ply",  "--write-recipe", "x.json"};
+  const auto run = [&](const RunOptions& options) { return run_meshnoise(arguments, options); };
+  arguments.push_back("--force");
+  expect_whole_or_nothing(run, folder, {{"x.ply", "old"}, {"x.json", "old as well"}});
+  arguments.pop_back();
+  if (SOLIDNOISE_PREVIEWS) arguments.insert(arguments.end(), {"--preview", "x.png"});
+  expect_whole_or_nothing(run, folder);
+}
+
+TEST(MeshnoiseFaults, LeaveNothingWhereAllFilesHaveNames) {
+  const TemporaryFolder folder;
+  write_sample(folder, "in.ply", sample_torus(6));
+  const auto run = [&](const char* fault) {
+    return run_meshnoise(
+        {"bake", "in.ply", "--quiet", "--force", "--out", "x.ply", "--write-recipe", "x.json"},
+        {.folder = folder.path(), .environment = failing_calls(fault)});
+  };
+  for (const bool is_there : {false, true}) {
+    if (is_there) folder.write("x.ply", "old");
+    const std::set<std::string> before = folder.names();
+    EXPECT_EQ(run("open 1 fail").status, 0);
+    EXPECT_EQ(folder.names(), (std::set<std::string>{"in.ply", "x.ply", "x.json"}));
+    EXPECT_NE(folder.read("x.ply"), "old");
+    std::filesystem::remove(folder / "x.json");
+    if (!is_there) std::filesystem::remove(folder / "x.ply");
+    EXPECT_EQ(folder.names(), before);
+  }
+}
+
+TEST(MeshnoiseKilled, WhileWritingLeavesNothing) {
+  const TemporaryFolder folder;
+  write_sample(folder, "in.ply", sample_torus(44));
+  RunningTool tool(in_build("tools/meshnoise"),
+                   {"bake", "in.ply", "--out", "x.off", "--noise", "kensler", "--detail", "1", "--octaves",
+                    "1", "--bias", "0", "--refine", "3"},
+                   {.folder = folder.path()});
+  ASSERT_TRUE(tool.wait_until_it_writes(folder.path()));
+  tool.send(SIGKILL);
+  EXPECT_EQ(tool.wait().signal, SIGKILL);
+  EXPECT_EQ(folder.names(), kInputOnly);
 }
 
 // Damaged files end in a message, never in a signal. The damage is fixed: 12 cuts, 12 flipped bits.

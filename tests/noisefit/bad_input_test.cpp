@@ -5,6 +5,7 @@
 
 #include "noisefit/run_noisefit.h"
 #include "support/temporary_folder.h"
+#include "tools/expect_whole_or_nothing.h"
 #include "tools/refusal.h"
 
 namespace solidnoise {
@@ -29,7 +30,19 @@ const std::vector<Refusal> kRefusals = {
     {"PixelSize", 2, {"in.png", "--out", "x.json", "--pixel-size", "-1"}, {"--pixel-size is -1"}},
     {"Patch", 2, {"in.png", "--out", "x.json", "--patch", "4"}, {"--patch is 4", "16"}},
     {"Exists", 1, {"in.png", "--out", "model.json"}, {"model.json exists", "--force"}},
-    {"OneOutputTwice", 2, {"in.png", "--out", "x.json", "--preview", "x.json"}, {"two outputs"}},
+    {"OneOutputTwice", 2, {"in.png", "--out", "x.png", "--preview", "x.png"}, {"--out is x.png", ".json"}},
+    {"OtherName", 2, {"in.png", "--out", "x.txt"}, {"--out is x.txt; it must end in .json, or be -"}},
+    {"OtherPicture", 2, {"in.png", "--out", "x.json", "--preview", "0"}, {"--preview is 0", ".png"}},
+    {"InputAsPreview",
+     2,
+     {"in.png", "--preview", "in.png", "--force"},
+     {"in.png is an input, which this output would replace"}},
+    {"InputByALink", 2, {"in.png", "--preview", "link.png", "--force"}, {"link.png is an input"}},
+    {"LongValue",
+     2,
+     {"in.png", "--out", "x.json", "--kappa", std::string(5000, 'x')},
+     {"--kappa is " + std::string(80, 'x') + "...; it must be a number"}},
+    {"Escape", 2, {"in.png", "--out", "x.json", "--kappa", "\x1b[2J"}, {"--kappa is \\x1b[2J"}},
 };
 
 const std::vector<Refusal> kEditRefusals = {
@@ -75,6 +88,7 @@ class NoisefitRefuses : public testing::Test {
     folder_.write("model.json", "{\"solidnoise\": 1, \"algorithm\": 1, " + model + "1" + end);
     folder_.write("negative.json", "{\"solidnoise\": 1, \"algorithm\": 1, " + model + "-1" + end);
     folder_.write("version.json", "{\"solidnoise\": 99, \"algorithm\": 1, " + model + "1" + end);
+    std::filesystem::create_symlink("in.png", folder_ / "link.png");
     files_ = folder_.names();
   }
 
@@ -96,6 +110,29 @@ TEST_F(NoisefitRefuses, BadExemplarsAndFlags) {
 
 TEST_F(NoisefitRefuses, BadFilesAndEdits) {
   refuse(kEditRefusals, "noisefit edit");
+}
+
+TEST(NoisefitFullDisk, OfTheStandardOutputIsReported) {
+  const TemporaryFolder folder;
+  write_image(folder / "in.png", wavy_picture(32, 32));
+  ASSERT_EQ(run_noisefit({"in.png", "--out", "x.json"}, {.folder = folder.path()}).status, 0);
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"--help"}, {"--version"}, {"info", "x.json"}, {"in.png", "--out", "-"}}) {
+    const ToolResult result =
+        run_noisefit(arguments, {.folder = folder.path(), .standard_output = "/dev/full"});
+    EXPECT_EQ(result.status, 1) << arguments[0];
+    EXPECT_NE(result.err.find("noisefit: standard output: writing failed"), std::string::npos) << result.err;
+  }
+}
+
+TEST(NoisefitFaults, LeaveAllOutputsOrNone) {
+  const TemporaryFolder folder;
+  write_image(folder / "in.png", wavy_picture(32, 32, 1));
+  expect_whole_or_nothing(
+      [](const RunOptions& options) {
+        return run_noisefit({"in.png", "--raw-values", "--quiet", "--out", "x.json"}, options);
+      },
+      folder);
 }
 
 }  // namespace

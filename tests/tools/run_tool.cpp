@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <sys/resource.h>
 #include <sys/wait.h>
+#include <system_error>
 #include <thread>
 #include <unistd.h>
 
@@ -79,8 +80,8 @@ RunningTool::RunningTool(const std::string& program, const std::vector<std::stri
     const rlim_t bytes = static_cast<rlim_t>(options.file_size_limit);
     const rlimit limit{bytes, bytes};
     setrlimit(RLIMIT_FSIZE, &limit);
-    std::signal(SIGXFSZ, SIG_IGN);  // writes then fail, as on a full disk
   }
+  for (const std::string& variable : options.environment) putenv(const_cast<char*>(variable.c_str()));
   execv(argv[0], argv.data());
   _exit(125);
 }
@@ -96,6 +97,22 @@ void RunningTool::wait_until_it_catches(int signal) const {
     if (caught >> (signal - 1) & 1) return;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
+}
+
+bool RunningTool::wait_until_it_writes(const fs::path& folder) const {
+  const std::string begin = (fs::canonical(folder) / "#").string();
+  const auto give_up = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  while (std::chrono::steady_clock::now() < give_up) {
+    siginfo_t ended = {};
+    waitid(P_PID, static_cast<id_t>(pid_), &ended, WEXITED | WNOHANG | WNOWAIT);
+    if (ended.si_pid != 0) return false;
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator("/proc/" + std::to_string(pid_) + "/fd", error)) {
+      if (fs::read_symlink(entry.path(), error).string().starts_with(begin)) return true;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return false;
 }
 
 void RunningTool::send(int signal) const {

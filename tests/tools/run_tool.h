@@ -22,6 +22,7 @@ struct RunOptions {
   std::filesystem::path standard_output = {};  // where that goes instead of ToolResult::out
   bool on_terminal = false;                    // make its standard error a terminal
   long file_size_limit = 0;  // bytes that a file may have, as if the disk were full then; 0: any
+  std::vector<std::string> environment = {};  // NAME=VALUE, besides that of the test
 };
 
 // A run that has begun. Wait for it once.
@@ -32,6 +33,9 @@ class RunningTool {
 
   // Waits until the program has set itself up to catch the signal, or has ended; at most a minute.
   void wait_until_it_catches(int signal) const;
+  // Waits until it has a file without a name open in the folder, or has ended; at most a minute. Returns
+  // whether it has.
+  bool wait_until_it_writes(const std::filesystem::path& folder) const;
   void send(int signal) const;
   ToolResult wait();
 

@@ -16,6 +16,7 @@
 #include "common/recipe_files.h"
 #include "common/run_tool.h"
 #include "solidnoise/core/check.h"
+#include "solidnoise/core/printable.h"
 #include "solidnoise/noise/registry/noise_entries.h"
 #include "solidnoise/noise/registry/noise_recipe.h"
 #include "solidnoise/recipe/exemplar_model_json.h"
@@ -103,8 +104,8 @@ void choose_noise(NoiseRecipe& recipe, const std::string& noise) {
   if (noise.ends_with(".json")) return change_noise(recipe, noise_by_example(noise));
   const std::vector<std::string_view> names = noise_names(kIsNamed);
   if (std::find(names.begin(), names.end(), noise) == names.end()) {
-    throw UsageError(fmt::format("--noise is {}; it must be one of {}, or FILE.json of noisefit", noise,
-                                 fmt::join(names, ", ")));
+    throw UsageError(fmt::format("--noise is {}; it must be one of {}, or FILE.json of noisefit",
+                                 printable(noise), fmt::join(names, ", ")));
   }
   if (noise_type(recipe) == noise) return;
   NoiseRecipe changed = default_noise(noise);

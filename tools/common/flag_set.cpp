@@ -11,6 +11,7 @@
 #include "common/parse_value.h"
 #include "common/run_tool.h"
 #include "solidnoise/core/choices.h"
+#include "solidnoise/core/printable.h"
 
 namespace solidnoise {
 namespace {
@@ -98,14 +99,14 @@ struct FlagSet::Parser {
 
   UsageError unexpected(const std::string& argument) const {
     if (!argument.starts_with("-")) {
-      return UsageError(fmt::format("{} is not expected here: it follows no flag", argument));
+      return UsageError(fmt::format("{} is not expected here: it follows no flag", printable(argument)));
     }
     const std::string name = argument.substr(0, argument.find('='));
     std::vector<std::string_view> names;
     for (const Flag& flag : flags) names.push_back(flag.name);
     const std::string_view nearest = nearest_word(name, names);
     const std::string hint = nearest.empty() ? std::string() : fmt::format("; did you mean {}?", nearest);
-    return UsageError(fmt::format("{} is not a flag of {}{}", name, app.get_name(), hint));
+    return UsageError(fmt::format("{} is not a flag of {}{}", printable(name), app.get_name(), hint));
   }
 
   UsageError wrong_count(const std::string& message) const {
@@ -118,7 +119,7 @@ struct FlagSet::Parser {
       return UsageError(fmt::format("{} lacks a value; it takes {}", flag->name, value_names));
     }
     return UsageError(fmt::format("{} is given {} values ({}); it takes {}", flag->name, given.size(),
-                                  fmt::join(given, " "), value_names));
+                                  printable(fmt::format("{}", fmt::join(given, " "))), value_names));
   }
 
   // A flag is no value: the one before it lacks its own.
@@ -194,8 +195,8 @@ void FlagSet::choice(const std::string& flag, const std::vector<std::string_view
   const auto pick = [flag, words, action](const std::string& text) {
     const auto found = std::find(words.begin(), words.end(), text);
     if (found == words.end()) {
-      throw UsageError(fmt::format("{} is {}; it must be one of {}", flag, text.empty() ? "empty" : text,
-                                   fmt::join(words, ", ")));
+      throw UsageError(fmt::format("{} is {}; it must be one of {}", flag,
+                                   text.empty() ? "empty" : printable(text), fmt::join(words, ", ")));
     }
     action(static_cast<std::size_t>(found - words.begin()));
   };

@@ -1,31 +1,68 @@
 #include "common/outputs.h"
 
-#include <filesystem>
+#include <algorithm>
+#include <ostream>
 #include <set>
 #include <stdexcept>
+#include <system_error>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "common/run_tool.h"
+#include "solidnoise/core/printable.h"
 
 namespace solidnoise {
+namespace {
 
-void require_output(const std::string& path, Existing existing) {
-  if (path != "-" && existing == Existing::refuse && std::filesystem::exists(path)) {
-    throw std::runtime_error(path + " exists; --force replaces it");
-  }
-  require_writable(path, existing);
+// Of a file that may not be there.
+std::filesystem::path file_of_input(const std::string& path) {
+  std::error_code error;
+  const std::filesystem::path file = std::filesystem::canonical(path, error);
+  return error ? std::filesystem::path() : file;
 }
 
-void require_outputs(const std::vector<std::string>& paths, Existing existing) {
-  std::set<std::filesystem::path> outputs;
-  for (const std::string& path : paths) {
-    if (path.empty()) continue;
-    if (!outputs.insert(std::filesystem::absolute(path).lexically_normal()).second) {
-      throw UsageError(fmt::format("{} is the name of two outputs; each needs its own", path));
-    }
-    require_output(path, existing);
+}  // namespace
+
+void require_output(const std::string& path, Existing existing) {
+  try {
+    require_writable(path, existing);
+  } catch (const OutputExists&) {
+    throw std::runtime_error(path + " exists; --force replaces it");
   }
+}
+
+void require_outputs(const std::vector<OutputPath>& outputs, Existing existing,
+                     const std::vector<std::string>& inputs) {
+  std::set<std::filesystem::path> files;
+  for (const OutputPath& output : outputs) {
+    if (output.path.empty()) continue;
+    const std::filesystem::path file = output.path == "-" ? "-" : output_target(output.path);
+    if (!files.insert(file).second) {
+      throw UsageError(fmt::format("{} is the name of two outputs; each needs its own", output.path));
+    }
+    for (const std::string& input : inputs) {
+      if (file != file_of_input(input) || input == output.may_replace) continue;
+      throw UsageError(fmt::format("{} is an input, which this output would replace", output.path));
+    }
+    require_output(output.path, existing);
+  }
+}
+
+void require_extension(const std::string& flag, const std::string& path,
+                       std::initializer_list<std::string_view> extensions, StandardOutput standard_output) {
+  const bool may_be_standard = standard_output == StandardOutput::allowed;
+  const auto ends_path = [&](std::string_view extension) { return path.ends_with(extension); };
+  if (path.empty() || (may_be_standard && path == "-")) return;
+  if (std::any_of(extensions.begin(), extensions.end(), ends_path)) return;
+  throw UsageError(fmt::format("{} is {}; it must end in {}{}", flag, printable(path),
+                               fmt::join(extensions, " or "),
+                               may_be_standard ? ", or be - for the standard output" : ""));
+}
+
+void write_text_file(const std::filesystem::path& path, const std::string& text,
+                     const OutputOptions& options) {
+  write_output(path, options, [&](std::ostream& stream) { stream << text; });
 }
 
 }  // namespace solidnoise

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <filesystem>
+#include <initializer_list>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "solidnoise/core/output_file.h"
@@ -11,7 +14,28 @@ namespace solidnoise {
 // std::runtime_error naming the path, and --force where that would help.
 void require_output(const std::string& path, Existing existing);
 
-// The same for all outputs of a run; empty ones are none. Throws UsageError if two of them are one file.
-void require_outputs(const std::vector<std::string>& paths, Existing existing);
+// An output of a run, and the input that it may take the place of, which is of its kind.
+struct OutputPath {
+  OutputPath(std::string output_path, std::string replaceable = {})
+      : path(std::move(output_path)), may_replace(std::move(replaceable)) {}
+
+  std::string path;
+  std::string may_replace;
+};
+
+// The same for all outputs of a run; empty paths are none. Throws UsageError if two of them are one file,
+// links followed, or if one is an input.
+void require_outputs(const std::vector<OutputPath>& outputs, Existing existing,
+                     const std::vector<std::string>& inputs = {});
+
+// Throws UsageError unless a flag's path, if there is one, has one of these extensions; "-", which some
+// outputs may be, passes.
+enum class StandardOutput { allowed, refused };
+void require_extension(const std::string& flag, const std::string& path,
+                       std::initializer_list<std::string_view> extensions, StandardOutput standard_output);
+
+// Writes a text, all or nothing, as write_output does.
+void write_text_file(const std::filesystem::path& path, const std::string& text,
+                     const OutputOptions& options);
 
 }  // namespace solidnoise

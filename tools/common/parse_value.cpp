@@ -10,12 +10,14 @@
 #include <fmt/format.h>
 
 #include "common/run_tool.h"
+#include "solidnoise/core/printable.h"
 
 namespace solidnoise {
 namespace {
 
 [[noreturn]] void refuse(const std::string& flag, const std::string& text, std::string_view allowed) {
-  throw UsageError(fmt::format("{} is {}; it must be {}", flag, text.empty() ? "empty" : text, allowed));
+  throw UsageError(
+      fmt::format("{} is {}; it must be {}", flag, text.empty() ? "empty" : printable(text), allowed));
 }
 
 // Reads the text from `begin` as far as it is a value; returns where it stopped, or nullptr if it is none.
@@ -126,14 +128,16 @@ std::vector<int> parse_frames(const std::string& flag, const std::string& text) 
   if (!first || !last || !step || !rest.empty() || *step < 1) {
     throw UsageError(
         fmt::format("{} is {}; it must be frames from 0 on, such as 1001-1048, 1001-1100x2 or 1001", flag,
-                    text.empty() ? "empty" : text));
+                    text.empty() ? "empty" : printable(text)));
   }
   if (*last < *first) {
-    throw UsageError(fmt::format("{} is {}; the last frame must not come before the first", flag, text));
+    throw UsageError(
+        fmt::format("{} is {}; the last frame must not come before the first", flag, printable(text)));
   }
   const std::size_t count = static_cast<std::size_t>((*last - *first) / *step) + 1;
   if (count > kMostFrames) {
-    throw UsageError(fmt::format("{} is {}, {} frames; {} are allowed", flag, text, count, kMostFrames));
+    throw UsageError(
+        fmt::format("{} is {}, {} frames; {} are allowed", flag, printable(text), count, kMostFrames));
   }
   std::vector<int> frames(count);
   for (std::size_t i = 0; i < count; ++i) frames[i] = *first + static_cast<int>(i) * *step;

@@ -13,10 +13,6 @@ namespace solidnoise {
 // The whole of a file, which may be a few megabytes at most. Throws std::runtime_error naming the path.
 std::string read_text_file(const std::filesystem::path& path);
 
-// Writes a file, all or nothing, as write_output does. An existing file is replaced. "-" is the standard
-// output. Throws std::runtime_error naming the path.
-void write_text_file(const std::filesystem::path& path, const std::string& text);
-
 // Parses the text of a recipe that was found in a file and gives it to `use`. Returns what is to be said
 // about it: that other values will come out of it than when it was written; empty if there is nothing. What
 // `use` throws as std::invalid_argument, and errors of the JSON, become a std::runtime_error that names the

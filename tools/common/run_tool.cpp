@@ -1,14 +1,20 @@
 #include "common/run_tool.h"
 
+#include <algorithm>
 #include <csignal>
 #include <errno.h>
 #include <exception>
 #include <iostream>
 #include <new>
+#include <ostream>
+#include <sstream>
+#include <stdexcept>
 #include <string>
 #include <unistd.h>
 
 #include "common/flag_set.h"
+#include "solidnoise/core/output_file.h"
+#include "solidnoise/core/printable.h"
 #include "solidnoise/core/progress.h"
 
 namespace solidnoise {
@@ -46,6 +52,7 @@ void catch_interrupts() {
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
   sigaction(SIGHUP, &action, nullptr);
+  sigaction(SIGXCPU, &action, nullptr);
 }
 
 int interrupt_signal() {
@@ -72,22 +79,57 @@ EndsAtOnce::~EndsAtOnce() {
 
 namespace {
 
-// What other libraries say may have several lines; ours is one.
+// What other libraries say may have several lines, and what files say anything; ours is one line.
 std::string one_line(std::string text) {
-  for (char& c : text) {
-    if (c == '\n' || c == '\r') c = ' ';
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return printable(text, std::string::npos);
+}
+
+// While one lives, texts for the standard output are kept.
+class PrintedText {
+ public:
+  PrintedText() : standard_(std::cout.rdbuf(text_.rdbuf())) {}
+  ~PrintedText() { std::cout.rdbuf(standard_); }
+  PrintedText(const PrintedText&) = delete;
+  PrintedText& operator=(const PrintedText&) = delete;
+
+  // Writes them with what no terminal can take for its own. Throws what write_output does.
+  void write() const {
+    std::istringstream lines(text_.str());
+    std::string shown;
+    for (std::string line; std::getline(lines, line);) shown += printable(line, std::string::npos) + '\n';
+    if (shown.empty()) return;
+    write_output("-", {}, [&](std::ostream& stream) { stream << shown; });
   }
-  return text;
+
+ private:
+  std::ostringstream text_;
+  std::streambuf* standard_;
+};
+
+int run_and_print(const std::function<int()>& run) {
+  const PrintedText printed;
+  int status = kDone;
+  try {
+    status = run();
+  } catch (const TextRequested& requested) {
+    std::cout << requested.text;
+  } catch (...) {
+    printed.write();
+    throw;
+  }
+  printed.write();
+  return status;
 }
 
 }  // namespace
 
 int run_tool(const char* tool, const std::function<int()>& run) {
+  // Writing then fails, and says so.
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
-    return run();
-  } catch (const TextRequested& requested) {
-    std::cout << requested.text << std::flush;
-    return kDone;
+    return run_and_print(run);
   } catch (const UsageError& error) {
     const std::string command = error.command().empty() ? tool : error.command();
     std::cerr << tool << ": " << one_line(error.what()) << "\nTry " << command << " --help\n";
@@ -97,6 +139,9 @@ int run_tool(const char* tool, const std::function<int()>& run) {
     return kInterrupted + interrupt_signal();
   } catch (const std::bad_alloc&) {
     std::cerr << tool << ": out of memory\n";
+    return kFailed;
+  } catch (const std::length_error&) {
+    std::cerr << tool << ": out of memory: this would take more than any machine has\n";
     return kFailed;
   } catch (const std::exception& error) {
     std::cerr << tool << ": " << one_line(error.what()) << '\n';

@@ -20,8 +20,8 @@ class UsageError : public std::runtime_error {
   std::string command_;
 };
 
-// From here on SIGINT, SIGTERM and SIGHUP only raise a flag, so that a run can stop in order and remove what
-// it began. A second signal ends the process at once.
+// From here on SIGINT, SIGTERM, SIGHUP and SIGXCPU only raise a flag, so that a run can stop in order and
+// remove what it began. A second signal ends the process at once.
 void catch_interrupts();
 
 // The signal that came, or 0.
@@ -49,7 +49,8 @@ inline constexpr int kWrongUsage = 2;
 inline constexpr int kInterrupted = 128;  // plus the signal's number, as a shell has it
 
 // Runs a tool and maps what it throws to an exit status and one line on the standard error: TextRequested
-// (printed to the standard output), UsageError, Cancelled, any other std::exception.
+// (printed to the standard output), UsageError, Cancelled, any other std::exception. What it prints by
+// std::cout is written at its end, and checked; control characters are escaped there as in messages.
 int run_tool(const char* tool, const std::function<int()>& run);
 
 // Runs a command of a tool, such as "meshnoise bake", so that a UsageError leads to the command's own --help.

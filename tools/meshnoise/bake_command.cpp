@@ -80,7 +80,7 @@ void check_consistency(const FlagSet& flags, const BakeRecipe& recipe) {
     throw UsageError("--layer applies to --noise surface, oriented and flat exemplars only");
 }
 
-void check_outputs(const BakeOptions& options) {
+void check_outputs(const FlagSet& flags, const std::string& in, const BakeOptions& options) {
   if (options.out.empty() && options.preview.empty() && options.write_recipe.empty()) {
     throw UsageError("--out is missing; say where the mesh goes: --out out.ply");
   }
@@ -93,7 +93,11 @@ void check_outputs(const BakeOptions& options) {
     throw UsageError("--keep has no effect where --out is no .ply or .om, which alone hold such numbers");
   }
   if (!options.preview.empty()) require_preview(options.preview);
-  require_outputs({options.out, options.preview, options.write_recipe}, options.existing);
+  require_extension("--write-recipe", options.write_recipe, {".json"}, StandardOutput::allowed);
+  const std::string recipe = flags.value_of("--recipe").value_or("");
+  const std::string noise = flags.value_of("--noise").value_or("");
+  require_outputs({{options.out, in}, options.preview, {options.write_recipe, recipe}}, options.existing,
+                  {in, recipe, noise});
 }
 
 void print_plan(const BakePlan& plan, const std::string& steered_by) {
@@ -115,12 +119,13 @@ void print_plan(const BakePlan& plan, const std::string& steered_by) {
 }
 
 void write_baked(const BakedMesh& baked, const BakeOptions& options, std::vector<std::string> comments,
-                 Progress* progress) {
+                 Progress* progress, OutputGroup* group) {
   MeshWriteOptions write;
   for (std::string& comment : recipe_comments(options.recipe)) comments.push_back(std::move(comment));
   write.comments = std::move(comments);
   write.existing = options.existing;
   write.progress = progress;
+  write.group = group;
   write_output_mesh(options.out, baked.mesh, write);
 }
 
@@ -152,18 +157,17 @@ MeshReading read_mesh_to_bake(const std::string& in, const BakeOptions& options)
                   names.empty() ? "no numbers" : fmt::format("{}", fmt::join(names, ", "))));
 }
 
-void write_recipe(const BakeOptions& options) {
-  if (!options.write_recipe.empty()) {
-    write_text_file(options.write_recipe, format_json(to_json(options.recipe)));
-  }
+void write_recipe(const BakeOptions& options, OutputGroup* group) {
+  if (options.write_recipe.empty()) return;
+  write_text_file(options.write_recipe, format_json(to_json(options.recipe)),
+                  {.existing = options.existing, .group = group});
 }
 
 void bake_file(const std::string& in, const BakeOptions& options) {
-  check_outputs(options);
   catch_interrupts();
   options.times->begin("reading");
   MeshReading reading = read_mesh_to_bake(in, options);
-  if (options.out.empty() && options.preview.empty()) return write_recipe(options);
+  if (options.out.empty() && options.preview.empty()) return write_recipe(options, nullptr);
   options.times->begin("plan");
   const BakePlan plan = plan_bake(std::move(reading.mesh), options.recipe);
   if (!options.quiet) print_plan(plan, steering_name(options.recipe.by));
@@ -180,10 +184,14 @@ void bake_file(const std::string& in, const BakeOptions& options) {
     preview = render_mesh_preview(baked.mesh, baked.normals, baked.colors, options.recipe.up);
   }
   throw_if_cancelled(&progress);
-  if (!options.out.empty()) write_baked(baked, options, foreign_comments(reading.comments), &progress);
-  if (preview) write_image(options.preview, *preview);
+  OutputGroup outputs;
+  if (preview) write_image(options.preview, *preview, {.existing = options.existing, .group = &outputs});
+  write_recipe(options, &outputs);
+  if (!options.out.empty()) {
+    write_baked(baked, options, foreign_comments(reading.comments), &progress, &outputs);
+  }
+  outputs.appear();
   options.times->begin("end");
-  write_recipe(options);
   if (options.quiet) return;
   std::cerr << fmt::format("{}: {} vertices, {} faces\nmin {:.6g}  max {:.6g}  mean {:.6g}  sigma {:.6g}\n",
                            options.out.empty() ? options.preview : options.out, baked.mesh.positions.size(),
@@ -225,6 +233,7 @@ int run_bake(const std::vector<std::string>& arguments) {
       const MeshReading reading = read_mesh_to_bake(in, options);
       std::cout << format_json(describe_bake(plan_bake(reading.mesh, options.recipe), options.recipe));
     } else {
+      check_outputs(flags, in, options);
       bake_file(in, options);
       if (options.timings) std::cerr << options.times->report();
     }

@@ -16,6 +16,7 @@
 #include "common/recipe_files.h"
 #include "common/run_tool.h"
 #include "solidnoise/core/check.h"
+#include "solidnoise/core/printable.h"
 #include "solidnoise/image/color.h"
 #include "solidnoise/mesh/bake_mesh.h"
 #include "solidnoise/mesh/bake_recipe_json.h"
@@ -34,8 +35,9 @@ ParameterRange parse_range(const std::string& flag, const std::string& text) {
   try {
     return {parse_number(flag, text.substr(0, dots)), parse_number(flag, text.substr(dots + 2))};
   } catch (const UsageError&) {
-    throw UsageError(fmt::format(
-        "{} is {}; it must be a number, or two with dots between them, such as 4..32", flag, text));
+    throw UsageError(
+        fmt::format("{} is {}; it must be a number, or two with dots between them, such as 4..32", flag,
+                    printable(text)));
   }
 }
 
@@ -61,7 +63,7 @@ void set_refine(RefineRecipe& refine, const std::string& text) {
     const bool is_number = !text.empty() && text.find_first_not_of("+-0123456789") == std::string::npos;
     if (!is_number) {
       throw UsageError(fmt::format("--refine is {}; it must be auto, off or a number of rounds",
-                                   text.empty() ? "empty" : text));
+                                   text.empty() ? "empty" : printable(text)));
     }
     refine.mode = RefineRecipe::Mode::rounds;
     refine.rounds = parse_integer("--refine", text);
@@ -74,7 +76,7 @@ std::vector<std::string> parse_names(const std::string& flag, const std::string&
   for (std::string name; std::getline(stream, name, ',');) names.push_back(name);
   if (names.empty() || std::count(names.begin(), names.end(), "") > 0) {
     throw UsageError(fmt::format("{} is {}; it must be names with commas between them", flag,
-                                 text.empty() ? "empty" : text));
+                                 text.empty() ? "empty" : printable(text)));
   }
   return names;
 }
@@ -134,8 +136,8 @@ void choose_noise(BakeRecipe& recipe, const std::string& noise) {
   names.pop_back();  // an exemplar is given by its file
   const auto found = std::find(names.begin(), names.end(), noise);
   if (found == names.end()) {
-    throw UsageError(fmt::format("--noise is {}; it must be one of {}, or FILE.json of noisefit", noise,
-                                 fmt::join(names, ", ")));
+    throw UsageError(fmt::format("--noise is {}; it must be one of {}, or FILE.json of noisefit",
+                                 printable(noise), fmt::join(names, ", ")));
   }
   recipe.noise.kind = kSurfaceNoiseChoices[static_cast<std::size_t>(found - names.begin())].value;
 }

@@ -67,7 +67,7 @@ int run_curvature(const std::vector<std::string>& arguments) {
     throw UsageError("--out is missing; say where the mesh goes: --out c.ply");
   if (!out.empty()) require_mesh_name(out, Shows::colors);
   if (!preview.empty()) require_preview(preview);
-  require_outputs({out, preview}, existing);
+  require_outputs({{out, in}, preview}, existing, {in});
 
   catch_interrupts();
   const MeshReading reading = read_input_mesh(in, quiet ? Notes::keep_quiet : Notes::print);
@@ -76,11 +76,14 @@ int run_curvature(const std::vector<std::string>& arguments) {
   std::optional<Image> picture;
   if (!preview.empty()) picture = render_mesh_preview(shown.mesh, shown.normals, shown.colors, recipe.up);
   throw_if_cancelled(&progress);
+  OutputGroup outputs;
+  if (picture) write_image(preview, *picture, {.existing = existing, .group = &outputs});
   if (!out.empty()) {
-    write_output_mesh(out, shown.mesh,
-                      {.comments = {kMeshnoise}, .existing = existing, .progress = &progress});
+    write_output_mesh(
+        out, shown.mesh,
+        {.comments = {kMeshnoise}, .existing = existing, .progress = &progress, .group = &outputs});
   }
-  if (picture) write_image(preview, *picture);
+  outputs.appear();
   if (!quiet) {
     std::cerr << fmt::format("{}: {} vertices, {:.4g} to {:.4g}, colours from {:.4g} to {:.4g}\n",
                              out.empty() ? preview : out, shown.mesh.positions.size(), shown.steering.least,

@@ -130,7 +130,9 @@ int run_edit(const std::vector<std::string>& arguments) {
   flags.apply();
   if (command.out.empty()) throw UsageError("--out is missing; say where the result goes: --out new.json");
   if (command.operations.empty()) throw UsageError("there is nothing to do; say --rotate, --scale, ...");
-  require_outputs({command.out}, command.existing);
+  require_extension("--out", command.out, {".json"}, StandardOutput::allowed);
+  require_outputs({{command.out, command.in}}, command.existing,
+                  {command.in, flags.value_of("--copy").value_or("")});
 
   ExemplarModel model = read_model(command.in);
   if (command.channel &&
@@ -151,7 +153,7 @@ int run_edit(const std::vector<std::string>& arguments) {
     }
   }
   if (!edited) throw UsageError(fmt::format("{} has no group {}", command.in, *command.group));
-  write_model(command.out, model, command.existing);
+  write_model(command.out, model, {.existing = command.existing});
   if (!command.quiet) std::cerr << describe(model);
   return kDone;
 }

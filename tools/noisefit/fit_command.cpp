@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "common/flag_set.h"
-#include "common/outputs.h"
 #include "common/progress.h"
 #include "common/run_tool.h"
 #include "noisefit/commands.h"
@@ -19,7 +18,6 @@
 #include "solidnoise/analysis/exemplar/exemplar_sheet.h"
 #include "solidnoise/analysis/exemplar/fit_exemplar.h"
 #include "solidnoise/analysis/exemplar/solid_spectrum.h"
-#include "solidnoise/image/image_file.h"
 
 namespace solidnoise {
 namespace {
@@ -39,14 +37,12 @@ constexpr Choices<ColorAxes, 3> kColorAxesChoices{
 
 struct FitCommand {
   std::vector<std::string> inputs;
-  std::string out;
-  std::string preview;
+  FitOutputs outputs;
   ExemplarReading reading;
   ExemplarFitOptions fit;
   int seed = 1;
   bool grey = false;
   bool solid = false;
-  Existing existing = Existing::refuse;
   bool quiet = false;
 };
 
@@ -54,12 +50,13 @@ void declare_flags(FlagSet& flags, FitCommand& command) {
   flags.arguments("IN", "Pictures of the texture: .png, .jpg, .tif, .exr or .hdr; more are averaged",
                   command.inputs);
   flags.group("Flags");
-  keep(flags, "--out", "FILE.json", "Where the noise goes; - for the standard output", command.out);
+  keep(flags, "--out", "FILE.json", "Where the noise goes; - for the standard output", command.outputs.model);
   keep(flags, "--preview", "FILE.png",
-       "A sheet: the exemplar, its Gaussian version, the sparse spectrum, the noise", command.preview);
+       "A sheet: the exemplar, its Gaussian version, the sparse spectrum, the noise",
+       command.outputs.preview);
   flags.integer("--seed", "NUMBER", "Of the textures in the sheet (default 1)",
                 [&](int value) { command.seed = value; });
-  flags.toggle("--force", "Replace files that exist", [&] { command.existing = Existing::replace; });
+  flags.toggle("--force", "Replace files that exist", [&] { command.outputs.existing = Existing::replace; });
   flags.toggle("--quiet", "Print errors only", [&] { command.quiet = true; });
   flags.group("The exemplar");
   flags.number("--pixel-size", "UNITS", "World units of a pixel (default 1)",
@@ -138,23 +135,19 @@ FitCommand parse(const std::vector<std::string>& arguments) {
   if (command.fit.patch != 0 && command.fit.patch < 16) {
     throw UsageError(fmt::format("--patch is {}; it must be at least 16", command.fit.patch));
   }
-  if (command.out.empty() && command.preview.empty()) {
-    throw UsageError("--out is missing; say where the noise goes: --out sand.json");
-  }
-  require_outputs({command.out, command.preview}, command.existing);
+  command.outputs.check(command.inputs);
   return command;
 }
 
 // Writes and draws a model; what it says in the sheet is `caption`.
 void write_outputs(const FitCommand& command, const Exemplar<2>& exemplar, const ExemplarModel& model,
                    const std::string& caption) {
-  if (!command.out.empty()) write_model(command.out, model, command.existing);
-  if (command.preview.empty()) return;
-  const std::string name = std::filesystem::path(command.inputs.front()).stem().string();
-  write_image(command.preview,
-              draw_exemplar_sheet(
-                  exemplar, model,
-                  {.title = name, .caption = caption, .seed = static_cast<std::uint64_t>(command.seed)}));
+  command.outputs.write(model, [&] {
+    const std::string name = std::filesystem::path(command.inputs.front()).stem().string();
+    return draw_exemplar_sheet(
+        exemplar, model,
+        {.title = name, .caption = caption, .seed = static_cast<std::uint64_t>(command.seed)});
+  });
 }
 
 int fit_solid(const FitCommand& command, const std::vector<Exemplar<2>>& exemplars) {
@@ -180,7 +173,7 @@ int fit_planar(const FitCommand& command, const std::vector<Exemplar<2>>& exempl
     fit = fit_exemplar<2>(exemplars, command.fit, &progress);
   }
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  if (fit.interrupted) return keep_last_solution(command.out, fit.model, command.existing);
+  if (fit.interrupted) return keep_last_solution(command.outputs, fit.model);
   write_outputs(command, exemplars.front(), fit.model, describe_shortly(fit, seconds));
   if (!command.quiet) std::cerr << describe(fit, seconds);
   return kDone;

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
+#include <vector>
 
+#include "solidnoise/core/image.h"
 #include "solidnoise/core/output_file.h"
 #include "solidnoise/noise/gabor/gabor_spectrum.h"
 
@@ -12,10 +15,23 @@ namespace solidnoise {
 ExemplarModel read_model(const std::filesystem::path& path);
 
 // Writes one, all or nothing; "-" is the standard output.
-void write_model(const std::filesystem::path& path, const ExemplarModel& model, Existing existing);
+void write_model(const std::filesystem::path& path, const ExemplarModel& model, const OutputOptions& options);
 
-// Ends a fit that was interrupted: writes its last solution, if `path` is not empty, says so on the standard
+// Where a fit is written: the model, and a picture of it. Either may be empty, but not both.
+struct FitOutputs {
+  std::string model;
+  std::string preview;
+  Existing existing = Existing::refuse;
+
+  // Refuses, before any work, what could not be written in the end, and what is one of the inputs. Throws
+  // UsageError, std::runtime_error.
+  void check(const std::vector<std::string>& inputs) const;
+  // Writes both together; the picture is drawn if there is to be one.
+  void write(const ExemplarModel& fitted, const std::function<Image()>& draw) const;
+};
+
+// Ends a fit that was interrupted: writes its last solution, if models are written, says so on the standard
 // error and returns the exit status.
-int keep_last_solution(const std::string& path, const ExemplarModel& model, Existing existing);
+int keep_last_solution(const FitOutputs& outputs, const ExemplarModel& model);
 
 }  // namespace solidnoise

@@ -75,10 +75,10 @@ Image draw(const AnalysisSubject& subject, const AnalysisReport& report, const s
       report.comparison ? SpectrumPlot(*report.comparison) : SpectrumPlot(report.spectrum));
 }
 
-void check_plot(const std::string& plot, const FlagSet& flags) {
+void check_plot(const std::string& plot, Existing existing, const std::string& file) {
   if (plot.empty()) return;
   if (!plot.ends_with(".png")) throw UsageError(fmt::format("--plot is {}; it must end in .png", plot));
-  require_output(plot, flags.given("--force") ? Existing::replace : Existing::refuse);
+  require_outputs({plot}, existing, {file});
 }
 
 }  // namespace
@@ -98,7 +98,8 @@ int run_analyze(const std::vector<std::string>& arguments) {
   flags.toggle("--force", "Replace the picture if it exists", [] {});
   flags.parse(arguments);
   flags.apply();
-  check_plot(plot, flags);
+  const Existing existing = flags.given("--force") ? Existing::replace : Existing::refuse;
+  check_plot(plot, existing, file);
 
   AnalysisSubject subject;
   subject.grid = read_float_grid(file, grid_name);
@@ -113,7 +114,7 @@ int run_analyze(const std::vector<std::string>& arguments) {
     throw std::runtime_error(file + ": no block of its voxels is dense enough for --plot");
   }
   const AnalysisReport report = analyze(subject);
-  if (!plot.empty()) write_image(plot, draw(subject, report, file));
+  if (!plot.empty()) write_image(plot, draw(subject, report, file), {.existing = existing});
   std::cout << format_json(report.json);
   return kDone;
 }

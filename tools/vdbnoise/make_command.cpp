@@ -108,9 +108,10 @@ void check_memory(const MakeOptions& options, const VolumePlan& plan) {
       plan.modification ? "" : "; make --dim smaller or --voxel larger"));
 }
 
-void write_recipe(const MakeOptions& options, const VolumePlan& plan) {
+void write_recipe(const MakeOptions& options, const VolumePlan& plan, OutputGroup* group) {
   if (options.write_recipe.empty()) return;
-  write_text_file(options.write_recipe, format_json(to_json(with_digests(options.recipe, plan))));
+  write_text_file(options.write_recipe, format_json(to_json(with_digests(options.recipe, plan))),
+                  {.existing = options.existing, .group = group});
 }
 
 // All of the planned voxels, as they are before empty ones are dropped.
@@ -146,7 +147,7 @@ void make_volume_files(const MakeOptions& options) {
   auto ends_at_once = std::make_unique<EndsAtOnce>();
   options.times->begin("plan");
   const VolumePlan plan = plan_volume(options.recipe, options.part);
-  if (options.out.empty() && options.preview.empty()) return write_recipe(options, plan);
+  if (options.out.empty() && options.preview.empty()) return write_recipe(options, plan, nullptr);
   check_memory(options, plan);
   const auto warn = [&] {
     if (!options.quiet && options.warns) warn_of_resolution(options.recipe, plan, std::cerr);
@@ -171,6 +172,9 @@ void make_volume_files(const MakeOptions& options) {
     progress.begin(options.task_prefix + "writing");
     ends_at_once.reset();
     throw_if_cancelled(&progress);
+    OutputGroup outputs;
+    if (preview) write_image(options.preview, *preview, {.existing = options.existing, .group = &outputs});
+    write_recipe(options, plan, &outputs);
     if (!options.out.empty()) {
       VdbWriteOptions write;
       write.codec = options.recipe.codec;
@@ -179,12 +183,12 @@ void make_volume_files(const MakeOptions& options) {
       write.frame = options.frame;
       if (options.frame) write.fps = options.fps;
       write.progress = &progress;
+      write.group = &outputs;
       write_volume(options.out, volume, write);
     }
-    if (preview) write_image(options.preview, *preview);
+    outputs.appear();
   }
   options.times->begin("end");
-  write_recipe(options, plan);
   if (!is_checked) warn();
   if (!options.quiet) print_statistics(volume, options.out.empty() ? options.preview : options.out);
 }

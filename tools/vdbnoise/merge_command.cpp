@@ -38,7 +38,7 @@ int run_merge(const std::vector<std::string>& arguments) {
   flags.apply();
   if (out.empty()) throw UsageError("--out is missing; say where the grid goes: --out whole.vdb");
   check_output_names(out, preview);
-  require_outputs({out, preview}, write.existing);
+  require_outputs({out, preview}, write.existing, files);
   catch_interrupts();
 
   MergedVolume merged;
@@ -59,8 +59,11 @@ int run_merge(const std::vector<std::string>& arguments) {
     write.frame = merged.frame;
     write.fps = merged.fps;
     write.progress = &progress;
+    OutputGroup outputs;
+    write.group = &outputs;
+    if (picture) write_image(preview, *picture, {.existing = write.existing, .group = &outputs});
     write_volume(out, merged.volume, write);
-    if (picture) write_image(preview, *picture);
+    outputs.appear();
   }
   if (!quiet) print_statistics(merged.volume, out);
   return kDone;

@@ -59,13 +59,16 @@ void warn_of_aliasing(const SliceOptions& options, const SliceField& field) {
 void write_slice(const SliceOptions& options, const SliceField& field,
                  const std::vector<DenseField<2>>& channels) {
   const DenseField<2>& slice = channels.front();
-  if (options.is_line()) return write_text_file(options.out, line_table(options.plane, slice));
-  ImageFileOptions file;
+  if (options.is_line()) {
+    return write_text_file(options.out, line_table(options.plane, slice), {.existing = options.existing});
+  }
+  OutputGroup outputs;
+  ImageFileOptions file{.existing = options.existing, .group = &outputs};
   if (!options.spectrum.empty()) {
     file.color_space = options.spectrum.ends_with(".exr") ? ColorSpace::linear : ColorSpace::srgb;
     write_image(options.spectrum, spectrum_image(options, slice), file);
   }
-  if (options.out.empty()) return;
+  if (options.out.empty()) return outputs.appear();
   const auto [low, high] = shown_values(options, field, slice);
   file.sample_type = options.sample_type;
   file.color_space = options.out.ends_with(".exr") ? ColorSpace::linear : ColorSpace::srgb;
@@ -73,6 +76,7 @@ void write_slice(const SliceOptions& options, const SliceField& field,
       options.out,
       options.color ? color_image(options, channels, low, high) : slice_image(options, slice, low, high),
       file);
+  outputs.appear();
 }
 
 void make_slice(SliceOptions options) {

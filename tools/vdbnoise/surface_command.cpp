@@ -85,7 +85,7 @@ int run_surface(const std::vector<std::string>& arguments) {
   flags.apply();
   if (options.out.empty()) throw UsageError("--out is missing; say where the grid goes: --out surface.vdb");
   check_output_names(options.out, "");
-  require_outputs({options.out}, options.existing);
+  require_outputs({options.out}, options.existing, {options.mesh});
   catch_interrupts();
 
   auto ends_at_once = std::make_unique<EndsAtOnce>();

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "solidnoise/core/printable.h"
 #include "solidnoise/geometry/scalar_type.h"
 #include "solidnoise/geometry/text_lines.h"
 

@@ -3,20 +3,18 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cerrno>
 #include <cstdint>
-#include <fstream>
 #include <limits>
 #include <optional>
 #include <set>
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "solidnoise/core/input_file.h"
 #include "solidnoise/geometry/mesh_codecs.h"
 
 namespace solidnoise {
@@ -55,30 +53,7 @@ bool is_mesh_path(const std::filesystem::path& path) {
 
 namespace {
 
-std::string read_bytes(const std::filesystem::path& path) {
-  std::error_code error;
-  if (std::filesystem::is_directory(path, error)) {
-    throw std::runtime_error(fmt::format("{}: is a folder, not a mesh", path.string()));
-  }
-  const auto fail = [&](const char* what) {
-    throw std::runtime_error(
-        fmt::format("{}: {}: {}", path.string(), what, std::generic_category().message(errno)));
-  };
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) fail("cannot be read");
-  constexpr std::size_t kFirst = std::size_t{1} << 16;
-  const auto size = std::filesystem::file_size(path, error);  // not that of a pipe
-  std::string bytes(error || size < kFirst ? kFirst : static_cast<std::size_t>(size) + 1, '\0');
-  std::size_t count = 0;
-  while (stream) {
-    if (count == bytes.size()) bytes.resize(2 * bytes.size());
-    stream.read(bytes.data() + count, static_cast<std::streamsize>(bytes.size() - count));
-    count += static_cast<std::size_t>(stream.gcount());
-  }
-  if (stream.bad()) fail("reading failed");
-  bytes.resize(count);
-  return bytes;
-}
+constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 36;
 
 MeshReading read_format(std::string_view bytes, MeshFormat format, const std::string& name) {
   switch (format) {
@@ -100,7 +75,7 @@ MeshReading read_format(std::string_view bytes, MeshFormat format, const std::st
 
 MeshReading read_mesh(const std::filesystem::path& path) {
   const MeshFormat format = mesh_format(path);
-  return read_mesh(read_bytes(path), format, path.string());
+  return read_mesh(read_file(path, kMostBytes), format, path.string());
 }
 
 MeshReading read_mesh(std::string_view bytes, MeshFormat format, const std::string& name) {
@@ -142,7 +117,7 @@ void require_sound_properties(const PolygonMesh& mesh) {
 void write_mesh(const std::filesystem::path& path, const PolygonMesh& mesh, const MeshWriteOptions& options) {
   const MeshFormat format = mesh_format(path);
   require_sound_properties(mesh);
-  write_output(path, {options.existing, options.progress},
+  write_output(path, {.existing = options.existing, .progress = options.progress, .group = options.group},
                [&](std::ostream& stream) { write_mesh(stream, format, mesh, options); });
 }
 

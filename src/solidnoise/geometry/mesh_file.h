@@ -63,6 +63,7 @@ struct MeshWriteOptions {
   std::vector<std::string> comments = {};  // PLY, OBJ: at the head, OFF: at the end; a line each
   Existing existing = Existing::refuse;
   Progress* progress = nullptr;  // asked for cancellation while writing
+  OutputGroup* group = nullptr;  // with which the file appears
 };
 
 // Writes a mesh by the path's extension, all or nothing, as write_output does:

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "solidnoise/core/printable.h"
 #include "solidnoise/geometry/ply_header.h"
 #include "solidnoise/geometry/scalar_type.h"
 #include "solidnoise/geometry/text_lines.h"

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "solidnoise/core/printable.h"
 #include "solidnoise/geometry/mesh_codecs.h"
 #include "solidnoise/geometry/polygon_mesh.h"
 #include "solidnoise/geometry/text_lines.h"

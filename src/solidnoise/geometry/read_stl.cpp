@@ -13,6 +13,7 @@
 #include <OpenMesh/Core/IO/reader/STLReader.hh>
 #include <fmt/format.h>
 
+#include "solidnoise/core/printable.h"
 #include "solidnoise/geometry/mesh_codecs.h"
 #include "solidnoise/geometry/mesh_importer.h"
 #include "solidnoise/geometry/openmesh_session.h"

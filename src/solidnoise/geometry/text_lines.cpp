@@ -32,14 +32,6 @@ std::string_view trim(std::string_view text) {
   return text;
 }
 
-std::string printable(std::string_view word) {
-  constexpr std::size_t kLongest = 40;
-  std::string text(word.substr(0, kLongest));
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-  return word.size() > kLongest ? text + "..." : text;
-}
-
 std::optional<double> parse_double(std::string_view word) {
   if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
   double number = 0.0;

@@ -15,9 +15,6 @@ std::string_view take_word(std::string_view& text);
 // Takes off what is blank at both ends.
 std::string_view trim(std::string_view text);
 
-// A word as a message may quote it: bytes that are no printable ASCII as ?, and no more than 40 of all.
-std::string printable(std::string_view word);
-
 // The number that is the whole of `word`, in the "C" locale; a plus sign may stand before it.
 template <typename Number>
 std::optional<Number> parse_number(std::string_view word) {

@@ -3,20 +3,18 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cerrno>
 #include <cstdint>
-#include <fstream>
 #include <new>
+#include <ostream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <system_error>
-#include <unistd.h>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "solidnoise/core/input_file.h"
 #include "solidnoise/image/image_module.h"
 
 namespace solidnoise {
@@ -26,6 +24,7 @@ namespace fs = std::filesystem;
 
 struct Format {
   std::string_view extension;
+  const char* name;  // OpenImageIO's
   SampleType automatic;
   std::vector<SampleType> types;
 };
@@ -33,12 +32,12 @@ struct Format {
 const std::vector<Format>& formats() {
   using enum SampleType;
   static const std::vector<Format> all{
-      {".png", uint8, {uint8, uint16}},
-      {".jpg", uint8, {uint8}},
-      {".jpeg", uint8, {uint8}},
-      {".tif", uint16, {uint8, uint16, float32}},
-      {".tiff", uint16, {uint8, uint16, float32}},
-      {".exr", float32, {float16, float32}},
+      {".png", "png", uint8, {uint8, uint16}},
+      {".jpg", "jpeg", uint8, {uint8}},
+      {".jpeg", "jpeg", uint8, {uint8}},
+      {".tif", "tiff", uint16, {uint8, uint16, float32}},
+      {".tiff", "tiff", uint16, {uint8, uint16, float32}},
+      {".exr", "openexr", float32, {float16, float32}},
   };
   return all;
 }
@@ -62,19 +61,20 @@ std::string lower_extension(const fs::path& path) {
   return extension;
 }
 
-SampleType choose_type(const fs::path& path, SampleType wanted) {
+const Format& format_to_write(const fs::path& path) {
   const std::string extension = lower_extension(path);
   for (const Format& format : formats()) {
-    if (format.extension != extension) continue;
-    if (wanted == SampleType::automatic) return format.automatic;
-    if (std::find(format.types.begin(), format.types.end(), wanted) == format.types.end()) {
-      throw std::invalid_argument(
-          fmt::format("{}: this sample type cannot be stored in a {} file", path.string(), extension));
-    }
-    return wanted;
+    if (format.extension == extension) return format;
   }
   throw std::invalid_argument(
       fmt::format("{}: the extension must be .png, .jpg, .tif or .exr", path.string()));
+}
+
+SampleType choose_type(const fs::path& path, const Format& format, SampleType wanted) {
+  if (wanted == SampleType::automatic) return format.automatic;
+  if (std::find(format.types.begin(), format.types.end(), wanted) != format.types.end()) return wanted;
+  throw std::invalid_argument(
+      fmt::format("{}: this sample type cannot be stored in a {} file", path.string(), format.extension));
 }
 
 void require_complete(const fs::path& path, const Image& image) {
@@ -87,31 +87,8 @@ void require_complete(const fs::path& path, const Image& image) {
   }
 }
 
-// Removes the file unless it was renamed before.
-class TemporaryFile {
- public:
-  explicit TemporaryFile(const fs::path& target)
-      : path_(target.parent_path() /
-              fmt::format(".{}.{}{}", target.stem().string(), ::getpid(), target.extension().string())) {}
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  ~TemporaryFile() {
-    std::error_code ignored;
-    fs::remove(path_, ignored);
-  }
-
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
-// What OpenImageIO says, on one line, about the file the user knows instead of the temporary one.
-std::string explain(std::string message, const std::string& temporary, const std::string& path) {
-  for (std::size_t at = message.find(temporary); at != std::string::npos; at = message.find(temporary, at)) {
-    message.replace(at, temporary.size(), path);
-    at += path.size();
-  }
+// What OpenImageIO says, on one line.
+std::string explain(std::string message) {
   while (!message.empty() && std::isspace(static_cast<unsigned char>(message.back()))) message.pop_back();
   std::replace(message.begin(), message.end(), '\n', ' ');
   return message.empty() ? "unknown error" : message;
@@ -120,7 +97,7 @@ std::string explain(std::string message, const std::string& temporary, const std
 // A kind of file that is read: the bytes it begins with, and OpenImageIO's name for it.
 struct Signature {
   std::string_view bytes;
-  std::string_view format;
+  const char* format;
 };
 
 constexpr std::array kSignatures{Signature{{"\x89PNG\r\n\x1a\n", 8}, "png"},
@@ -133,39 +110,20 @@ constexpr std::array kSignatures{Signature{{"\x89PNG\r\n\x1a\n", 8}, "png"},
 
 // OpenImageIO, left to itself, would try all of its formats on a file: each is one more parser for hostile
 // bytes, and some run for other things than pictures.
-std::string_view format_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::array<char, 10> begin{};
-  file.read(begin.data(), begin.size());
-  if (!file.is_open() || file.bad()) throw std::runtime_error(std::generic_category().message(errno));
-  const std::string_view bytes(begin.data(), static_cast<std::size_t>(file.gcount()));
+const char* format_of(std::string_view bytes) {
   for (const Signature& signature : kSignatures) {
     if (bytes.starts_with(signature.bytes)) return signature.format;
   }
   throw std::runtime_error("it must be a PNG, JPEG, TIFF, OpenEXR or Radiance HDR file");
 }
 
-// Whether a PNG file goes on up to its closing chunk. libpng prints a line of its own about a file without
-// it.
-bool is_whole_png(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  file.seekg(8);
-  std::array<unsigned char, 8> head{};
-  while (file.read(reinterpret_cast<char*>(head.data()), head.size())) {
-    const std::string_view type(reinterpret_cast<const char*>(head.data()) + 4, 4);
-    if (type == "IEND") return static_cast<bool>(file.ignore(4)) && file.gcount() == 4;
-    const std::uint32_t length = head[0] * 0x1000000u + head[1] * 0x10000u + head[2] * 0x100u + head[3];
-    file.seekg(std::int64_t{length} + 4, std::ios::cur);
-  }
-  return false;
-}
-
 constexpr std::size_t kMostValues = std::size_t{1} << 28;  // a gigabyte of floats
+
+constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 30;
 
 // A picture that is being read, and why it is refused.
 struct Reading {
   Image image;
-  std::size_t most_values = kMostValues;
   std::string refusal;
 };
 
@@ -177,10 +135,10 @@ float* allocate_image(void* context, int width, int height, int depth, int chann
       return nullptr;
     }
     const double values = static_cast<double>(width) * height * channels;
-    if (width < 1 || height < 1 || channels < 1 || values > static_cast<double>(reading.most_values)) {
+    if (width < 1 || height < 1 || channels < 1 || values > static_cast<double>(kMostValues)) {
       reading.refusal =
           fmt::format("it has {} x {} pixels of {} channels; width x height x channels must be at most {}",
-                      width, height, channels, reading.most_values);
+                      width, height, channels, kMostValues);
       return nullptr;
     }
     reading.image = Image(width, height, channels);
@@ -191,62 +149,49 @@ float* allocate_image(void* context, int width, int height, int depth, int chann
 }
 
 // Throws std::runtime_error that says what is wrong, but not with which file.
-Image read(const fs::path& path, std::size_t most_values) {
-  const std::string_view format = format_of(path);
-  if (format == "png" && !is_whole_png(path)) throw std::runtime_error("it is cut short");
+Image decode(std::string_view bytes) {
+  const char* const format = format_of(bytes);
   Reading reading;
-  reading.most_values = most_values;
   std::array<char, 1024> text{};
   SolidnoiseImageError error{text.data(), text.size()};
-  if (image_module().read(path.c_str(), format.data(), allocate_image, &reading, &error) != 0) {
+  if (image_module().decode(format, bytes.data(), bytes.size(), allocate_image, &reading, &error) != 0) {
     throw std::runtime_error(reading.refusal.empty() ? text.data() : reading.refusal);
   }
   return std::move(reading.image);
 }
 
-// Whether the file that was just written holds a picture of that size. OpenImageIO's PNG writer says nothing
-// when the disk is full.
-bool is_whole(const fs::path& path, const Image& image) {
-  try {
-    const Image stored = read(path, image.pixels.size());
-    return stored.width == image.width && stored.height == image.height;
-  } catch (const std::runtime_error&) {
-    return false;
-  }
-}
-
 }  // namespace
 
 void write_image(const fs::path& path, const Image& image, const ImageFileOptions& options) {
-  const SampleType type = choose_type(path, options.sample_type);
+  const Format& format = format_to_write(path);
+  const SampleType type = choose_type(path, format, options.sample_type);
   require_complete(path, image);
   const ImageModule& module = image_module();
-
-  const TemporaryFile temporary(path);
-  std::array<char, 1024> text{};
-  SolidnoiseImageError error{text.data(), text.size()};
-  const SolidnoiseImagePicture picture{image.width, image.height, image.channels, image.pixels.data()};
-  const char* const color_space = options.color_space == ColorSpace::srgb ? "sRGB" : "Linear";
-  if (module.write(temporary.path().c_str(), &picture, module_type(type), color_space, &error) != 0) {
-    throw std::runtime_error(fmt::format("cannot write {}: {}", path.string(),
-                                         explain(text.data(), temporary.path().string(), path.string())));
-  }
-
-  if (!is_whole(temporary.path(), image)) {
-    throw std::runtime_error(
-        fmt::format("cannot write {}: the file is damaged after writing; is the disk full?", path.string()));
-  }
-  std::error_code failure;
-  fs::rename(temporary.path(), path, failure);
-  if (failure) throw std::runtime_error(fmt::format("cannot write {}: {}", path.string(), failure.message()));
+  write_output(path, {.existing = options.existing, .group = options.group}, [&](std::ostream& stream) {
+    const auto take = [](void* context, const char* bytes, std::size_t count) {
+      static_cast<std::string*>(context)->assign(bytes, count);
+    };
+    std::string bytes;
+    std::array<char, 1024> text{};
+    SolidnoiseImageError error{text.data(), text.size()};
+    const SolidnoiseImagePicture picture{image.width, image.height, image.channels, image.pixels.data()};
+    const char* const color_space = options.color_space == ColorSpace::srgb ? "sRGB" : "Linear";
+    if (module.encode(format.name, &picture, module_type(type), color_space, take, &bytes, &error) != 0) {
+      throw std::runtime_error(fmt::format("cannot write {}: {}", path.string(), explain(text.data())));
+    }
+    stream << bytes;
+  });
 }
 
 Image read_image(const fs::path& path) {
+  return read_image(read_file(path, kMostBytes), path.string());
+}
+
+Image read_image(std::string_view bytes, const std::string& name) {
   try {
-    return read(path, kMostValues);
+    return decode(bytes);
   } catch (const std::runtime_error& error) {
-    throw std::runtime_error(fmt::format("cannot read {}: {}", path.string(),
-                                         explain(error.what(), path.string(), path.string())));
+    throw std::runtime_error(fmt::format("cannot read {}: {}", name, explain(error.what())));
   }
 }
 

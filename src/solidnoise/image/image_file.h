@@ -1,8 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <string_view>
 
 #include "solidnoise/core/image.h"
+#include "solidnoise/core/output_file.h"
 
 namespace solidnoise {
 
@@ -17,17 +20,18 @@ enum class ColorSpace { srgb, linear };
 struct ImageFileOptions {
   SampleType sample_type = SampleType::automatic;
   ColorSpace color_space = ColorSpace::srgb;
+  Existing existing = Existing::refuse;
+  OutputGroup* group = nullptr;  // with which the file appears
 };
 
 // Writes a .png (8 or 16 bits), .jpg (8), .tif (8, 16, float32) or .exr (float16, float32) file, by the
-// extension. Integer types clamp to [0, 1]. An existing file is replaced, but never by half a file: the
-// picture goes to a temporary name beside it, is read back, and is then renamed. On failure the temporary is
-// removed. Throws std::invalid_argument if the extension, the type or the picture is at fault and
-// std::runtime_error that names the path if it cannot be written, or if the image module is not installed.
+// extension, all or nothing, as write_output does. Integer types clamp to [0, 1]. Throws
+// std::invalid_argument if the extension, the type or the picture is at fault; std::runtime_error if the
+// image module is not installed, OutputExists, and what else write_output throws.
 //
 // OpenImageIO, which does the work, is loaded by the first call of either function: linking this library
 // costs nothing at start. The module is looked for at $SOLIDNOISE_IMAGE_MODULE, relative to the program or
-// library that contains this function, and where the dynamic linker looks.
+// library that contains this function, where it is installed, and where the dynamic linker looks.
 void write_image(const std::filesystem::path& path, const Image& image, const ImageFileOptions& options = {});
 
 // Reads a PNG, JPEG, TIFF, OpenEXR or Radiance HDR file, told by what it begins with, whatever its name:
@@ -35,5 +39,8 @@ void write_image(const std::filesystem::path& path, const Image& image, const Im
 // anybody: a damaged one, one with depth, or of more than 2^28 values (width x height x channels) is refused,
 // by std::runtime_error that names the path.
 Image read_image(const std::filesystem::path& path);
+
+// The same from a file's bytes; `name` stands for the path in messages.
+Image read_image(std::string_view bytes, const std::string& name);
 
 }  // namespace solidnoise

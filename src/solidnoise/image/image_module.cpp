@@ -17,14 +17,15 @@ namespace fs = std::filesystem;
 constexpr const char* kFileName = "solidnoise_image_io.so";
 constexpr const char* kVariable = "SOLIDNOISE_IMAGE_MODULE";
 
-// The folders of the program, and of the shared library that this function is in, if it is in one.
+// The folders of the program, and of the shared library that this code is in, if it is in one. (The address
+// of an exported function may be one in the program.)
 std::vector<fs::path> own_folders() {
   std::vector<fs::path> folders;
   std::error_code ignored;
   const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
   if (!ignored) folders.push_back(program.parent_path());
   Dl_info info{};
-  if (dladdr(reinterpret_cast<const void*>(&image_module), &info) != 0 && info.dli_fname != nullptr) {
+  if (dladdr(&kFileName, &info) != 0 && info.dli_fname != nullptr) {
     const fs::path library = fs::canonical(info.dli_fname, ignored);
     if (!ignored) folders.push_back(library.parent_path());
   }
@@ -42,7 +43,9 @@ std::string find_module() {
       if (fs::exists(candidate, ignored)) return candidate.lexically_normal().string();
     }
   }
-  return kFileName;
+  const fs::path installed = fs::path(SOLIDNOISE_FULL_LIBDIR) / "solidnoise" / kFileName;
+  std::error_code ignored;
+  return fs::exists(installed, ignored) ? installed.string() : kFileName;
 }
 
 template <typename Function>
@@ -63,8 +66,8 @@ ImageModule load() {
                     dlerror(), kVariable));
   }
   ImageModule module;
-  find_function(library, path, "solidnoise_image_write", module.write);
-  find_function(library, path, "solidnoise_image_read_as", module.read);
+  find_function(library, path, "solidnoise_image_encode", module.encode);
+  find_function(library, path, "solidnoise_image_decode", module.decode);
   find_function(library, path, "solidnoise_image_draw", module.draw);
   return module;
 }

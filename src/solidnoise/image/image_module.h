@@ -5,8 +5,8 @@
 namespace solidnoise {
 
 struct ImageModule {
-  SolidnoiseImageWrite* write = nullptr;
-  SolidnoiseImageRead* read = nullptr;
+  SolidnoiseImageEncode* encode = nullptr;
+  SolidnoiseImageDecode* decode = nullptr;
   SolidnoiseImageDraw* draw = nullptr;
 };
 

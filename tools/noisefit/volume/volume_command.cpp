@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include "common/flag_set.h"
-#include "common/outputs.h"
 #include "common/progress.h"
 #include "common/run_tool.h"
 #include "noisefit/commands.h"
@@ -18,7 +17,6 @@
 #include "solidnoise/analysis/exemplar/describe_fit.h"
 #include "solidnoise/analysis/exemplar/exemplar_sheet.h"
 #include "solidnoise/analysis/exemplar/fit_exemplar.h"
-#include "solidnoise/image/image_file.h"
 #include "solidnoise/volume/topology/grid_frame.h"
 #include "solidnoise/volume/vdb/vdb_read.h"
 
@@ -37,13 +35,11 @@ constexpr int kLargestSide = 256;
 
 struct VolumeCommand {
   std::string in;
-  std::string out;
-  std::string preview;
+  FitOutputs outputs;
   std::string grid;
   std::optional<Box<3>> box;
   ExemplarFitOptions fit;
   int seed = 1;
-  Existing existing = Existing::refuse;
   bool quiet = false;
 
   VolumeCommand() { fit.raw_values = true; }
@@ -52,9 +48,9 @@ struct VolumeCommand {
 void declare_flags(FlagSet& flags, VolumeCommand& command) {
   flags.argument("IN.vdb", "The volume", command.in);
   flags.group("Flags");
-  keep(flags, "--out", "FILE.json", "Where the noise goes; - for the standard output", command.out);
+  keep(flags, "--out", "FILE.json", "Where the noise goes; - for the standard output", command.outputs.model);
   keep(flags, "--preview", "FILE.png", "A sheet: slices of the volume, its Gaussian version and the noise",
-       command.preview);
+       command.outputs.preview);
   flags.integer("--seed", "NUMBER", "Of the textures in the sheet (default 1)",
                 [&](int value) { command.seed = value; });
   keep(flags, "--grid", "NAME", "The grid (default: the first of floats)", command.grid);
@@ -69,7 +65,8 @@ void declare_flags(FlagSet& flags, VolumeCommand& command) {
                [&](double value) { command.fit.spectrum.kappa = value; });
   flags.toggle("--narrowest-band", "Components as narrow as one frequency, for periodic textures",
                [&] { command.fit.spectrum.narrowest_band = true; });
-  flags.toggle("--force", "Replace a file that exists", [&] { command.existing = Existing::replace; });
+  flags.toggle("--force", "Replace a file that exists",
+               [&] { command.outputs.existing = Existing::replace; });
   flags.toggle("--quiet", "Print errors only", [&] { command.quiet = true; });
   flags.footer("A Ctrl-C ends the fit early and keeps the last solution.");
 }
@@ -143,13 +140,10 @@ int run_volume(const std::vector<std::string>& arguments) {
   } catch (const std::invalid_argument& error) {
     throw UsageError(flags.name_flag(error.what()));
   }
-  if (command.out.empty() && command.preview.empty()) {
-    throw UsageError("--out is missing; say where the noise goes: --out smoke.json");
-  }
   if (command.fit.patch != 0 && command.fit.patch < 16) {
     throw UsageError(fmt::format("--patch is {}; it must be at least 16", command.fit.patch));
   }
-  require_outputs({command.out, command.preview}, command.existing);
+  command.outputs.check({command.in});
 
   const std::vector<Exemplar<3>> exemplars{read_box(command)};
   catch_interrupts();
@@ -159,11 +153,8 @@ int run_volume(const std::vector<std::string>& arguments) {
   progress.begin("fitting");
   const ExemplarFit<3> fit = fit_exemplar<3>(exemplars, command.fit, &progress);
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  if (fit.interrupted) return keep_last_solution(command.out, fit.model, command.existing);
-  if (!command.out.empty()) write_model(command.out, fit.model, command.existing);
-  if (!command.preview.empty()) {
-    write_image(command.preview, draw_sheet(command, exemplars.front(), fit, seconds));
-  }
+  if (fit.interrupted) return keep_last_solution(command.outputs, fit.model);
+  command.outputs.write(fit.model, [&] { return draw_sheet(command, exemplars.front(), fit, seconds); });
   if (!command.quiet) std::cerr << describe(fit, seconds);
   return kDone;
 }

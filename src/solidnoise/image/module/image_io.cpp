@@ -1,11 +1,13 @@
 #include "solidnoise/image/module/image_io.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstring>
 #include <exception>
 #include <memory>
 #include <string>
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
@@ -34,25 +36,72 @@ OIIO::TypeDesc stored_type(int sample_type) {
   }
 }
 
-int write(const char* path, const SolidnoiseImagePicture& picture, int sample_type, const char* color_space,
-          SolidnoiseImageError* error) {
-  const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(path);
+// A file in memory. That of OpenImageIO cannot be read while it is written, as TIFF's writer does.
+class MemoryFile final : public OIIO::Filesystem::IOProxy {
+ public:
+  MemoryFile() : IOProxy("", Write) {}
+
+  const std::string& bytes() const { return bytes_; }
+
+  const char* proxytype() const override { return "memory"; }
+  void close() override {}
+  std::size_t size() const override { return bytes_.size(); }
+  std::size_t read(void* target, std::size_t count) override {
+    count = pread(target, count, m_pos);
+    m_pos += static_cast<std::int64_t>(count);
+    return count;
+  }
+  std::size_t write(const void* source, std::size_t count) override {
+    count = pwrite(source, count, m_pos);
+    m_pos += static_cast<std::int64_t>(count);
+    return count;
+  }
+  std::size_t pread(void* target, std::size_t count, std::int64_t offset) override {
+    const auto begin = static_cast<std::size_t>(offset);
+    if (begin >= bytes_.size()) return 0;
+    return bytes_.copy(static_cast<char*>(target), count, begin);
+  }
+  std::size_t pwrite(const void* source, std::size_t count, std::int64_t offset) override {
+    const auto begin = static_cast<std::size_t>(offset);
+    if (bytes_.size() < begin + count) bytes_.resize(begin + count);
+    std::memcpy(bytes_.data() + begin, source, count);
+    return count;
+  }
+
+ private:
+  std::string bytes_;
+};
+
+void set_proxy(OIIO::ImageSpec& spec, OIIO::Filesystem::IOProxy* proxy) {
+  spec.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
+}
+
+int encode(const char* format, const SolidnoiseImagePicture& picture, int sample_type,
+           const char* color_space, SolidnoiseImageTake* take, void* context, SolidnoiseImageError* error) {
+  const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(format);
   if (!output) return fail(error, OIIO::geterror());
   OIIO::ImageSpec spec(picture.width, picture.height, picture.channels, stored_type(sample_type));
   spec.attribute("oiio:ColorSpace", color_space);
   spec.attribute("CompressionQuality", 95);  // JPEG alone uses it
-  if (!output->open(path, spec)) return fail(error, output->geterror());
+  spec.attribute("tiff:write_exif", 0);      // which would be written over the rest, in memory
+  MemoryFile file;
+  set_proxy(spec, &file);
+  if (!output->open(format, spec)) return fail(error, output->geterror());
   if (!output->write_image(OIIO::TypeDesc::FLOAT, picture.pixels)) return fail(error, output->geterror());
   if (!output->close()) return fail(error, output->geterror());
+  take(context, file.bytes().data(), file.bytes().size());
   return 0;
 }
 
-int read(const char* path, const char* format, SolidnoiseImageAllocate* allocate, void* context,
-         SolidnoiseImageError* error) {
+int decode(const char* format, const char* bytes, std::size_t count, SolidnoiseImageAllocate* allocate,
+           void* context, SolidnoiseImageError* error) {
   const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(format);
   if (!input) return fail(error, OIIO::geterror());
+  OIIO::Filesystem::IOMemReader proxy(bytes, count);
+  OIIO::ImageSpec wishes;
+  set_proxy(wishes, &proxy);
   OIIO::ImageSpec spec;
-  if (!input->open(path, spec)) return fail(error, input->geterror());
+  if (!input->open(format, spec, wishes)) return fail(error, input->geterror());
   float* const pixels = allocate(context, spec.width, spec.height, spec.depth, spec.nchannels);
   if (pixels == nullptr) return fail(error, "no memory for its pixels");
   const bool done = input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, pixels);
@@ -96,19 +145,20 @@ int draw(float* pixels, int width, int height, const SolidnoiseImageMark& mark, 
 
 }  // namespace
 
-int solidnoise_image_write(const char* path, const SolidnoiseImagePicture* picture, int sample_type,
-                           const char* color_space, SolidnoiseImageError* error) {
+int solidnoise_image_encode(const char* format, const SolidnoiseImagePicture* picture, int sample_type,
+                            const char* color_space, SolidnoiseImageTake* take, void* context,
+                            SolidnoiseImageError* error) {
   try {
-    return write(path, *picture, sample_type, color_space, error);
+    return encode(format, *picture, sample_type, color_space, take, context, error);
   } catch (const std::exception& exception) {
     return fail(error, exception.what());
   }
 }
 
-int solidnoise_image_read_as(const char* path, const char* format, SolidnoiseImageAllocate* allocate,
-                             void* context, SolidnoiseImageError* error) {
+int solidnoise_image_decode(const char* format, const char* bytes, size_t count,
+                            SolidnoiseImageAllocate* allocate, void* context, SolidnoiseImageError* error) {
   try {
-    return read(path, format, allocate, context, error);
+    return decode(format, bytes, count, allocate, context, error);
   } catch (const std::exception& exception) {
     return fail(error, exception.what());
   }

@@ -26,16 +26,19 @@ struct SolidnoiseImageError {
   size_t capacity;
 };
 
-// `color_space` is "sRGB" or "Linear".
-typedef int SolidnoiseImageWrite(const char* path, const SolidnoiseImagePicture* picture, int sample_type,
-                                 const char* color_space, SolidnoiseImageError* error);
+// `format` is OpenImageIO's name of the kind of file, `color_space` "sRGB" or "Linear". Gives the file's
+// bytes to `take`, once.
+typedef void SolidnoiseImageTake(void* context, const char* bytes, size_t count);
+typedef int SolidnoiseImageEncode(const char* format, const SolidnoiseImagePicture* picture, int sample_type,
+                                  const char* color_space, SolidnoiseImageTake* take, void* context,
+                                  SolidnoiseImageError* error);
 
-// `format` is the name of OpenImageIO's plug-in for the file. Calls `allocate` once, before any pixel is
-// read, with what the file says of its size; it returns room for width * height * depth * channels floats, or
-// null.
+// Calls `allocate` once, before any pixel is decoded, with what the file's bytes say of its size; it returns
+// room for width * height * depth * channels floats, or null.
 typedef float* SolidnoiseImageAllocate(void* context, int width, int height, int depth, int channels);
-typedef int SolidnoiseImageRead(const char* path, const char* format, SolidnoiseImageAllocate* allocate,
-                                void* context, SolidnoiseImageError* error);
+typedef int SolidnoiseImageDecode(const char* format, const char* bytes, size_t count,
+                                  SolidnoiseImageAllocate* allocate, void* context,
+                                  SolidnoiseImageError* error);
 
 enum { kSolidnoiseImageText = 1, kSolidnoiseImageLine = 2, kSolidnoiseImageBox = 3 };
 enum { kSolidnoiseImageLeft = 0, kSolidnoiseImageCentre = 1, kSolidnoiseImageRight = 2 };
@@ -60,7 +63,7 @@ struct SolidnoiseImageMark {
 typedef int SolidnoiseImageDraw(float* pixels, int width, int height, const SolidnoiseImageMark* mark,
                                 SolidnoiseImageError* error);
 
-SolidnoiseImageWrite solidnoise_image_write;
-SolidnoiseImageRead solidnoise_image_read_as;
+SolidnoiseImageEncode solidnoise_image_encode;
+SolidnoiseImageDecode solidnoise_image_decode;
 SolidnoiseImageDraw solidnoise_image_draw;
 }

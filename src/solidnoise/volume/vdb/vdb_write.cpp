@@ -94,7 +94,7 @@ void write_vdb(const std::filesystem::path& path, const openvdb::GridCPtrVec& gr
   const auto verify_written = [&](const std::filesystem::path& written) {
     verify(written, path.string(), grids.size());
   };
-  write_output(path, {options.existing, options.progress, verify_written},
+  write_output(path, {options.existing, options.progress, verify_written, options.group},
                [&](std::ostream& stream) { write_archive(stream, offsets, grids, options); });
 }
 

@@ -37,6 +37,7 @@ struct VdbWriteOptions {
   std::optional<int> frame = {};   // frame number
   std::optional<double> fps = {};  // frames per second
   Progress* progress = nullptr;    // asked for cancellation while writing
+  OutputGroup* group = nullptr;    // with which the file appears
 };
 
 // Writes grids to a .vdb, all or nothing, as write_output does; what was written is opened again as a check.

@@ -1,0 +1,32 @@
+#include "solidnoise/core/printable.h"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace solidnoise {
+namespace {
+
+TEST(Printable, KeepsWordsOfAnyScript) {
+  for (const std::string text : {"", "plain text", "Größe", "雲", "🌫"}) EXPECT_EQ(printable(text), text);
+}
+
+TEST(Printable, EscapesWhatATerminalWouldObey) {
+  EXPECT_EQ(printable("\x1b[2Ja\nb\x7f"), "\\x1b[2Ja\\x0ab\\x7f");
+  EXPECT_EQ(printable("\xc2\x9b!"), "\\xc2\\x9b!");  // U+009B, a control sequence's begin in one character
+}
+
+TEST(Printable, EscapesWhatIsNoUtf8) {
+  EXPECT_EQ(printable("a\xff"), "a\\xff");
+  EXPECT_EQ(printable("\xe9\x9b"), "\\xe9\\x9b");
+  EXPECT_EQ(printable("\xc0\x80"), "\\xc0\\x80");
+}
+
+TEST(Printable, CutsLongTextsBetweenCharacters) {
+  EXPECT_EQ(printable(std::string(80, 'x')), std::string(80, 'x'));
+  EXPECT_EQ(printable(std::string(5000, 'x')), std::string(80, 'x') + "...");
+  EXPECT_EQ(printable("aé", 2), "a...");
+}
+
+}  // namespace
+}  // namespace solidnoise
