@@ -234,5 +234,28 @@ TEST(Refine, RefusesWhatItCannotDo) {
             "the rounds of refining is -1; it must be between 0 and 16");
 }
 
+TEST(Refine, RefusesTooManyFacesBeforeAnyWork) {
+  const auto refusal = [](const PolygonMesh& mesh, double target, RefineOptions options) {
+    return message_of<std::invalid_argument>([&] { refine_to(mesh, target, options); });
+  };
+  const std::string most =
+      "refining takes more than 100000000 faces: the edges that are asked for are too short";
+  PolygonMesh square;
+  square.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+  square.add_face(std::array<std::uint32_t, 4>{0, 1, 3, 2});
+  PolygonMesh sliver;
+  sliver.positions = {{0, 0, 0}, {1, 0, 0}, {0.5, 1e-30, 0}};
+  sliver.add_face(Triangle{0, 1, 2});
+  for (const auto method : {RefineOptions::Method::own, RefineOptions::Method::longest_edge}) {
+    EXPECT_EQ(refusal(square, 1e-5, {.method = method}), most);
+    EXPECT_EQ(refusal(sliver, 1e-9, {.method = method}), most);
+  }
+  PolygonMesh repeated = square;
+  for (int i = 0; i < 1000; ++i) repeated.add_face(square.face(0));
+  EXPECT_EQ(refusal(repeated, 0.5, {.most_faces = 10000}),
+            "refining takes more than 10000 faces: the edges that are asked for are too short");
+  EXPECT_NO_THROW(refine_to(repeated, 0.5, {.most_faces = 100000}));
+}
+
 }  // namespace
 }  // namespace solidnoise

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <tbb/global_control.h>
 
+#include "common/memory.h"
 #include "common/outputs.h"
 #include "common/progress.h"
 #include "common/recipe_files.h"
@@ -163,13 +164,25 @@ void write_recipe(const BakeOptions& options, OutputGroup* group) {
                   {.existing = options.existing, .group = group});
 }
 
+// Within --max-memory.
+BakePlan plan_within(PolygonMesh mesh, const BakeOptions& options) {
+  const std::uint64_t limit = options.max_memory != 0 ? options.max_memory : available_memory();
+  if (limit == 0) return plan_bake(std::move(mesh), options.recipe);
+  try {
+    return plan_bake(std::move(mesh), options.recipe, limit);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(fmt::format("{}; --max-memory allows {}{}", error.what(), format_bytes(limit),
+                                         options.max_memory != 0 ? "" : ", what is available"));
+  }
+}
+
 void bake_file(const std::string& in, const BakeOptions& options) {
   catch_interrupts();
   options.times->begin("reading");
   MeshReading reading = read_mesh_to_bake(in, options);
   if (options.out.empty() && options.preview.empty()) return write_recipe(options, nullptr);
   options.times->begin("plan");
-  const BakePlan plan = plan_bake(std::move(reading.mesh), options.recipe);
+  const BakePlan plan = plan_within(std::move(reading.mesh), options);
   if (!options.quiet) print_plan(plan, steering_name(options.recipe.by));
 
   TaskProgress progress(options.quiet ? ProgressBar::Visibility::hidden
@@ -231,7 +244,7 @@ int run_bake(const std::vector<std::string>& arguments) {
     }
     if (options.task == BakeOptions::Task::describe) {
       const MeshReading reading = read_mesh_to_bake(in, options);
-      std::cout << format_json(describe_bake(plan_bake(reading.mesh, options.recipe), options.recipe));
+      std::cout << format_json(describe_bake(plan_within(reading.mesh, options), options.recipe));
     } else {
       check_outputs(flags, in, options);
       bake_file(in, options);

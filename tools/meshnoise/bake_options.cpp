@@ -241,6 +241,8 @@ void declare_run(FlagSet& flags, BakeOptions& options) {
     require_in_range("threads", value, 1, 4096);
     options.threads = value;
   });
+  flags.text("--max-memory", "SIZE", "Refuse to need more than this, such as 8G (default: what is available)",
+             [&](const std::string& text) { options.max_memory = parse_bytes("--max-memory", text); });
   flags.toggle("--quiet", "Print errors only", [&] { options.quiet = true; });
   flags.toggle("--timings", "Print what each stage of the run took", [&] { options.timings = true; });
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -22,7 +23,8 @@ struct BakeOptions {
   std::string write_recipe;       // .json, "-" for the standard output; empty: none
   std::vector<std::string> keep;  // names of numbers that the mesh shall have
   Existing existing = Existing::refuse;
-  int threads = 0;  // 0: as many as the machine has
+  int threads = 0;               // 0: as many as the machine has
+  std::uint64_t max_memory = 0;  // bytes; 0: what the machine has available
   bool quiet = false;
   bool timings = false;
   std::shared_ptr<StageTimes> times = std::make_shared<StageTimes>();

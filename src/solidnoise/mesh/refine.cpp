@@ -32,6 +32,28 @@ struct Piece {
   std::uint32_t face;
 };
 
+void require_faces(double count, const RefineOptions& options) {
+  if (count <= static_cast<double>(options.most_faces)) return;
+  throw std::invalid_argument(fmt::format(
+      "refining takes more than {} faces: the edges that are asked for are too short", options.most_faces));
+}
+
+// Refuses, before any work, what must take too many faces. Of edges that are no longer than t a triangle has
+// an area of at most sqrt(3) / 4 t^2, and the longest edge of another is in as many as it is longer than t.
+void require_room(const PolygonMesh& mesh, const std::vector<double>& targets, const RefineOptions& options) {
+  double faces = 0.0;
+  for (const auto& [a, b, c] : triangulate(mesh)) {
+    const Vec<3> ab = mesh.positions[b] - mesh.positions[a];
+    const Vec<3> ac = mesh.positions[c] - mesh.positions[a];
+    const double target = std::max({targets[a], targets[b], targets[c]});
+    const double longest = std::max({glm::length(ab), glm::length(ac), glm::length(ac - ab)});
+    const double area = 0.5 * glm::length(glm::cross(ab, ac));
+    const double largest_part = 0.25 * std::sqrt(3.0) * target * target;
+    faces += std::max({1.0, area / largest_part, longest / target});
+  }
+  require_faces(faces, options);
+}
+
 class Refiner {
  public:
   Refiner(const PolygonMesh& mesh, std::vector<double> targets, const RefineOptions& options)
@@ -104,6 +126,7 @@ class Refiner {
       }
     }
     if (edges.empty()) return false;
+    require_faces(static_cast<double>(pieces_.size() + edges.size()), options_);
     tbb::parallel_sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
       return std::tie(a.vertices, a.piece, a.corner) < std::tie(b.vertices, b.piece, b.corner);
     });
@@ -295,12 +318,18 @@ RefinedMesh refine(const PolygonMesh& mesh, std::span<const double> target, cons
   }
   std::vector<double> targets(target.begin(), target.end());
   if (target.size() == 1) targets.assign(vertices, target[0]);
-  if (options.method != RefineOptions::Method::own) return refine_by_openmesh(mesh, targets, options);
+  using enum RefineOptions::Method;
+  if (options.method == own || options.method == longest_edge) require_room(mesh, targets, options);
+  if (options.method != own) return refine_by_openmesh(mesh, targets, options);
   return Refiner(mesh, std::move(targets), options).split_long_edges();
 }
 
 RefinedMesh subdivide(const PolygonMesh& mesh, int rounds, const RefineOptions& options) {
   require_in_range("the rounds of refining", rounds, 0, 16);
+  if (options.method != RefineOptions::Method::longest_edge) {
+    const double parts = options.method == RefineOptions::Method::sqrt3 ? 3.0 : 4.0;
+    require_faces(static_cast<double>(triangulate(mesh).size()) * std::pow(parts, rounds), options);
+  }
   if (options.method != RefineOptions::Method::own) return subdivide_by_openmesh(mesh, rounds, options);
   return Refiner(mesh, std::vector<double>(mesh.positions.size(), 1.0), options).halve_edges(rounds);
 }

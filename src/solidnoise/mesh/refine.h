@@ -28,6 +28,7 @@ struct RefineOptions {
   Method method = Method::own;
   Placement placement = Placement::on_edges;  // of the own method
   std::size_t most_vertices = 50'000'000;     // more is refused, >= 1
+  std::size_t most_faces = 100'000'000;       // the same
 };
 
 // Those that a new vertex is between: the ends of the edge that it halves; by the square root of three, the
@@ -88,7 +89,8 @@ struct RefinedMesh {
 // above.
 //
 // Throws std::invalid_argument: a target that is not positive, naming the vertex; a number of targets that is
-// neither 1 nor that of the vertices; more vertices than allowed; what SurfaceMesh throws; a mesh that is no
+// neither 1 nor that of the vertices; more vertices or faces than allowed, before any work where area and
+// lengths say so; what SurfaceMesh throws; a mesh that is no
 // manifold of triangles, naming the face, where OpenMesh's methods need one.
 RefinedMesh refine(const PolygonMesh& mesh, std::span<const double> target,
                    const RefineOptions& options = {});
