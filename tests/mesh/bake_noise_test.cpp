@@ -174,6 +174,19 @@ TEST(BakeNoise, SeedsGiveOtherNoise) {
   }
 }
 
+TEST(BakeNoise, LooksAtNoConstantWhereVerticesHaveNumbers) {
+  const Sphere sphere(200);
+  BakeVertices vertices = sphere.vertices();
+  vertices.frequency.values.assign(200, 5.0f);
+  vertices.bandwidth.values.assign(200, 1.5f);
+  vertices.magnitude.values.assign(200, 2.0f);
+  const auto expected = bake_noise(recipe_of(SurfaceNoiseKind::surface), vertices);
+  for (const double constant : {0.0, -1.0, 1e300}) {
+    vertices.frequency.constant = vertices.bandwidth.constant = vertices.magnitude.constant = constant;
+    EXPECT_EQ(bake_noise(recipe_of(SurfaceNoiseKind::surface), vertices), expected) << constant;
+  }
+}
+
 TEST(BakeNoise, RefusesWhatDoesNotFit) {
   const Sphere sphere(3);
   BakeVertices vertices = sphere.vertices();

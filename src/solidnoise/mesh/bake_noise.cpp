@@ -69,15 +69,17 @@ void require_size(std::string_view name, std::size_t size, std::size_t vertices)
   throw std::invalid_argument(fmt::format("{} is given for {} vertices; there are {}", name, size, vertices));
 }
 
-void require_number(std::string_view name, const VertexNumber& number, double least, double most,
+constexpr Interval kFrequencies = between(1e-12, 1e12);  // cycles per world unit
+constexpr Interval kBandwidths = between(0.1, 4.0);      // octaves
+
+void require_number(std::string_view name, const VertexNumber& number, const Interval& allowed,
                     std::size_t vertices) {
-  require_in_range(name, number.constant, least, most);
-  if (!number.varies()) return;
+  if (!number.varies()) return require(name, number.constant, allowed);
   require_size(name, number.values.size(), vertices);
   for (std::size_t i = 0; i < number.values.size(); ++i) {
-    if (number.values[i] >= least && number.values[i] <= most) continue;
+    if (allowed.contains(number.values[i])) continue;
     throw std::invalid_argument(fmt::format("{} is {} at vertex {}; it must be from {} to {}", name,
-                                            number.values[i], i, least, most));
+                                            number.values[i], i, allowed.least, allowed.most));
   }
 }
 
@@ -85,9 +87,9 @@ void validate(const SurfaceNoiseRecipe& recipe, const BakeVertices& vertices) {
   const std::size_t count = vertices.positions.size();
   recipe.validate();
   require_size("normal", vertices.normals.size(), count);
-  require_number("frequency", vertices.frequency, 1e-12, 1e12, count);
-  require_number("bandwidth", vertices.bandwidth, 0.1, 4.0, count);
-  require_number("magnitude", vertices.magnitude, 0.0, 1e12, count);
+  require_number("frequency", vertices.frequency, kFrequencies, count);
+  require_number("bandwidth", vertices.bandwidth, kBandwidths, count);
+  require_number("magnitude", vertices.magnitude, between(0.0, 1e12), count);
   if (has_direction(recipe)) require_size("direction", vertices.directions.size(), count);
   if (may_vary(recipe.kind)) return;
   for (const auto& [name, number] :
@@ -115,10 +117,16 @@ Components components_of(std::span<const Vec<3>> vectors) {
   return components;
 }
 
+// What stands for the numbers of all vertices. Where each has its own, the constant may be anything.
+double typical(const VertexNumber& number, const Interval& allowed) {
+  return number.varies() && !allowed.contains(number.constant) ? 1.0 : number.constant;
+}
+
 // The kernel of the noise at the vertices, to whose numbers it refers.
 SurfaceKernel kernel_of(const SurfaceNoiseRecipe& recipe, const BakeVertices& vertices,
                         const Components& directions) {
-  SurfaceKernel kernel{vertices.frequency.constant, vertices.bandwidth.constant, {}};
+  SurfaceKernel kernel{
+      typical(vertices.frequency, kFrequencies), typical(vertices.bandwidth, kBandwidths), {}};
   kernel.fields.frequency = as_parameter(vertices.frequency);
   kernel.fields.bandwidth = as_parameter(vertices.bandwidth);
   if (has_direction(recipe)) {
@@ -196,7 +204,7 @@ std::vector<float> bake_layers(const SurfaceNoiseRecipe& recipe, const std::vect
 
 std::vector<float> bake_field(const Field<3>& field, const BakeVertices& vertices, Progress* progress) {
   const std::vector<VertexBatch> batches =
-      make_batches(vertices.positions, cube_side(vertices.frequency.constant));
+      make_batches(vertices.positions, cube_side(typical(vertices.frequency, kFrequencies)));
   std::vector<float> values(vertices.positions.size());
   std::atomic<std::uint64_t> done{0};
   tbb::parallel_for_each(batches, [&](const VertexBatch& batch) {
