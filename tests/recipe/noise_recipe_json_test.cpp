@@ -42,7 +42,7 @@ TEST(NoiseRecipeJson, RoundTripsEveryNoiseToTheLastBit) {
                                       .evolution = {.rate = awkward, .loop = 1e3 / 3.0},
                                       .filter = 0.1 / 3.0},
                     FractalOptions{.octaves = 5, .lacunarity = 2.0, .gain = awkward, .renormalize = false}};
-  NoiseRecipe oriented{OrientedGaborNoiseOptions{.frequency = 5e-324 * 1e300,
+  NoiseRecipe oriented{OrientedGaborNoiseOptions{.frequency = 4.940656458412466e-12,
                                                  .anisotropy = 1.0 - 0x1p-53,
                                                  .direction = {awkward, -1.0, 1e-17, 0.25},
                                                  .seed = (1ULL << 53) + 1},

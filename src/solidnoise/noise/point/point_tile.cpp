@@ -37,13 +37,10 @@ void bound_layer(std::span<const LocatedPoint<Dim>> points, float layer, PointCu
 
 }  // namespace
 
-CellPosition locate_point(const CellAxis& axis, double coordinate, std::size_t point) {
-  if (!(std::abs(coordinate) < CellAxis::kMostCells * axis.size())) {
-    throw std::invalid_argument(fmt::format(
-        "position of point {} has a coordinate of {}; with the frequency there it must be within {:.6g}",
-        point, coordinate, CellAxis::kMostCells * axis.size()));
-  }
-  return axis.locate(coordinate);
+void refuse_point(const CellAxis& axis, double coordinate, std::size_t point) {
+  throw std::invalid_argument(fmt::format(
+      "position of point {} has a coordinate of {}; with the frequency there it must be within {:.6g}", point,
+      coordinate, CellAxis::kMostCells * axis.size()));
 }
 
 CellRange::CellRange(const PointCull& cull, Role role) {

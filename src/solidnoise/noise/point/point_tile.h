@@ -27,9 +27,13 @@ struct LocatedPoint {
   std::uint32_t point;              // in the batch
 };
 
+[[noreturn]] void refuse_point(const CellAxis& axis, double coordinate, std::size_t point);
 // Where a coordinate of a point lies in the cells. Throws std::invalid_argument, naming the point, where it
 // is 2^40 cells or more from 0: positions in the cells would lose digits, and then overflow.
-CellPosition locate_point(const CellAxis& axis, double coordinate, std::size_t point);
+inline CellPosition locate_point(const CellAxis& axis, double coordinate, std::size_t point) {
+  if (!(std::abs(coordinate) < CellAxis::kMostCells * axis.size())) refuse_point(axis, coordinate, point);
+  return axis.locate(coordinate);
+}
 
 // A tile is a run of points that are near each other, for which impulses are gathered together.
 inline constexpr std::size_t kTilePoints = 512;

@@ -94,18 +94,21 @@ void sum_on_surface(std::span<const Source> sources, const SurfacePoints& points
   for (std::size_t first = 0; first < order.size(); first += kBatch) {
     batch.order = std::span(order).subspan(first, std::min(kBatch, order.size() - first));
     // Positions are far apart in memory: fetched one after the other here, not between other work.
-    batch.positions.clear();
-    for (const std::size_t i : batch.order) batch.positions.push_back(points.positions.positions[i]);
-    batch.normals.clear();
-    batch.tangents.clear();
-    for (const std::size_t i : batch.order) {
-      batch.normals.push_back(
-          glm::normalize(Vec<3>(points.normal[0][i], points.normal[1][i], points.normal[2][i])));
-      if (tangent[0].empty()) continue;
-      batch.tangents.push_back(
-          unit_tangent({tangent[0][i], tangent[1][i], tangent[2][i]}, batch.normals.back()));
+    const std::size_t count = batch.order.size();
+    batch.positions.resize(count);
+    for (std::size_t k = 0; k < count; ++k) {
+      batch.positions[k] = points.positions.positions[batch.order[k]];
     }
-    batch_values.assign(batch.order.size(), 0.0f);
+    batch.normals.resize(count);
+    batch.tangents.resize(tangent[0].empty() ? 0 : count);
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t i = batch.order[k];
+      batch.normals[k] =
+          glm::normalize(Vec<3>(points.normal[0][i], points.normal[1][i], points.normal[2][i]));
+      if (tangent[0].empty()) continue;
+      batch.tangents[k] = unit_tangent({tangent[0][i], tangent[1][i], tangent[2][i]}, batch.normals[k]);
+    }
+    batch_values.assign(count, 0.0f);
     for (SurfaceSum<Source>& sum : sums) sum.add(batch, batch_values);
     for (std::size_t i = 0; i < batch_values.size(); ++i) values[batch.order[i]] = batch_values[i];
   }
