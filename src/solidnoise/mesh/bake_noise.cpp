@@ -69,8 +69,7 @@ void require_size(std::string_view name, std::size_t size, std::size_t vertices)
   throw std::invalid_argument(fmt::format("{} is given for {} vertices; there are {}", name, size, vertices));
 }
 
-constexpr Interval kVertexFrequencies = between(1e-12, 1e12);  // cycles per world unit
-constexpr Interval kVertexBandwidths = between(0.1, 4.0);      // octaves
+constexpr Interval kBandwidths = between(0.1, 4.0);  // octaves
 
 void require_number(std::string_view name, const VertexNumber& number, const Interval& allowed,
                     std::size_t vertices) {
@@ -87,8 +86,8 @@ void validate(const SurfaceNoiseRecipe& recipe, const BakeVertices& vertices) {
   const std::size_t count = vertices.positions.size();
   recipe.validate();
   require_size("normal", vertices.normals.size(), count);
-  require_number("frequency", vertices.frequency, kVertexFrequencies, count);
-  require_number("bandwidth", vertices.bandwidth, kVertexBandwidths, count);
+  require_number("frequency", vertices.frequency, kFrequencies, count);
+  require_number("bandwidth", vertices.bandwidth, kBandwidths, count);
   require_number("magnitude", vertices.magnitude, between(0.0, 1e12), count);
   if (has_direction(recipe)) require_size("direction", vertices.directions.size(), count);
   if (may_vary(recipe.kind)) return;
@@ -126,7 +125,7 @@ double typical(const VertexNumber& number, const Interval& allowed) {
 SurfaceKernel kernel_of(const SurfaceNoiseRecipe& recipe, const BakeVertices& vertices,
                         const Components& directions) {
   SurfaceKernel kernel{
-      typical(vertices.frequency, kVertexFrequencies), typical(vertices.bandwidth, kVertexBandwidths), {}};
+      typical(vertices.frequency, kFrequencies), typical(vertices.bandwidth, kBandwidths), {}};
   kernel.fields.frequency = as_parameter(vertices.frequency);
   kernel.fields.bandwidth = as_parameter(vertices.bandwidth);
   if (has_direction(recipe)) {
@@ -204,7 +203,7 @@ std::vector<float> bake_layers(const SurfaceNoiseRecipe& recipe, const std::vect
 
 std::vector<float> bake_field(const Field<3>& field, const BakeVertices& vertices, Progress* progress) {
   const std::vector<VertexBatch> batches =
-      make_batches(vertices.positions, cube_side(typical(vertices.frequency, kVertexFrequencies)));
+      make_batches(vertices.positions, cube_side(typical(vertices.frequency, kFrequencies)));
   std::vector<float> values(vertices.positions.size());
   std::atomic<std::uint64_t> done{0};
   tbb::parallel_for_each(batches, [&](const VertexBatch& batch) {
