@@ -9,10 +9,10 @@
 
 #include "solidnoise/core/random.h"
 #include "solidnoise/mesh/curvature.h"
-#include "solidnoise/mesh/direction_field.h"
 #include "solidnoise/mesh/displace.h"
 #include "solidnoise/mesh/refine.h"
 #include "solidnoise/mesh/surface_mesh.h"
+#include "solidnoise/mesh/vertex_parameters.h"
 
 namespace solidnoise {
 namespace {

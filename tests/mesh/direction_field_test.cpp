@@ -1,5 +1,3 @@
-#include "solidnoise/mesh/direction_field.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -10,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include "solidnoise/mesh/vertex_parameters.h"
 #include "support/message_of.h"
 #include "support/surfaces.h"
 

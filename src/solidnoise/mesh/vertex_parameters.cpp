@@ -1,14 +1,146 @@
 #include "solidnoise/mesh/vertex_parameters.h"
 
+#include <algorithm>
 #include <cmath>
+#include <complex>
+#include <cstddef>
 #include <stdexcept>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <glm/geometric.hpp>
 
-#include "solidnoise/mesh/direction_field.h"
+#include "solidnoise/core/check.h"
+#include "solidnoise/mesh/surface_smoothing.h"
+#include "solidnoise/mesh/tangent_frames.h"
 
 namespace solidnoise {
+namespace {
+
+using Line = std::complex<double>;
+
+Line axis_line(const TangentFrame& frame, const Vec<3>& axis) {
+  const Line tangent = frame.in_frame(axis);
+  return tangent == 0.0 ? 1.0 : line_at(tangent / std::abs(tangent));
+}
+
+std::vector<Vec<3>> to_directions(const SurfaceMesh& surface, const TangentFrames& frames,
+                                  const std::vector<Line>& lines) {
+  std::vector<Vec<3>> directions(surface.vertex_count());
+  for (std::size_t v = 0; v < directions.size(); ++v) {
+    const std::uint32_t p = surface.point_of(v);
+    directions[v] = frames[p].in_space(direction_of_line(lines[p]));
+  }
+  return directions;
+}
+
+// The line of larger curvature, of a length that tells how much larger: continuous where the two are the
+// same.
+std::vector<Line> lines_of(const SurfaceMesh& surface, const TangentFrames& frames,
+                           const Curvature& curvature) {
+  std::vector<Line> lines(surface.point_count());
+  for (std::size_t p = 0; p < lines.size(); ++p) {
+    const std::uint32_t v = surface.vertex_at(p);
+    const bool first = std::abs(curvature.k1[v]) >= std::abs(curvature.k2[v]);
+    const double anisotropy = std::abs(std::abs(curvature.k1[v]) - std::abs(curvature.k2[v]));
+    lines[p] =
+        anisotropy * axis_line(frames[p], first ? curvature.k1_direction[v] : curvature.k2_direction[v]);
+  }
+  return lines;
+}
+
+// Lines below this length are rounding or the error of the curvature: 1/1000 of its root mean square, and on
+// a flat mesh what bends by less than 1e-6 over the mesh's size.
+double shortest_line(const SurfaceMesh& surface, const Curvature& curvature) {
+  constexpr double kIsotropic = 0.02;
+  double sum = 0.0;
+  double area = 0.0;
+  for (std::size_t p = 0; p < surface.point_count(); ++p) {
+    const double k1 = curvature.k1[surface.vertex_at(p)];
+    const double k2 = curvature.k2[surface.vertex_at(p)];
+    sum += surface.areas()[p] * 0.5 * (k1 * k1 + k2 * k2);
+    area += surface.areas()[p];
+  }
+  return area > 0.0 ? std::max(kIsotropic * std::sqrt(sum / area), 1e-6 / std::sqrt(area)) : 1.0;
+}
+
+// Continues the lines that are longer than `shortest`, ring by ring: each point takes the mean of what its
+// neighbours of the rings before have. Returns whether a point was reached.
+std::vector<char> continue_lines(const SurfaceMesh& surface, const TangentFrames& frames, double shortest,
+                                 std::vector<Line>& lines) {
+  std::vector<char> known(lines.size());
+  std::vector<std::uint32_t> front;
+  for (std::size_t p = 0; p < lines.size(); ++p) {
+    known[p] = std::abs(lines[p]) > shortest ? 1 : 0;
+    if (known[p] != 0) front.push_back(static_cast<std::uint32_t>(p));
+  }
+  while (!front.empty()) {
+    std::vector<std::uint32_t> next;
+    for (const std::uint32_t p : front) {
+      for (const std::uint32_t q : surface.neighbours(p)) {
+        if (known[q] == 0) next.push_back(q);
+      }
+    }
+    std::sort(next.begin(), next.end());
+    next.erase(std::unique(next.begin(), next.end()), next.end());
+    std::vector<Line> found(next.size());
+    for (std::size_t i = 0; i < next.size(); ++i) {
+      const std::uint32_t q = next[i];
+      for (const std::uint32_t p : surface.neighbours(q)) {
+        if (known[p] != 0) found[i] += line_at(transport(frames[p], frames[q])) * lines[p];
+      }
+    }
+    // All of the ring before any of it counts, so that the order of points does not matter.
+    for (std::size_t i = 0; i < next.size(); ++i) {
+      const double length = std::abs(found[i]);
+      lines[next[i]] = length > 0.0 ? shortest / length * found[i] : shortest;
+      known[next[i]] = 1;
+    }
+    front = std::move(next);
+  }
+  return known;
+}
+
+}  // namespace
+
+std::vector<Vec<3>> axis_directions(const SurfaceMesh& surface, const Vec<3>& axis) {
+  const double length = glm::length(axis);
+  if (!std::isfinite(length) || length == 0.0) {
+    throw std::invalid_argument(
+        fmt::format("the axis is {} {} {}; it must be finite and not 0", axis.x, axis.y, axis.z));
+  }
+  const TangentFrames frames(surface.normals());
+  std::vector<Line> lines(surface.point_count());
+  for (std::size_t p = 0; p < lines.size(); ++p) lines[p] = axis_line(frames[p], axis / length);
+  return to_directions(surface, frames, lines);
+}
+
+std::vector<Vec<3>> curvature_directions(const SurfaceMesh& surface, const Curvature& curvature,
+                                         PrincipalDirection which, int rounds) {
+  require_in_range("the rounds of smoothing", rounds, 0, 10000);
+  if (curvature.size() != surface.vertex_count()) {
+    throw std::invalid_argument(
+        fmt::format("there are {} curvatures for {} vertices", curvature.size(), surface.vertex_count()));
+  }
+  const TangentFrames frames(surface.normals());
+  std::vector<Line> lines = lines_of(surface, frames, curvature);
+  const double shortest = shortest_line(surface, curvature);
+  const SurfaceSmoothing smoothing(surface, frames);
+  const auto smooth = [&] {
+    for (int round = 0; round < rounds; ++round) smoothing.average(lines, surface.areas());
+  };
+  smooth();
+  const std::vector<char> known = continue_lines(surface, frames, shortest, lines);
+  for (std::size_t p = 0; p < lines.size(); ++p) {
+    if (known[p] == 0) lines[p] = shortest * axis_line(frames[p], Vec<3>(0.0, 1.0, 0.0));
+  }
+  smooth();
+  if (which == PrincipalDirection::smaller) {
+    for (Line& line : lines) line = -line;  // turned by a right angle
+  }
+  return to_directions(surface, frames, lines);
+}
+
 namespace {
 
 const std::vector<double>& attribute_of(const PolygonMesh& mesh, const std::string& name) {
