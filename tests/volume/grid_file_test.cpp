@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "solidnoise/volume/vdb/grid_file_json.h"
+#include "solidnoise/recipe/field_json.h"
 #include "solidnoise/volume/vdb/vdb_write.h"
 #include "support/message_of.h"
 #include "support/temporary_folder.h"
@@ -46,10 +46,10 @@ TEST(ReadGridFile, NotesTheDigestAndRefusesAnotherFile) {
 TEST(GridFileJson, ReadsBackWhatItWrote) {
   for (const GridFile& source : {GridFile{"a.vdb"}, GridFile{"a.vdb", "heat", "0123456789abcdef"}}) {
     Json json;
-    add_grid_file(json["mask"], source);
+    json["mask"] = json_of(source);
     JsonReader reader(json);
     std::optional<GridFile> read;
-    read_grid_file(reader, "mask", read);
+    read_value(reader, "mask", read);
     reader.finish();
     EXPECT_EQ(read, source);
   }
@@ -61,7 +61,7 @@ TEST(GridFileJson, NamesThePlaceOfWhatIsWrong) {
     return message_of<std::invalid_argument>([&] {
       JsonReader reader(json);
       std::optional<GridFile> source;
-      read_grid_file(reader, "mask", source);
+      read_value(reader, "mask", source);
     });
   };
   EXPECT_EQ(refusal(R"({"mask": {}})"), "mask.file is empty; it must be a .vdb");

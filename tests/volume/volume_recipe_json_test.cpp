@@ -87,12 +87,14 @@ TEST(VolumeRecipeJson, RoundTripsOutputs) {
   VolumeRecipe velocity;
   velocity.output = {Output::curl};
   velocity.speed = 1.0 / 3.0;
-  velocity.boundary = Boundary{{"rock.vdb", "surface", "0123456789abcdef"}, 0.1};
+  velocity.boundary = GridFile{"rock.vdb", "surface", "0123456789abcdef"};
+  velocity.boundary_width = 0.1;
   expect_round_trip(velocity);
   const VolumeRecipe back = volume_recipe_from_json(to_json(velocity));
   EXPECT_EQ(back.output, velocity.output);
   EXPECT_EQ(back.speed, velocity.speed);
   EXPECT_EQ(back.boundary, velocity.boundary);
+  EXPECT_EQ(back.boundary_width, velocity.boundary_width);
   EXPECT_EQ(grid_names(back), std::vector<std::string>{"vel"});
 
   VolumeRecipe both;

@@ -9,7 +9,7 @@
 
 #include "common/field_flags.h"
 #include "common/run_tool.h"
-#include "solidnoise/volume/modify/modification_json.h"
+#include "solidnoise/volume/modify/modification.h"
 
 namespace solidnoise {
 

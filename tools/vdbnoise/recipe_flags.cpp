@@ -63,6 +63,7 @@ void change_output(VolumeRecipe& recipe, const std::vector<Output>& output) {
   if (makes_velocity(recipe)) return;
   recipe.speed = VolumeRecipe().speed;
   recipe.boundary.reset();
+  recipe.boundary_width.reset();
 }
 
 }  // namespace
@@ -80,14 +81,13 @@ void declare_output_flags(FlagSet& flags, VolumeRecipe& recipe) {
   flags.text("--boundary", "FILE.vdb[:GRID]", "With --output curl: a level set that nothing flows through",
              [&](const std::string& text) {
                require_velocity(recipe, "--boundary");
-               if (!recipe.boundary) recipe.boundary.emplace();
-               recipe.boundary->surface = parse_grid_flag("--boundary", text);
+               recipe.boundary = parse_grid_flag("--boundary", text);
              });
   flags.number("--boundary-width", "UNITS",
                "Distance from it over which the velocity turns along it (default 1 / frequency)",
                [&](double value) {
                  if (!recipe.boundary) throw UsageError("--boundary-width applies to --boundary only");
-                 recipe.boundary->width = value;
+                 recipe.boundary_width = value;
                });
 }
 

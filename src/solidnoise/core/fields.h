@@ -41,10 +41,16 @@ struct FieldRow {
   std::string_view help;                        // what it is, one line without unit, range and default
   bool (*is_written)(const Struct&) = nullptr;  // whether JSON has it; null: always
   bool has_flag = true;
+  std::string_view other{};  // the field in whose place it may be given, but not beside it; empty: none
 
   constexpr FieldRow written_if(bool (*condition)(const Struct&)) const {
     FieldRow copy = *this;
     copy.is_written = condition;
+    return copy;
+  }
+  constexpr FieldRow in_place_of(std::string_view field) const {
+    FieldRow copy = *this;
+    copy.other = field;
     return copy;
   }
   constexpr FieldRow without_flag() const {

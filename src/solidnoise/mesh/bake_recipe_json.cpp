@@ -39,10 +39,7 @@ struct JsonForm<Steering> {
   static void read(JsonReader& reader, const std::string& key, Steering& steering) {
     auto object = reader.object(key);
     if (!object) return;
-    if (object->has("source") && object->has("attribute")) {
-      throw std::invalid_argument(object->path_of("source") +
-                                  " and attribute contradict each other; give one of them");
-    }
+    object->refuse_both("source", "attribute");
     read_fields(*object, steering);
     if (object->has("attribute")) steering.source = SteeringSource::attribute;
     object->finish();

@@ -2,6 +2,7 @@
 
 #include <concepts>
 #include <cstddef>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -38,6 +39,8 @@ template <typename Type>
 inline constexpr bool is_vector = false;
 template <typename Item>
 inline constexpr bool is_vector<std::vector<Item>> = true;
+template <typename Type>
+concept IsVectorOfStructs = is_vector<Type> && HasFields<typename Type::value_type>;
 
 template <typename Type>
 inline constexpr bool is_optional = false;
@@ -103,6 +106,11 @@ void read_value(JsonReader& reader, const std::string& key, Value& value) {
     typename Value::value_type read{};
     read_value(reader, key, read);
     if (reader.has(key)) value = std::move(read);
+  } else if constexpr (IsVectorOfStructs<Value>) {
+    for (JsonReader& object : reader.objects(key)) {
+      read_fields(object, value.emplace_back());
+      object.finish();
+    }
   } else {
     reader.read(key, value);
   }
@@ -114,6 +122,7 @@ void read_fields(JsonReader& reader, Struct& object) {
   for_each_field(object, [&](const auto& field, auto& owner) {
     auto value = field.get(owner);
     const std::string key(field.name);
+    if (!field.other.empty()) reader.refuse_both(std::string(field.other), key);
     if constexpr (std::is_enum_v<decltype(value)>) {
       reader.read(key, field.allowed, value);
     } else {
@@ -135,8 +144,12 @@ Json schema_of_value(const Interval& allowed = {}) {
   } else if constexpr (HasFields<Value>) {
     return schema_of<Value>();
   } else if constexpr (is_optional<Value> || is_vector<Value>) {
-    const Json item = schema_of_value<typename Value::value_type>(allowed);
-    return is_vector<Value> ? Json{{"type", "array"}, {"items", item}} : item;
+    using Item = typename Value::value_type;
+    const Json item = schema_of_value<Item>(allowed);
+    if constexpr (is_optional<Value>) return item;
+    Json array{{"type", "array"}, {"items", item}};
+    if constexpr (HasFields<Item>) array["minItems"] = 1;
+    return array;
   } else if constexpr (std::same_as<Value, bool>) {
     return {{"type", "boolean"}};
   } else if constexpr (std::same_as<Value, std::string>) {
@@ -221,5 +234,31 @@ Json alternatives_schema(std::type_identity<std::variant<Structs...>>,
   (add(schema_of<Structs>()), ...);
   return {{"oneOf", std::move(alternatives)}};
 }
+
+// The form of a variant of structs with tables whose names are those of kNames; to be derived from.
+template <typename Variant, const auto& kNames>
+struct AlternativesForm {
+  static std::vector<std::string_view> names() {
+    static_assert(std::variant_size_v<Variant> == std::size(kNames), "name each alternative");
+    return {std::begin(kNames), std::end(kNames)};
+  }
+  static Json write(const Variant& variant) {
+    Json json = Json::object();
+    write_alternative(variant, names(), json);
+    return json;
+  }
+  static void read(JsonReader& reader, const std::string& key, Variant& variant) {
+    auto object = reader.object(key);
+    if (!object) return;
+    read_alternative(*object, names(), variant);
+    object->finish();
+    std::visit(
+        [&]<typename Struct>(const Struct& read) {
+          if constexpr (requires { read.validate(); }) object->validate(read);
+        },
+        variant);
+  }
+  static Json schema() { return alternatives_schema(std::type_identity<Variant>(), names()); }
+};
 
 }  // namespace solidnoise

@@ -157,6 +157,12 @@ std::vector<JsonReader> JsonReader::objects(const std::string& key) {
   return readers;
 }
 
+void JsonReader::refuse_both(const std::string& key, const std::string& other) const {
+  if (!has(key) || !has(other)) return;
+  throw std::invalid_argument(
+      fmt::format("{} and {} contradict each other; give one of them", path_of(key), other));
+}
+
 void JsonReader::finish() const {
   for (const auto& item : object_.items()) {
     if (std::find(known_keys_.begin(), known_keys_.end(), item.key()) != known_keys_.end()) continue;

@@ -83,6 +83,9 @@ class JsonReader {
     }
   }
 
+  // Refuses an object that has both.
+  void refuse_both(const std::string& key, const std::string& other) const;
+
   // Refuses every key that was not read.
   void finish() const;
 

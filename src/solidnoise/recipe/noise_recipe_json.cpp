@@ -59,30 +59,21 @@ Json noise_recipe_schema() {
                              schema_of<FractalOptions>()["properties"]);
 }
 
-Json JsonForm<std::vector<Layer>>::write(const std::vector<Layer>& layers) {
-  Json json = Json::array();
-  for (const Layer& layer : layers) json.push_back(json_of(layer));
+Json JsonForm<Layer>::write(const Layer& layer) {
+  Json json = Json::object();
+  write_fields(layer, json);
   return json;
 }
 
-void JsonForm<std::vector<Layer>>::read(JsonReader& reader, const std::string& key,
-                                        std::vector<Layer>& layers) {
-  for (JsonReader& object : reader.objects(key)) {
-    read_fields(object, layers.emplace_back());
-    object.finish();
-  }
+void JsonForm<Layer>::read(JsonReader& reader, const std::string& key, Layer& layer) {
+  auto object = reader.object(key);
+  if (!object) return;
+  read_fields(*object, layer);
+  object->finish();
 }
 
-Json JsonForm<std::vector<Layer>>::schema() {
-  return {{"type", "array"}, {"items", {{"$ref", "#/$defs/layer"}}}, {"minItems", 1}};
-}
-
-void add_layers(Json& object, const std::vector<Layer>& layers) {
-  if (!layers.empty()) object["layers"] = json_of(layers);
-}
-
-void read_layers(JsonReader& reader, std::vector<Layer>& layers) {
-  read_value(reader, "layers", layers);
+Json JsonForm<Layer>::schema() {
+  return {{"$ref", "#/$defs/layer"}};
 }
 
 }  // namespace solidnoise

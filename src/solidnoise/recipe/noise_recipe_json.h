@@ -41,24 +41,15 @@ struct JsonForm<NoiseRecipe> {
 std::string_view noise_type(const NoiseRecipe& recipe);
 NoiseRecipe default_noise(std::string_view type);
 
-// The key "layers" of a recipe or a layer:
-//   "layers": [
-//     {"noise": {"type": "gabor", ...}, "fold": "ridged", "histogram": "gaussian", "weight": 0.5, "bias": 0,
-//      "warp": {"amount": 0.2, "noise": {...}}},
-//     {"combine": "max", "layers": [...], "ramp": [[-1, 0], [2, 1]]}
-//   ]
-// Every key may be left out. Without layers the key is not written.
-void add_layers(Json& object, const std::vector<Layer>& layers);
-
-// Throws std::invalid_argument with the path in the tree: wrong type, unknown key. What validate_layers()
-// checks is left to it.
-void read_layers(JsonReader& reader, std::vector<Layer>& layers);
-
-// As a field, with a schema that refers to the definition "layer", for layers contain layers.
+// A layer as a field:
+//   {"noise": {"type": "gabor", ...}, "fold": "ridged", "histogram": "gaussian", "weight": 0.5, "bias": 0,
+//    "warp": {"amount": 0.2, "noise": {...}}}
+// or {"combine": "max", "layers": [...], "ramp": [[-1, 0], [2, 1]]}, with a schema that refers to the
+// definition "layer", for layers contain layers. What validate_layers() checks is left to it.
 template <>
-struct JsonForm<std::vector<Layer>> {
-  static Json write(const std::vector<Layer>& layers);
-  static void read(JsonReader& reader, const std::string& key, std::vector<Layer>& layers);
+struct JsonForm<Layer> {
+  static Json write(const Layer& layer);
+  static void read(JsonReader& reader, const std::string& key, Layer& layer);
   static Json schema();
 };
 

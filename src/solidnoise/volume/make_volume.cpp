@@ -41,14 +41,14 @@ void plan_modification(const VolumeRecipe& recipe, VolumePlan& plan) {
 VolumePlan::GridBoundary plan_boundary(const VolumeRecipe& recipe) {
   VolumePlan::GridBoundary plan{recipe.boundary, nullptr};
   if (!plan.boundary) return plan;
-  const openvdb::FloatGrid::Ptr surface = read_float_grid(plan.boundary->surface, "--boundary");
+  const openvdb::FloatGrid::Ptr surface = read_float_grid(*plan.boundary, "--boundary");
   try {
     require_level_set(*surface);
   } catch (const std::invalid_argument& error) {
-    throw std::runtime_error(fmt::format("{}: {}", plan.boundary->surface.file, error.what()));
+    throw std::runtime_error(fmt::format("{}: {}", plan.boundary->file, error.what()));
   }
   const double frequency = std::visit([](const auto& noise) { return noise.frequency; }, recipe.noise.noise);
-  plan.distance = std::make_shared<DistanceSpline>(surface, plan.boundary->width.value_or(1.0 / frequency));
+  plan.distance = std::make_shared<DistanceSpline>(surface, recipe.boundary_width.value_or(1.0 / frequency));
   return plan;
 }
 

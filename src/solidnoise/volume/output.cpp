@@ -6,8 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "solidnoise/core/check.h"
-
 namespace solidnoise {
 namespace {
 
@@ -104,11 +102,6 @@ void validate_outputs(const std::vector<Output>& outputs) {
     usable = usable && describe(output).family == describe(outputs.front()).family;
   }
   if (!usable) refuse(format_outputs(outputs));
-}
-
-void Boundary::validate() const {
-  if (surface.file.empty()) throw std::invalid_argument("boundary is empty; it must name a .vdb");
-  if (width) require_positive("boundary_width", *width, "world units");
 }
 
 }  // namespace solidnoise

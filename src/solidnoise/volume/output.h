@@ -1,12 +1,10 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "solidnoise/volume/vdb/grid_file.h"
 #include "solidnoise/volume/vdb/openvdb.h"
 
 namespace solidnoise {
@@ -39,17 +37,5 @@ std::string format_outputs(const std::vector<Output>& outputs);
 // One output, or several that are made in one evaluation: value and gradient, phase and intensity. Throws
 // std::invalid_argument.
 void validate_outputs(const std::vector<Output>& outputs);
-
-// A surface that a velocity is not to cross.
-struct Boundary {
-  GridFile surface;             // a level set
-  std::optional<double> width;  // distance over which the velocity turns along it, world units; > 0; else the
-                                // noise's wavelength, 1 / frequency
-
-  // Throws std::invalid_argument naming the field, its value and what is allowed.
-  void validate() const;
-
-  friend bool operator==(const Boundary&, const Boundary&) = default;
-};
 
 }  // namespace solidnoise

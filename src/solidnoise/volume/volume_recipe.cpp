@@ -52,6 +52,10 @@ void validate_output(const VolumeRecipe& recipe) {
     }
     if (recipe.boundary) throw std::invalid_argument("boundary applies to output curl only");
   }
+  if (recipe.boundary_width) {
+    if (!recipe.boundary) throw std::invalid_argument("boundary_width applies to a boundary only");
+    require_positive("boundary_width", *recipe.boundary_width, "world units");
+  }
   if (!recipe.boundary) return;
   recipe.boundary->validate();
   if (recipe.drift != Vec<3>(0.0)) {

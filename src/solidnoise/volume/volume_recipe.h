@@ -12,7 +12,6 @@
 #include "solidnoise/volume/modify/modification.h"
 #include "solidnoise/volume/output.h"
 #include "solidnoise/volume/parameters/parameter_grids.h"
-#include "solidnoise/volume/preview/preview.h"
 #include "solidnoise/volume/vdb/grid_file.h"
 #include "solidnoise/volume/vdb/vdb_write.h"
 
@@ -62,9 +61,12 @@ struct GridRecipe {
   DensityScale density;
 
   std::vector<Output> output{Output::value};  // what grids are made, in this order; see validate_outputs
-  double speed = 1.0;                // of Output::curl: root mean square, world units per second; > 0
-  Vec<3> drift{0.0};                 // of Output::curl: a mean velocity that is added
-  std::optional<Boundary> boundary;  // of Output::curl
+  double speed = 1.0;  // of Output::curl: root mean square, world units per second; > 0
+  Vec<3> drift{0.0};   // of Output::curl: a mean velocity that is added
+  // Of Output::curl: a level set that the velocity does not cross, and the distance over which it turns along
+  // it, world units; > 0; else the noise's wavelength, 1 / frequency.
+  std::optional<GridFile> boundary;
+  std::optional<double> boundary_width;
 
   std::optional<Layer> within;  // clamped to 0..1, what the values are multiplied by
   bool sparse = false;  // of raw values: voxels that are 0 are inactive, as they are of densities, and where
@@ -74,8 +76,16 @@ struct GridRecipe {
   friend bool operator==(const GridRecipe&, const GridRecipe&) = default;
 };
 
+// Where there are voxels.
+struct Domain {
+  Shape shape;
+  Box<3> box{{-1.0, -1.0, -1.0}, {1.0, 1.0, 1.0}};  // world units; `shape` says what of it is filled
+  std::optional<double> voxel;                      // size in world units; > 0; else from `dim`
+  int dim = 256;                                    // voxels along the longest side; 1 to 2^20
+};
+
 // Everything that defines a volume: plain data. The same recipe makes the same grids, bit for bit.
-struct VolumeRecipe : GridRecipe {
+struct VolumeRecipe : GridRecipe, Domain {
   std::string description;  // for people; changes nothing
 
   NoiseRecipe noise;
@@ -98,10 +108,6 @@ struct VolumeRecipe : GridRecipe {
   // and precision stay, and the density is scaled only where it replaces what was there.
   std::optional<Modification> modification;
 
-  Shape shape;
-  Box<3> box{{-1.0, -1.0, -1.0}, {1.0, 1.0, 1.0}};  // world units; `shape` says what of it is filled
-  std::optional<double> voxel;                      // size in world units; > 0; else from `dim`
-  int dim = 256;                                    // voxels along the longest side; 1 to 2^20
   UpAxis up = UpAxis::y;
   Codec codec = Codec::blosc;
 

@@ -1,12 +1,11 @@
 #pragma once
 
-#include <string>
-#include <vector>
+#include <optional>
+#include <type_traits>
 
-#include "solidnoise/core/choices.h"
+#include "solidnoise/core/fields.h"
 #include "solidnoise/field/field_tables.h"
 #include "solidnoise/recipe/json.h"
-#include "solidnoise/volume/volume_fields.h"
 #include "solidnoise/volume/volume_recipe.h"
 
 namespace solidnoise {
@@ -16,6 +15,99 @@ inline constexpr Choices<Codec, 3> kCodecChoices{{
     {Codec::zip, "zip"},
     {Codec::none, "none"},
 }};
+
+constexpr auto fields_of(std::type_identity<BoxShape>) {
+  return list_fields();
+}
+constexpr auto fields_of(std::type_identity<SphereShape>) {
+  return list_fields();
+}
+constexpr auto fields_of(std::type_identity<EllipsoidShape>) {
+  return list_fields();
+}
+constexpr auto fields_of(std::type_identity<MeshShape>) {
+  return list_fields(field("file", &MeshShape::file, "A closed mesh: .ply .obj .off .stl .om"),
+                     field("digest", &MeshShape::digest, "Of the file, where the volume exists already")
+                         .written_if([](const MeshShape& mesh) { return !mesh.digest.empty(); }));
+}
+
+constexpr auto fields_of(std::type_identity<Domain>) {
+  return list_fields(
+      field("shape", &Domain::shape,
+            "Which voxels there are: of the box, of the inside of a mesh, or of a grid"),
+      field("box", &Domain::box, kFinite, "world units", "Two corners"),
+      field("voxel", &Domain::voxel, kPositive, "world units", "Size of a voxel"),
+      field("dim", &Domain::dim, between(1, 1 << 20), "voxels", "Along the longest side, in place of voxel")
+          .in_place_of("voxel")
+          .written_if([](const Domain& domain) { return !domain.voxel; }));
+}
+
+constexpr auto fields_of(std::type_identity<DensityScale>) {
+  return list_fields(field("optical_depth", &DensityScale::optical_depth, kPositive, "",
+                           "Through the thickest column along the up axis")
+                         .written_if([](const DensityScale& density) { return !density.peak; }),
+                     field("peak", &DensityScale::peak, kPositive, "extinction per world unit",
+                           "Instead: the largest density")
+                         .in_place_of("optical_depth"),
+                     field("factor", &DensityScale::factor, kPositive, "",
+                           "What densities are multiplied by, where that is known"));
+}
+
+// Of a grid in both forms of recipes, the list's and the short one.
+constexpr auto fields_of_any_grid() {
+  using Grid = GridRecipe;
+  return list_fields(
+      field("layers", &Grid::layers, "Their sum takes the noise's place").written_if([](const Grid& grid) {
+        return !grid.layers.empty();
+      }),
+      field("shaping", &Grid::shaping, "What becomes of the noise"),
+      field("output", &Grid::output, "value, gradient or both; curl; color; phase,intensity")
+          .written_if([](const Grid& grid) { return grid.output != std::vector{Output::value}; }),
+      field("speed", &Grid::speed, kPositive, "world units per second", "Of curl: root mean square")
+          .written_if([](const Grid& grid) { return grid.speed != 1.0; }),
+      field("drift", &Grid::drift, kFinite, "world units per second",
+            "Of curl: a mean velocity that is added")
+          .written_if([](const Grid& grid) { return grid.drift != Vec<3>(0.0); }),
+      field("boundary", &Grid::boundary, "Of curl: a level set that nothing flows through"),
+      field("boundary_width", &Grid::boundary_width, kPositive, "world units",
+            "Distance over which the velocity turns"),
+      field("within", &Grid::within, "Clamped to 0..1, what the values are multiplied by"),
+      field("sparse", &Grid::sparse, "Of raw values: leave voxels out that are 0")
+          .written_if([](const Grid& grid) { return grid.sparse; }),
+      field("half", &Grid::half, "Store 16-bit floats"));
+}
+
+constexpr auto fields_of(std::type_identity<GridRecipe>) {
+  using Grid = GridRecipe;
+  return list_fields(
+      field("name", &Grid::grid, "Of the grid").written_if([](const Grid& grid) {
+        return !grid.grid.empty();
+      }),
+      field("noise", &Grid::own, "Of its own; left out, the recipe's"), fields_of_any_grid(),
+      field("scale", &Grid::density, "What densities are scaled to").written_if([](const Grid& grid) {
+        return !std::holds_alternative<RawShaping>(grid.shaping) || grid.density != DensityScale{};
+      }));
+}
+
+constexpr auto fields_of(std::type_identity<VolumeRecipe>) {
+  using Recipe = VolumeRecipe;
+  return list_fields(
+      field("description", &Recipe::description, "For people; changes nothing")
+          .written_if([](const Recipe& recipe) { return !recipe.description.empty(); }),
+      field("noise", &Recipe::noise, "The noise"),
+      field("dims", &Recipe::dims, between(3, 4), "",
+            "Of the noise; 4: a frame of a noise that changes in time"),
+      field("time", &Recipe::time, kFinite, "", "Of the frame"),
+      field("offset", &Recipe::offset, kFinite, "world units", "Moves the noise"),
+      field("band_limit", &Recipe::band_limit, "Filter the noise at the size of the voxels"),
+      field("exact", &Recipe::exact, "Sum impulses at every voxel"), part(&Recipe::parameters),
+      field("up", &Recipe::up, kUpAxisChoices, "The up axis"),
+      field("codec", &Recipe::codec, kCodecChoices, "Compression of the file"),
+      field("fields", &Recipe::fields,
+            "Fields with names, for layers to use; what is used by several is evaluated once")
+          .written_if([](const Recipe& recipe) { return !recipe.fields.empty(); }),
+      field("grids", &Recipe::grids, "The grids. Of a single one the keys may also be the recipe's own"));
+}
 
 // The JSON form of a volume:
 //   {"solidnoise": 2, "algorithm": 4, "noise": {"type": "gabor", ...}, "dims": 3, "time": 0,
@@ -28,7 +120,7 @@ inline constexpr Choices<Codec, 3> kCodecChoices{{
 // "boundary" ({"file": ..., "grid": ...}) and "boundary_width" where they are needed; "peak" may take the
 // place of "optical_depth", "voxel" that of "dim"; "factor" is there where it is known. "algorithm" is
 // kAlgorithmVersion when the recipe was written. Every key but "solidnoise" may be left out. A recipe that
-// works on a grid that exists has the keys of modification_json.h in place of "domain" and "name", which are
+// works on a grid that exists has the keys of a Modification in place of "domain" and "name", which are
 // the grid's. Reading back what was written gives an equal recipe, to the last bit, but for what has no
 // effect.
 //

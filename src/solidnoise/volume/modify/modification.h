@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <type_traits>
 
 #include "solidnoise/volume/vdb/grid_file.h"
 
@@ -17,6 +18,13 @@ enum class Combine {
   erode,
 };
 
+inline constexpr Choices<Combine, 4> kCombineChoices{{
+    {Combine::replace, "replace"},
+    {Combine::add, "add"},
+    {Combine::multiply, "multiply"},
+    {Combine::erode, "erode"},
+}};
+
 // What is done to a grid that exists, instead of making one. Where the mask's value at a voxel is k, the
 // result is v + k (result - v), or the surface moves by k of its way.
 struct Modification {
@@ -32,5 +40,24 @@ struct Modification {
 
   friend bool operator==(const Modification&, const Modification&) = default;
 };
+
+constexpr auto fields_of(std::type_identity<Modification>) {
+  return list_fields(
+      field("on", &Modification::on, "The grid to work on, in place of one of the recipe's own")
+          .written_if([](const Modification& change) { return !change.on.file.empty(); }),
+      field("displace", &Modification::displace, kFinite, "world units",
+            "Of a level set, in place of combine and amount: how far one sigma moves its surface"),
+      field("combine", &Modification::combine, kCombineChoices,
+            "Noise n in place of value v; v + a n; v (1 + a n); or wear thin parts off")
+          .in_place_of("displace")
+          .written_if([](const Modification& change) { return !change.displace; }),
+      field("amount", &Modification::amount, kFinite, "", "The factor a")
+          .in_place_of("displace")
+          .written_if([](const Modification& change) {
+            return !change.displace && change.combine != Combine::replace;
+          }),
+      field("mask", &Modification::mask, "Limits the change to where this is over 0"),
+      field("rest", &Modification::rest, "Rest positions, at which the noise is looked up"));
+}
 
 }  // namespace solidnoise

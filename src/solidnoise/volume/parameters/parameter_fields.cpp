@@ -82,7 +82,7 @@ void require_overlap_of(const openvdb::GridBase& grid, const std::string& name, 
 }  // namespace
 
 ParameterFields::ParameterFields(const ParameterGrids& grids) : grids_(grids) {
-  const auto read = [](std::optional<ParameterGrid>& source, const char* flag, const ParameterRange& range) {
+  const auto read = [](std::optional<ParameterGrid>& source, const char* flag, const AllowedValues& range) {
     return source ? std::make_shared<ScalarField>(*source, flag, range) : nullptr;
   };
   frequency_ = read(grids_.frequency, "--frequency-grid", kFrequencyRange);

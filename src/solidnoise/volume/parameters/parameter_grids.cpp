@@ -17,7 +17,7 @@ namespace solidnoise {
 namespace {
 
 void validate_map(const std::string& field, const std::optional<ParameterGrid>& grid,
-                  const ParameterRange& range) {
+                  const AllowedValues& range) {
   if (!grid || !grid->map) return;
   const ValueMap& map = *grid->map;
   for (const double value : {map.low, map.high}) require_finite(field, value);

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string_view>
+#include <type_traits>
 
 #include "solidnoise/noise/registry/noise_recipe.h"
 #include "solidnoise/volume/vdb/grid_file.h"
@@ -57,5 +58,19 @@ struct ParameterGrids {
 
   friend bool operator==(const ParameterGrids&, const ParameterGrids&) = default;
 };
+
+constexpr auto fields_of(std::type_identity<ParameterGrid>) {
+  return list_fields(part(&ParameterGrid::source),
+                     field("map", &ParameterGrid::map, "Values LOW and HIGH of the grid mean the other two"));
+}
+
+constexpr auto fields_of(std::type_identity<ParameterGrids>) {
+  using Grids = ParameterGrids;
+  return list_fields(
+      field("frequency_grid", &Grids::frequency, "Frequency at each voxel, cycles per world unit"),
+      field("bandwidth_grid", &Grids::bandwidth, "Bandwidth at each voxel, 0.1 to 4 octaves"),
+      field("magnitude_grid", &Grids::magnitude, "What the noise is multiplied by at each voxel, sigmas"),
+      field("direction_grid", &Grids::direction, "Where the waves travel at each voxel: vectors"));
+}
 
 }  // namespace solidnoise

@@ -72,7 +72,7 @@ class ScalarField::Sampler {
   std::array<double, 8> values_{};
 };
 
-ScalarField::ScalarField(ParameterGrid& source, const std::string& flag, const ParameterRange& range)
+ScalarField::ScalarField(ParameterGrid& source, const std::string& flag, const AllowedValues& range)
     : grid_(read_float_grid(source.source, flag)),
       map_(source.map),
       by_ratio_(range.without_lowest),

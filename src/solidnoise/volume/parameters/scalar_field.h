@@ -16,7 +16,7 @@
 namespace solidnoise {
 
 // Which values of a parameter are allowed, with words for it.
-struct ParameterRange {
+struct AllowedValues {
   double lowest = 0.0;
   double highest = 0.0;
   std::string_view allowed;
@@ -31,10 +31,10 @@ struct ParameterRange {
 };
 
 // Limits at which lengths and kernels stay finite in single precision.
-inline constexpr ParameterRange kFrequencyRange{0.0, 1e12, "greater than 0 (cycles per world unit)", true};
-inline constexpr ParameterRange kBandwidthRange{KernelFamily::kLeastBandwidth, KernelFamily::kMostBandwidth,
-                                                "between 0.1 and 4 (octaves)"};
-inline constexpr ParameterRange kMagnitudeRange{0.0, 1e12, "at least 0 (sigmas)"};
+inline constexpr AllowedValues kFrequencyRange{0.0, 1e12, "greater than 0 (cycles per world unit)", true};
+inline constexpr AllowedValues kBandwidthRange{KernelFamily::kLeastBandwidth, KernelFamily::kMostBandwidth,
+                                               "between 0.1 and 4 (octaves)"};
+inline constexpr AllowedValues kMagnitudeRange{0.0, 1e12, "at least 0 (sigmas)"};
 
 // A grid of floats as a parameter, anywhere in the world: interpolated trilinearly, whatever the grid's
 // transform, and where there is a map mapped then.
@@ -43,7 +43,7 @@ class ScalarField final : public PointwiseField {
   // Reads the grid and notes its digest in `source`; `flag` is what messages advise to give. Throws
   // std::runtime_error naming the file: it cannot be read, has no such grid, no active voxels, or active
   // values that are not in the range (how many and where the first is).
-  ScalarField(ParameterGrid& source, const std::string& flag, const ParameterRange& range);
+  ScalarField(ParameterGrid& source, const std::string& flag, const AllowedValues& range);
 
   // Throws std::runtime_error naming the file and the first position whose value is not allowed.
   void evaluate(const Points<3>& points, const Samples<3>& samples) const override;
@@ -73,7 +73,7 @@ class ScalarField final : public PointwiseField {
   std::optional<ValueMap> map_;
   bool by_ratio_ = false;
   double octaves_ = 0.0;  // from at_low to at_high
-  ParameterRange range_;
+  AllowedValues range_;
   std::string name_;
   std::string map_flag_;
   bool all_allowed_ = false;  // of all values that there are, active or not

@@ -5,7 +5,9 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
+#include "solidnoise/core/fields.h"
 #include "solidnoise/volume/vdb/openvdb.h"
 
 namespace solidnoise {
@@ -29,6 +31,13 @@ struct GridFile {
 
   friend bool operator==(const GridFile&, const GridFile&) = default;
 };
+
+constexpr auto fields_of(std::type_identity<GridFile>) {
+  return list_fields(field("file", &GridFile::file, "A .vdb"),
+                     field("grid", &GridFile::grid, "Name in the file; empty: the first one that will do"),
+                     field("digest", &GridFile::digest, "Of the file, where the volume exists already")
+                         .written_if([](const GridFile& source) { return !source.digest.empty(); }));
+}
 
 // Parses "FILE.vdb" or "FILE.vdb:GRID", split at the last ".vdb:"; nothing if the text is neither.
 std::optional<GridFile> parse_grid_file(std::string_view text);
