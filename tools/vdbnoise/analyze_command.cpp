@@ -13,12 +13,12 @@
 #include "solidnoise/analysis/kernel_slice.h"
 #include "solidnoise/image/image_file.h"
 #include "solidnoise/recipe/noise_recipe_json.h"
+#include "solidnoise/volume/analyze_volume.h"
 #include "solidnoise/volume/finish_volume.h"
 #include "solidnoise/volume/make_volume.h"
 #include "solidnoise/volume/vdb/vdb_read.h"
 #include "solidnoise/volume/volume_field.h"
 #include "solidnoise/volume/volume_recipe_json.h"
-#include "vdbnoise/analysis_report.h"
 #include "vdbnoise/commands.h"
 
 namespace solidnoise {

@@ -18,6 +18,7 @@
 #include "solidnoise/volume/describe_volume.h"
 #include "solidnoise/volume/finish_volume.h"
 #include "solidnoise/volume/make_volume.h"
+#include "solidnoise/volume/preview/picture.h"
 #include "solidnoise/volume/volume_recipe_json.h"
 #include "vdbnoise/commands.h"
 #include "vdbnoise/grid_flags.h"
@@ -114,28 +115,10 @@ void write_recipe(const MakeOptions& options, const VolumePlan& plan, OutputGrou
                   {.existing = options.existing, .group = group});
 }
 
-// All of the planned voxels, as they are before empty ones are dropped.
-openvdb::FloatGrid::Ptr full_grid(const VolumePlan& plan) {
-  const auto grid = openvdb::FloatGrid::create();
-  grid->setTransform(plan.frame.transform());
-  grid->sparseFill(plan.voxels, 1.0f);
-  return grid;
-}
-
-// Of several grids the first is shown. A part is shown in its place in the volume, its densities as if they
-// were all of it; their own scale they get when merged.
 Image picture(const Volume& volume, const VolumePlan& plan, const MakeOptions& options, Progress* progress) {
-  openvdb::FloatGrid::ConstPtr frame = options.preview_frame;
-  const VolumeRecipe recipe = recipes_of_grids(options.recipe).front();
-  if (options.part.whole()) return picture_of(volume, recipe, frame, progress);
-  if (!frame) frame = full_grid(plan);
-  const bool raw = std::holds_alternative<RawShaping>(recipe.shaping);
-  if (raw) return picture_of(volume, recipe, frame, progress);
-  MeasuredGrid shown = volume.grids.front();
-  const auto density = openvdb::gridPtrCast<openvdb::FloatGrid>(shown.grid)->deepCopy();
-  scale_density(recipe, *density, shown.moments.front());
-  shown.grid = density;
-  return picture_of({{shown}}, recipe, frame, progress);
+  return options.part.whole()
+             ? picture_of(volume, options.recipe, options.preview_frame, progress)
+             : picture_of_part(volume, options.recipe, plan, options.preview_frame, progress);
 }
 
 ProgressBar::Visibility visibility(const MakeOptions& options) {

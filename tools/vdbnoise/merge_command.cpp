@@ -8,6 +8,7 @@
 #include "common/run_tool.h"
 #include "solidnoise/image/image_file.h"
 #include "solidnoise/volume/merge_parts.h"
+#include "solidnoise/volume/preview/picture.h"
 #include "vdbnoise/commands.h"
 #include "vdbnoise/volume_output.h"
 

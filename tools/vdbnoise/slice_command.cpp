@@ -14,10 +14,10 @@
 #include "common/run_tool.h"
 #include "solidnoise/core/moments.h"
 #include "solidnoise/image/image_file.h"
+#include "solidnoise/volume/slice/slice_field.h"
+#include "solidnoise/volume/slice/slice_image.h"
 #include "vdbnoise/commands.h"
 #include "vdbnoise/recipe_flags.h"
-#include "vdbnoise/slice_field.h"
-#include "vdbnoise/slice_image.h"
 #include "vdbnoise/slice_options.h"
 
 namespace solidnoise {
@@ -59,22 +59,27 @@ void warn_of_aliasing(const SliceOptions& options, const SliceField& field) {
 void write_slice(const SliceOptions& options, const SliceField& field,
                  const std::vector<DenseField<2>>& channels) {
   const DenseField<2>& slice = channels.front();
-  if (options.is_line()) {
+  if (options.line) {
     return write_text_file(options.out, line_table(options.plane, slice), {.existing = options.existing});
   }
   OutputGroup outputs;
   ImageFileOptions file{.existing = options.existing, .group = &outputs};
+  const auto form_of = [&](const std::string& path) {
+    const bool floats = path.ends_with(".exr");
+    file.color_space = floats ? ColorSpace::linear : ColorSpace::srgb;
+    return floats ? PixelForm::values : PixelForm::shown;
+  };
   if (!options.spectrum.empty()) {
-    file.color_space = options.spectrum.ends_with(".exr") ? ColorSpace::linear : ColorSpace::srgb;
-    write_image(options.spectrum, spectrum_image(options, slice), file);
+    const Image spectrum = spectrum_image(options, slice, form_of(options.spectrum));
+    write_image(options.spectrum, spectrum, file);
   }
   if (options.out.empty()) return outputs.appear();
-  const auto [low, high] = shown_values(options, field, slice);
+  const auto shown = shown_values(options, field, slice);
+  const PixelForm form = form_of(options.out);
   file.sample_type = options.sample_type;
-  file.color_space = options.out.ends_with(".exr") ? ColorSpace::linear : ColorSpace::srgb;
   write_image(
       options.out,
-      options.color ? color_image(options, channels, low, high) : slice_image(options, slice, low, high),
+      options.color ? color_image(options, channels, shown, form) : slice_image(options, slice, shown, form),
       file);
   outputs.appear();
 }

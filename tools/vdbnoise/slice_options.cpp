@@ -217,14 +217,6 @@ void check_recipe(const SliceOptions& options) {
 
 }  // namespace
 
-double period_along(const Vec<3>& direction, const NoiseRecipe& noise) {
-  const Vec<4> period = std::visit([](const auto& options) { return options.period; }, noise.noise);
-  for (int axis = 0; axis < 3; ++axis) {
-    if (std::abs(direction[axis]) == 1.0) return period[axis];
-  }
-  return 0.0;
-}
-
 void declare_slice_flags(FlagSet& flags, SliceOptions& options) {
   flags.optional_argument("FILE.vdb", "A volume whose grid is sliced, instead of a noise", options.file);
   declare_output(flags, options);
@@ -260,7 +252,8 @@ void check_slice_options(const FlagSet& flags, SliceOptions& options) {
   check_file(flags, options);
   if (options.file.empty()) check_recipe(options);
   turn_plane(options);
-  if (options.is_line()) options.plane.rows = 1;
+  options.line = options.is_line();
+  if (options.line) options.plane.rows = 1;
   if (!options.spectrum.empty()) {
     const int side = std::min(options.plane.columns, options.plane.rows);
     require_at_least("resolution", side, 2, "pixels along both axes, for --spectrum");

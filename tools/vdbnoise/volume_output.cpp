@@ -13,8 +13,6 @@
 
 #include "common/run_tool.h"
 #include "solidnoise/noise/interpolation/lattice_frame.h"
-#include "solidnoise/volume/preview/preview.h"
-#include "solidnoise/volume/preview/slice_preview.h"
 #include "solidnoise/volume/volume_field.h"
 
 namespace solidnoise {
@@ -111,33 +109,6 @@ void check_output_names(const std::string& out, const std::string& preview) {
   if (out == "-" && isatty(STDOUT_FILENO) != 0) {
     throw UsageError("--out is -, and the standard output is a terminal; send it to a file or a program");
   }
-}
-
-void write_volume(const std::string& path, const Volume& volume, const VdbWriteOptions& options) {
-  openvdb::GridCPtrVec grids;
-  if (!volume.file) {
-    for (const MeasuredGrid& measured : volume.grids) grids.push_back(measured.grid);
-    write_vdb(path, grids, options);
-    return;
-  }
-  // What the file said of itself stays, its maker included.
-  VdbWriteOptions kept = options;
-  kept.metadata = volume.file->metadata;
-  if (kept.metadata["creator"]) kept.creator.clear();
-  grids.assign(volume.file->grids.begin(), volume.file->grids.end());
-  write_vdb(path, grids, kept);
-}
-
-Image picture_of(const Volume& volume, const VolumeRecipe& recipe, openvdb::FloatGrid::ConstPtr frame,
-                 Progress* progress) {
-  if (recipe.output.front() != Output::value) return render_slice(volume, recipe);
-  const auto density = openvdb::gridPtrCast<openvdb::FloatGrid>(volume.grids.front().grid);
-  PreviewOptions options;
-  options.up = recipe.up;
-  options.frame = std::move(frame);
-  const bool is_surface = density->getGridClass() == openvdb::GRID_LEVEL_SET;
-  return is_surface ? render_surface(*density, options, progress)
-                    : render_preview(*density, options, progress);
 }
 
 void print_statistics(const Volume& volume, const std::string& where) {

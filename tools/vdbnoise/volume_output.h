@@ -3,10 +3,7 @@
 #include <iosfwd>
 #include <string>
 
-#include "solidnoise/core/image.h"
-#include "solidnoise/core/progress.h"
 #include "solidnoise/volume/make_volume.h"
-#include "solidnoise/volume/vdb/vdb_write.h"
 #include "solidnoise/volume/volume.h"
 #include "solidnoise/volume/volume_recipe.h"
 
@@ -19,15 +16,6 @@ void warn_of_resolution(const VolumeRecipe& recipe, const VolumePlan& plan, std:
 // Refuses names that outputs cannot have: a grid's must end in .vdb or be "-", which may not be a terminal, a
 // picture's in .png. Empty ones are none. Throws UsageError that names the flag.
 void check_output_names(const std::string& out, const std::string& preview);
-
-// Writes all grids of a volume, with the rest of the file that one was modified in. Throws as write_vdb()
-// does.
-void write_volume(const std::string& path, const Volume& volume, const VdbWriteOptions& options);
-
-// The picture that --preview shows: of a density, of a level set's surface, or of a slice of
-// what is neither. `frame` is that of PreviewOptions; slices have none. Throws Cancelled.
-Image picture_of(const Volume& volume, const VolumeRecipe& recipe, openvdb::FloatGrid::ConstPtr frame,
-                 Progress* progress);
 
 // Tells on the standard error what a file holds.
 void print_statistics(const Volume& volume, const std::string& where);

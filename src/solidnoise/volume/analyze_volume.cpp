@@ -1,4 +1,4 @@
-#include "vdbnoise/analysis_report.h"
+#include "solidnoise/volume/analyze_volume.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <vector>
 
 #include "solidnoise/volume/topology/fill.h"
 #include "solidnoise/volume/vdb/vdb_read.h"
+#include "solidnoise/volume/vdb/vdb_write.h"
 
 namespace solidnoise {
 
@@ -13,5 +15,9 @@ struct Volume {
   std::vector<MeasuredGrid> grids;  // at least one
   std::optional<VdbFile> file{};    // where a grid was modified: all of its file, with what became of it
 };
+
+// Writes all grids of a volume, with the rest of the file that one was modified in. Throws as write_vdb()
+// does, and std::runtime_error naming the path where a value is not finite as it is stored.
+void write_volume(const std::filesystem::path& path, const Volume& volume, const VdbWriteOptions& options);
 
 }  // namespace solidnoise

@@ -1,4 +1,4 @@
-#include "vdbnoise/slice_field.h"
+#include "solidnoise/volume/slice/slice_field.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -117,13 +117,12 @@ RawShaping::Range range_of(const VolumeRecipe& recipe) {
 }
 
 // The noise of the plane as it is quickest on the pixels, if that is not pixel by pixel.
-std::shared_ptr<const SliceSource> interpolated_source(const SliceOptions& options,
-                                                       const VolumeRecipe& recipe,
+std::shared_ptr<const SliceSource> interpolated_source(const SliceRecipe& slice, const VolumeRecipe& recipe,
                                                        const std::shared_ptr<const Noise<2>>& noise,
                                                        const Vec<2>& first_pixel) {
-  if (recipe.exact || options.is_line()) return nullptr;
-  LatticeFrame<2> frame{first_pixel, Vec<2>(options.plane.pixel)};
-  for (const auto& [axis, direction] : {std::pair(0, options.plane.right), std::pair(1, options.plane.up)}) {
+  if (recipe.exact || slice.line) return nullptr;
+  LatticeFrame<2> frame{first_pixel, Vec<2>(slice.plane.pixel)};
+  for (const auto& [axis, direction] : {std::pair(0, slice.plane.right), std::pair(1, slice.plane.up)}) {
     frame.period[axis] = whole_period(period_along(direction, recipe.noise), frame.step[axis]);
   }
   const auto interpolated = interpolate<2>(noise, frame, ErrorBudget(error_of(recipe.noise)).interpolation);
@@ -132,7 +131,7 @@ std::shared_ptr<const SliceSource> interpolated_source(const SliceOptions& optio
 }
 
 template <int Dim>
-SliceField make_flat_field(const SliceOptions& options, const VolumeRecipe& recipe) {
+SliceField make_flat_field(const SliceRecipe& slice, const VolumeRecipe& recipe) {
   Vec<Dim> offset;
   for (int axis = 0; axis < Dim; ++axis) offset[axis] = recipe.offset[axis];
   const std::shared_ptr<const Noise<Dim>> noise =
@@ -141,9 +140,9 @@ SliceField make_flat_field(const SliceOptions& options, const VolumeRecipe& reci
   result.sigma = std::sqrt(noise->variance());
   result.highest_frequency = noise->band().upper;
   if constexpr (Dim == 2) {
-    const SlicePlane& plane = options.plane;
+    const SlicePlane& plane = slice.plane;
     if (plane.right == Vec<3>(1.0, 0.0, 0.0) && plane.up == Vec<3>(0.0, 1.0, 0.0)) {
-      result.source = interpolated_source(options, recipe, noise, Vec<2>(plane.position(0, 0)));
+      result.source = interpolated_source(slice, recipe, noise, Vec<2>(plane.position(0, 0)));
     }
   }
   if (!result.source) {
@@ -153,28 +152,28 @@ SliceField make_flat_field(const SliceOptions& options, const VolumeRecipe& reci
   return result;
 }
 
-SliceField make_grid_field(const SliceOptions& options) {
-  const openvdb::FloatGrid::Ptr grid = read_float_grid(options.file, options.grid);
+SliceField make_grid_field(const SliceRecipe& slice) {
+  const openvdb::FloatGrid::Ptr grid = read_float_grid(slice.file, slice.grid);
   try {
-    require_finite_values(*grid, options.file);
+    require_finite_values(*grid, slice.file);
   } catch (const std::invalid_argument& error) {
     throw std::runtime_error(error.what());
   }
-  if (grid->activeVoxelCount() == 0) throw std::runtime_error(options.file + ": no voxel of it is active");
+  if (grid->activeVoxelCount() == 0) throw std::runtime_error(slice.file + ": no voxel of it is active");
   return {make_slice_source(std::make_shared<GridField>(grid)), 0.0, 0.0, world_bounds(*grid)};
 }
 
-SliceField make_noise_field(const SliceOptions& options, const VolumeRecipe& recipe) {
-  if (recipe.dims == 1) return make_flat_field<1>(options, recipe);
-  if (recipe.dims == 2) return make_flat_field<2>(options, recipe);
+SliceField make_noise_field(const SliceRecipe& slice, const VolumeRecipe& recipe) {
+  if (recipe.dims == 1) return make_flat_field<1>(slice, recipe);
+  if (recipe.dims == 2) return make_flat_field<2>(slice, recipe);
   SliceField result;
   result.highest_frequency = highest_frequency(recipe, {});
   if (recipe.layers.empty()) {
     const std::shared_ptr<const Noise<3>> noise = make_volume_noise(recipe);
-    const SlicePlane& plane = options.plane;
+    const SlicePlane& plane = slice.plane;
     result.sigma = std::sqrt(noise->variance());
     result.source = interpolated_source(
-        options, recipe, on_plane(noise, {plane.position(0, 0), plane.right, plane.up}), Vec<2>(0.0));
+        slice, recipe, on_plane(noise, {plane.position(0, 0), plane.right, plane.up}), Vec<2>(0.0));
   }
   if (!result.source) result.source = make_slice_source(make_raw_field(recipe));
   return result;
@@ -182,15 +181,23 @@ SliceField make_noise_field(const SliceOptions& options, const VolumeRecipe& rec
 
 }  // namespace
 
-std::vector<SliceField> make_slice_fields(const SliceOptions& options) {
-  if (!options.file.empty()) return {make_grid_field(options)};
-  const VolumeRecipe recipe = at_resolution(options.recipe, Vec<3>(options.plane.pixel));
-  if (!options.color) return {make_noise_field(options, recipe)};
+double period_along(const Vec<3>& direction, const NoiseRecipe& noise) {
+  const Vec<4> period = std::visit([](const auto& options) { return options.period; }, noise.noise);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::abs(direction[axis]) == 1.0) return period[axis];
+  }
+  return 0.0;
+}
+
+std::vector<SliceField> make_slice_fields(const SliceRecipe& slice) {
+  if (!slice.file.empty()) return {make_grid_field(slice)};
+  const VolumeRecipe recipe = at_resolution(slice.recipe, Vec<3>(slice.plane.pixel));
+  if (!slice.color) return {make_noise_field(slice, recipe)};
   std::vector<SliceField> channels;
   for (int channel = 0; channel < 3; ++channel) {
     VolumeRecipe of_channel = recipe;
     of_channel.noise = channel_of(recipe.noise, channel);
-    channels.push_back(make_noise_field(options, of_channel));
+    channels.push_back(make_noise_field(slice, of_channel));
   }
   return channels;
 }

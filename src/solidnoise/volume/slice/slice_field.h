@@ -3,6 +3,8 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "solidnoise/core/field.h"
@@ -10,10 +12,31 @@
 #include "solidnoise/field/shaping.h"
 #include "solidnoise/noise/interpolation/lattice_interpolation.h"
 #include "solidnoise/noise/noise.h"
-#include "vdbnoise/slice_options.h"
-#include "vdbnoise/slice_plane.h"
+#include "solidnoise/volume/slice/slice_plane.h"
+#include "solidnoise/volume/volume_recipe.h"
 
 namespace solidnoise {
+
+// A picture of a plane through a noise or a grid, or a line of samples: plain data.
+struct SliceRecipe {
+  enum class SpectrumScale { logarithmic, linear };
+
+  std::string file;     // a .vdb whose grid is sliced; empty: the recipe's noise is
+  std::string grid;     // of it; empty: the first one of floats
+  VolumeRecipe recipe;  // its `dims` may be 1 or 2 too
+  SlicePlane plane;
+  bool wraps = false;  // the plane is one period of the noise along both axes
+  bool line = false;   // of a single row, each of whose samples is evaluated by itself
+
+  std::optional<std::pair<double, double>> values;  // that are black and white; else +-3 sigmas
+  std::string ramp;                                 // empty: grey, proportional to the value
+  bool color = false;                               // three channels: an exemplar's own, or three noises
+  SpectrumScale spectrum_scale = SpectrumScale::logarithmic;
+};
+
+// After how many world units along a direction of the plane the noise repeats; 0 if it does not, or if the
+// direction is none of its axes.
+double period_along(const Vec<3>& direction, const NoiseRecipe& noise);
 
 // What the pixels of a slice have values of. Immutable; may be shared between threads.
 class SliceSource {
@@ -45,11 +68,11 @@ struct SliceField {
   std::optional<Box<3>> bounds{};  // of a grid's active voxels
 };
 
-// The fields that the options name, one for each channel of the picture: a grid, interpolated between its
+// The fields that are sliced, one for each channel of the picture: a grid, interpolated between its
 // voxels, or a noise. One of a single dimension varies along x, one of two along x and y, and is constant
 // along the other axes. Noises that the pixels hold with room to spare are evaluated at fewer places and
 // interpolated, within the recipe's error (interpolate()); not on a line. Throws std::runtime_error (files)
 // and std::invalid_argument.
-std::vector<SliceField> make_slice_fields(const SliceOptions& options);
+std::vector<SliceField> make_slice_fields(const SliceRecipe& slice);
 
 }  // namespace solidnoise

@@ -1,4 +1,4 @@
-#include "vdbnoise/slice_image.h"
+#include "solidnoise/volume/slice/slice_image.h"
 
 #include <algorithm>
 #include <array>
@@ -63,11 +63,11 @@ DenseField<2> sample_slice(const SliceSource& source, const SlicePlane& plane, P
   return slice;
 }
 
-std::pair<double, double> shown_values(const SliceOptions& options, const SliceField& field,
+std::pair<double, double> shown_values(const SliceRecipe& recipe, const SliceField& field,
                                        const DenseField<2>& slice) {
-  if (options.values) return *options.values;
+  if (recipe.values) return *recipe.values;
   if (field.sigma > 0.0) {
-    switch (std::get<RawShaping>(options.recipe.shaping).range) {
+    switch (std::get<RawShaping>(recipe.recipe.shaping).range) {
       case RawShaping::Range::raw:
         return {-3.0 * field.sigma, 3.0 * field.sigma};
       case RawShaping::Range::signed_values:
@@ -80,17 +80,20 @@ std::pair<double, double> shown_values(const SliceOptions& options, const SliceF
   return *low < *high ? std::pair<double, double>(*low, *high) : std::pair(*low - 1.0, *low + 1.0);
 }
 
-Image slice_image(const SliceOptions& options, const DenseField<2>& slice, double low, double high) {
-  const bool floats = options.out.ends_with(".exr");
+Image slice_image(const SliceRecipe& recipe, const DenseField<2>& slice, std::pair<double, double> shown,
+                  PixelForm form) {
+  const bool floats = form == PixelForm::values;
+  const double low = shown.first;
+  const double high = shown.second;
   const auto position = [&](int column, int row) {
     return (value_at(slice, column, row) - low) / (high - low);
   };
-  if (options.ramp.empty()) {
+  if (recipe.ramp.empty()) {
     if (!floats) return grey_image(slice.count.x, slice.count.y, position);
     return grey_image(slice.count.x, slice.count.y,
                       [&](int column, int row) { return value_at(slice, column, row); });
   }
-  const ColorRamp ramp = parse_color_ramp(options.ramp);
+  const ColorRamp ramp = parse_color_ramp(recipe.ramp);
   Image image(slice.count.x, slice.count.y, 3);
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
@@ -102,10 +105,12 @@ Image slice_image(const SliceOptions& options, const DenseField<2>& slice, doubl
   return image;
 }
 
-Image color_image(const SliceOptions& options, std::span<const DenseField<2>> channels, double low,
-                  double high) {
-  const bool floats = options.out.ends_with(".exr");
-  const ExemplarModel* const exemplar = exemplar_of_colors(options.recipe);
+Image color_image(const SliceRecipe& recipe, std::span<const DenseField<2>> channels,
+                  std::pair<double, double> shown, PixelForm form) {
+  const bool floats = form == PixelForm::values;
+  const double low = shown.first;
+  const double high = shown.second;
+  const ExemplarModel* const exemplar = exemplar_of_colors(recipe.recipe);
   const glm::ivec2 count = channels[0].count;
   Image image(count.x, count.y, 3);
   for (int y = 0; y < image.height; ++y) {
@@ -128,20 +133,20 @@ Image color_image(const SliceOptions& options, std::span<const DenseField<2>> ch
   return image;
 }
 
-Image spectrum_image(const SliceOptions& options, const DenseField<2>& slice) {
-  PeriodogramOptions periodogram_options;
-  periodogram_options.window = options.wraps ? Window::none : Window::hann;
-  const PowerSpectrum<2> spectrum = periodogram(slice, periodogram_options);
+Image spectrum_image(const SliceRecipe& recipe, const DenseField<2>& slice, PixelForm form) {
+  PeriodogramOptions options;
+  options.window = recipe.wraps ? Window::none : Window::hann;
+  const PowerSpectrum<2> spectrum = periodogram(slice, options);
   const double highest = *std::max_element(spectrum.density.begin(), spectrum.density.end());
   const double scale = highest > 0.0 ? 1.0 / highest : 0.0;
   const glm::ivec2 count = spectrum.count;
-  const bool floats = options.spectrum.ends_with(".exr");
+  const bool floats = form == PixelForm::values;
   return grey_image(count.x, count.y, [&](int column, int row) {
     const glm::ivec2 stored((column + count.x - count.x / 2) % count.x,
                             (row + count.y - count.y / 2) % count.y);
     const double density = spectrum.density[ArrayShape<2>{count}.index(stored)];
     if (floats) return density;
-    if (options.spectrum_scale == SliceOptions::SpectrumScale::linear) return scale * density;
+    if (recipe.spectrum_scale == SliceRecipe::SpectrumScale::linear) return scale * density;
     constexpr double kDecades = 6.0;  // 60 dB
     return 1.0 + std::log10(std::max(scale * density, 1e-30)) / kDecades;
   });

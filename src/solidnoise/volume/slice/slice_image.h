@@ -7,8 +7,7 @@
 #include "solidnoise/analysis/dense_field.h"
 #include "solidnoise/core/image.h"
 #include "solidnoise/core/progress.h"
-#include "vdbnoise/slice_field.h"
-#include "vdbnoise/slice_options.h"
+#include "solidnoise/volume/slice/slice_field.h"
 
 namespace solidnoise {
 
@@ -17,22 +16,26 @@ namespace solidnoise {
 DenseField<2> sample_slice(const SliceSource& source, const SlicePlane& plane, Progress* progress);
 
 // The values that are black and white in a picture of the slice.
-std::pair<double, double> shown_values(const SliceOptions& options, const SliceField& field,
+std::pair<double, double> shown_values(const SliceRecipe& recipe, const SliceField& field,
                                        const DenseField<2>& slice);
 
-// What --out is a picture of, as it is stored: the values themselves in an .exr without a ramp, one channel;
-// colours, linear in an .exr and sRGB-encoded elsewhere; or grey, one channel.
-Image slice_image(const SliceOptions& options, const DenseField<2>& slice, double low, double high);
+// What the pixels of a picture are: 0 to 1 for the eye, colours sRGB-encoded; or for floats, the values
+// themselves, colours in linear light.
+enum class PixelForm { shown, values };
 
-// The same of --color: the colours of an exemplar, as they are stored (linear in an .exr, unless the
-// exemplar's values are raw), or each channel grey.
-Image color_image(const SliceOptions& options, std::span<const DenseField<2>> channels, double low,
-                  double high);
+// A picture of the slice, in grey (one channel) or by the ramp.
+Image slice_image(const SliceRecipe& recipe, const DenseField<2>& slice, std::pair<double, double> shown,
+                  PixelForm form);
 
-// What --spectrum is a picture of: the periodogram, with a Hann window unless the slice wraps.
-Image spectrum_image(const SliceOptions& options, const DenseField<2>& slice);
+// The same of three channels: the colours of an exemplar (as they are stored, where the exemplar's values are
+// raw), or each channel grey.
+Image color_image(const SliceRecipe& recipe, std::span<const DenseField<2>> channels,
+                  std::pair<double, double> shown, PixelForm form);
 
-// What --out FILE.csv holds: a line "position,value" of names, and one for each sample. The position is the
+// The slice's periodogram, with a Hann window unless the slice wraps.
+Image spectrum_image(const SliceRecipe& recipe, const DenseField<2>& slice, PixelForm form);
+
+// A line "position,value" of names, and one for each sample of the first row. The position is the
 // coordinate along the plane's direction to the right.
 std::string line_table(const SlicePlane& plane, const DenseField<2>& slice);
 

@@ -1,4 +1,4 @@
-#include "vdbnoise/slice_plane.h"
+#include "solidnoise/volume/slice/slice_plane.h"
 
 #include <stdexcept>
 #include <string>

@@ -1,0 +1,33 @@
+#include "solidnoise/volume/volume.h"
+
+#include <stdexcept>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "solidnoise/volume/vdb/grid_values.h"
+
+namespace solidnoise {
+
+void write_volume(const std::filesystem::path& path, const Volume& volume, const VdbWriteOptions& options) {
+  VdbWriteOptions write = options;
+  openvdb::GridCPtrVec grids;
+  if (volume.file) {
+    // What the file said of itself stays, its maker included.
+    write.metadata = volume.file->metadata;
+    if (write.metadata["creator"]) write.creator.clear();
+    grids.assign(volume.file->grids.begin(), volume.file->grids.end());
+  } else {
+    for (const MeasuredGrid& measured : volume.grids) grids.push_back(measured.grid);
+  }
+  try {
+    for (const auto& grid : grids) {
+      require_finite_values(*grid, fmt::format("{}: not written: grid '{}'", path.string(), grid->getName()));
+    }
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(error.what());
+  }
+  write_vdb(path, grids, write);
+}
+
+}  // namespace solidnoise
