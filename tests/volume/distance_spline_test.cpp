@@ -97,6 +97,11 @@ TEST(DistanceSpline, RefusesWhatIsNoLevelSet) {
       std::make_shared<openvdb::math::ScaleMap>(openvdb::Vec3d(0.1, 0.2, 0.1))));
   EXPECT_NE(refusal(flat).find("not cubes"), std::string::npos) << refusal(flat);
 
+  // 626 bytes of a file that would take gigabytes to make a surface of.
+  const auto tile = sphere();
+  tile->tree().addTile(3, openvdb::Coord(1 << 20), -1.0f, true);
+  EXPECT_NE(refusal(tile).find("has active tiles"), std::string::npos) << refusal(tile);
+
   EXPECT_NE(refusal(sphere(), 6.5).find("boundary_width is 6.5; it must be at most 6.4"), std::string::npos)
       << refusal(sphere(), 6.5);
   EXPECT_NE(refusal(sphere(), -1.0).find("boundary_width is -1"), std::string::npos);

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -12,6 +14,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "solidnoise/core/random.h"
 #include "solidnoise/volume/make_volume.h"
 #include "solidnoise/volume/vdb/vdb_read.h"
 #include "solidnoise/volume/vdb/vdb_write.h"
@@ -135,6 +138,48 @@ TEST_F(MergeParts, RefusesAnEmptyPartInThePlaceOfAnother) {
   ASSERT_NE(alike, empty.end());
   parts[alike->second[0]] = parts[alike->second[1]];
   expect_refused(parts, "are not the parts of the volume");
+}
+
+std::string bytes_of(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+// Whatever bit of a part is wrong: either it is refused, or it is one that the whole takes nothing from.
+TEST_F(MergeParts, NoWrongBitOfAPartGetsIntoTheWhole) {
+  VolumeRecipe recipe = cloud();
+  recipe.dim = 40;
+  const std::vector<std::filesystem::path> parts = write_shards(recipe, 2);
+  const Volume whole = make_volume(recipe, plan_volume(recipe), kCreator);
+  const std::string bytes = bytes_of(parts[0]);
+  constexpr int kFlips = 300;
+  int refused = 0;
+  RandomStream random(1);
+  for (int i = 0; i < kFlips; ++i) {
+    std::string damaged = bytes;
+    const std::uint64_t bit = random.next() % (8 * bytes.size());
+    damaged[bit / 8] = static_cast<char>(damaged[bit / 8] ^ (1 << bit % 8));
+    std::ofstream(parts[0], std::ios::binary) << damaged;
+    try {
+      const MergedVolume merged = merge_parts(parts, kCreator);
+      expect_same(merged.volume, whole);
+    } catch (const std::runtime_error&) {
+      ++refused;
+    }
+    ASSERT_FALSE(HasFailure()) << "bit " << bit;
+  }
+  // Nine tenths of the file are compressed values, and nearly all of these bits count.
+  EXPECT_GT(refused, kFlips / 2);
+}
+
+TEST_F(MergeParts, RefusesAVoxelThatWasAdded) {
+  const std::vector<std::filesystem::path> parts = write_shards(raw_ball(), 2);
+  const VdbFile file = read_grids(parts[0]);
+  openvdb::gridPtrCast<openvdb::FloatGrid>(file.grids[0])
+      ->tree()
+      .setValue(openvdb::Coord(100000, 0, 0), 1.0f);
+  write_vdb(parts[0], {file.grids[0]}, {.existing = Existing::replace, .frame = 7, .fps = 24.0});
+  expect_refused(parts, parts[0].string() + ": is damaged");
 }
 
 }  // namespace

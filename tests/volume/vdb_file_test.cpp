@@ -4,6 +4,7 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <memory>
 #include <random>
 #include <stdexcept>
@@ -15,6 +16,7 @@
 #include "solidnoise/volume/topology/fill.h"
 #include "solidnoise/volume/vdb/vdb_read.h"
 #include "solidnoise/volume/vdb/vdb_write.h"
+#include "solidnoise/volume/volume.h"
 #include "support/message_of.h"
 #include "support/temporary_folder.h"
 #include "support/wave_field.h"
@@ -143,6 +145,55 @@ TEST(VdbFile, ThatWasStreamedIsReadByNameToo) {
   }
   EXPECT_TRUE(same_values(*read_float_grid(folder / "streamed.vdb", "density"), *grid));
   EXPECT_EQ(read_vdb_summary(folder / "streamed.vdb").grids[0].active_voxels, grid->activeVoxelCount());
+}
+
+TEST(WriteVdb, WritesTheSameBytesAgainAndOthersForOtherValues) {
+  const TemporaryFolder folder;
+  const auto grid = wave_grid();
+  write_vdb(folder / "a.vdb", {grid}, {.creator = "tests 1"});
+  write_vdb(folder / "b.vdb", {grid->deepCopy()}, {.creator = "tests 1"});
+  const std::string bytes = read_bytes(folder / "a.vdb");
+  EXPECT_EQ(bytes, read_bytes(folder / "b.vdb"));
+  grid->tree().setValue(openvdb::Coord(1, 2, 3), 0.5f);
+  write_vdb(folder / "c.vdb", {grid}, {.creator = "tests 1"});
+  constexpr std::size_t kHeader = 57;  // magic, versions, one byte, and the UUID of 36
+  EXPECT_NE(bytes.substr(0, kHeader), read_bytes(folder / "c.vdb").substr(0, kHeader));
+}
+
+TEST(WriteVolume, RefusesValuesThatAreNotFiniteAsTheyAreStored) {
+  const TemporaryFolder folder;
+  const auto refusal_of = [&](float value, bool active, bool half) {
+    const auto grid = wave_grid();
+    active ? grid->tree().setValue(openvdb::Coord(1, 2, 3), value)
+           : grid->tree().setValueOff(openvdb::Coord(1, 2, 3), value);
+    grid->setSaveFloatAsHalf(half);
+    return message_of<std::runtime_error>([&] {
+      write_volume(folder / "a.vdb", {{{grid, {}}}}, {.existing = Existing::replace});
+    });
+  };
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  const std::string begin =
+      (folder / "a.vdb").string() + ": not written: grid 'density' has 1 values that are not ";
+  EXPECT_EQ(refusal_of(kInfinity, true, false), begin + "finite, the first at voxel (1, 2, 3)");
+  EXPECT_EQ(refusal_of(NAN, false, false), begin + "finite, the first at voxel (1, 2, 3)");
+  EXPECT_EQ(refusal_of(-65505.0f, true, true),
+            begin + "finite as 16-bit floats, the first at voxel (1, 2, 3)");
+  EXPECT_EQ(refusal_of(65504.0f, true, true), "nothing was thrown");
+  EXPECT_EQ(refusal_of(65505.0f, true, false), "nothing was thrown");
+}
+
+TEST(ReadVdb, RefusesVoxelsWhoseDistanceHasNoIndex) {
+  const TemporaryFolder folder;
+  const auto path = folder / "far.vdb";
+  const auto grid = openvdb::FloatGrid::create();
+  for (const int x : {-(1 << 30), 1 << 30}) grid->tree().setValue(openvdb::Coord(x, 0, 0), 1.0f);
+  write_vdb(path, {grid}, {});
+  const auto says = [&](const auto& read) { return message_of<std::runtime_error>(read); };
+  for (const std::string& message : {says([&] { read_float_grid(path); }), says([&] { read_grids(path); }),
+                                     says([&] { read_vdb_summary(path); })}) {
+    EXPECT_TRUE(contains(message, path.string() + ": ")) << message;
+    EXPECT_TRUE(contains(message, "voxels of index -1073741824 to 1073741824")) << message;
+  }
 }
 
 TEST(WriteVdb, RefusesAnExistingFileUnlessItIsToBeReplaced) {

@@ -11,6 +11,7 @@
 #include "solidnoise/core/random.h"
 #include "solidnoise/recipe/json.h"
 #include "solidnoise/volume/finish_volume.h"
+#include "solidnoise/volume/vdb/grid_file.h"
 #include "solidnoise/volume/vdb/grid_values.h"
 #include "solidnoise/volume/vdb/vdb_read.h"
 #include "solidnoise/volume/vdb/vdb_write.h"
@@ -41,6 +42,7 @@ struct CensusKeys {
 };
 constexpr CensusKeys kPartKeys{"solidnoise:part_leaves", "solidnoise:part_fingerprint"};
 constexpr CensusKeys kWholeKeys{"solidnoise:whole_leaves", "solidnoise:whole_fingerprint"};
+constexpr char kChecksumKey[] = "solidnoise:part_checksum";
 
 struct PartFile {
   std::filesystem::path path;
@@ -71,6 +73,15 @@ std::optional<Census> noted_census(const openvdb::GridBase& grid, const CensusKe
   return Census{leaves->value(), fingerprint->value()};
 }
 
+// Of all that a merged volume takes from a part's grid: its place, topology and values, and its recipe.
+std::int64_t part_checksum(const openvdb::GridBase& grid, const std::string& recipe, const Census& own,
+                           const Census& whole) {
+  const std::string text = fmt::format("{:x} {} {} {} {} {} {}", checksum(grid), own.leaves, own.fingerprint,
+                                       whole.leaves, whole.fingerprint, grid.saveFloatAsHalf(), recipe);
+  constexpr int kHexadecimal = 16;
+  return static_cast<std::int64_t>(std::stoull(digest(text), nullptr, kHexadecimal));
+}
+
 [[noreturn]] void refuse(const PartFile& part, const std::string& what) {
   throw std::runtime_error(fmt::format("{}: {}", part.path.string(), what));
 }
@@ -87,6 +98,12 @@ PartFile read_part(const std::filesystem::path& path) {
   part.recipe = recipe->value();
   part.own = *own;
   part.whole = *whole;
+  for (const openvdb::GridBase::Ptr& each : part.file.grids) {
+    const auto noted = each->getMetadata<openvdb::Int64Metadata>(kChecksumKey);
+    if (noted == nullptr || noted->value() != part_checksum(*each, part.recipe, *own, *whole)) {
+      refuse(part, fmt::format("is damaged: the grid '{}' is not what was written", each->getName()));
+    }
+  }
   return part;
 }
 
@@ -146,13 +163,15 @@ void note_part(const VolumeRecipe& recipe, const std::string& creator, const Top
   const std::vector<std::string> names = grid_names(recipe);
   const Census own = take_census(part);
   const Census all = take_census(whole);
+  const std::string text = format_json(to_json(recipe));
   for (std::size_t i = 0; i < volume.grids.size(); ++i) {
     openvdb::GridBase& grid = *volume.grids[i].grid;
     grid.setName(names[i]);
     grid.setCreator(creator);
-    set_metadata(grid, {{kRecipeKey, format_json(to_json(recipe))}});
+    set_metadata(grid, {{kRecipeKey, text}});
     note_census(own, kPartKeys, grid);
     note_census(all, kWholeKeys, grid);
+    set_metadata(grid, {{kChecksumKey, part_checksum(grid, text, own, all)}});
   }
 }
 

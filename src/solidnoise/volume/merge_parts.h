@@ -26,8 +26,9 @@ struct MergedVolume {
   Volume volume;  // the same as that of the recipe made whole, to the last bit
 };
 
-// Joins the parts of one volume, in any order. Throws std::runtime_error naming the file if one is no part or
-// that of another volume, if parts overlap, or if any is missing; what read_grids() throws; Cancelled.
+// Joins the parts of one volume, in any order. Throws std::runtime_error naming the file if one is no part,
+// is not what note_part() saw (by a checksum of its topology and values), or is that of another volume, if
+// parts overlap, or if any is missing; what read_grids() throws; Cancelled.
 MergedVolume merge_parts(const std::vector<std::filesystem::path>& files, const std::string& creator,
                          Progress* progress = nullptr);
 

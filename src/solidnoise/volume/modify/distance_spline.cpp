@@ -54,6 +54,10 @@ void require_level_set(const openvdb::FloatGrid& grid) {
                                             grid.getName(),
                                             openvdb::GridBase::gridClassToString(grid.getGridClass())));
   }
+  if (grid.tree().hasActiveTiles()) {
+    throw std::invalid_argument(
+        fmt::format("the grid '{}' has active tiles; the band of a level set is of voxels", grid.getName()));
+  }
   GridFrame(grid.transform());
   if (!grid.hasUniformVoxels()) {
     throw std::invalid_argument(fmt::format("the voxels of the grid '{}' are not cubes", grid.getName()));

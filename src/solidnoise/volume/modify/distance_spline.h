@@ -9,8 +9,8 @@
 
 namespace solidnoise {
 
-// Throws std::invalid_argument unless the grid is a level set whose voxels are cubes, in a frame that
-// GridFrame takes.
+// Throws std::invalid_argument unless the grid is a level set whose voxels are cubes, without active tiles,
+// in a frame that GridFrame takes.
 void require_level_set(const openvdb::FloatGrid& grid);
 
 // The distance to a surface by the cubic B-spline whose coefficients are the values of a level set.

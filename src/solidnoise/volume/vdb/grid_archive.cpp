@@ -10,9 +10,12 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <openvdb/io/Compression.h>
 #include <openvdb/io/io.h>
 #include <tbb/parallel_pipeline.h>
+
+#include "solidnoise/core/random.h"
 
 namespace solidnoise {
 namespace {
@@ -101,16 +104,32 @@ std::string unique_name(const openvdb::GridCPtrVec& grids, const std::string& na
   return unique;
 }
 
+template <typename Number>
+void write_number(std::ostream& stream, Number number) {
+  stream.write(reinterpret_cast<const char*>(&number), sizeof number);
+}
+
+// As openvdb::io::Archive::writeHeader, but for the UUID, of version 8 (RFC 9562: the writer's own).
+void write_header(std::ostream& stream, bool seekable, std::uint64_t identity) {
+  write_number(stream, std::int64_t{openvdb::OPENVDB_MAGIC});
+  write_number(stream, std::uint32_t{openvdb::OPENVDB_FILE_VERSION});
+  write_number(stream, static_cast<std::uint32_t>(openvdb::OPENVDB_LIBRARY_MAJOR_VERSION));
+  write_number(stream, static_cast<std::uint32_t>(openvdb::OPENVDB_LIBRARY_MINOR_VERSION));
+  write_number(stream, static_cast<char>(seekable));
+  const std::uint64_t more = mix_bits(identity + kGoldenGamma);
+  stream << fmt::format("{:08x}-{:04x}-8{:03x}-a{:03x}-{:012x}", identity >> 32, identity >> 16 & 0xffff,
+                        identity & 0xfff, more >> 52, more & 0xffffffffffff);
+}
+
 }  // namespace
 
-void GridArchive::write_grids(std::ostream& stream, Offsets offsets, const openvdb::GridCPtrVec& grids,
-                              const openvdb::MetaMap& metadata) const {
+void GridArchive::write_grids(std::ostream& stream, Offsets offsets, const Contents& contents) const {
   const bool seekable = offsets == Offsets::write;
+  const openvdb::GridCPtrVec& grids = contents.grids;
   openvdb::io::setDataCompression(stream, compression());
-  writeHeader(stream, seekable);
-  metadata.writeMeta(stream);
-  const auto count = static_cast<std::int32_t>(grids.size());
-  stream.write(reinterpret_cast<const char*>(&count), sizeof count);
+  write_header(stream, seekable, contents.identity);
+  contents.metadata.writeMeta(stream);
+  write_number(stream, static_cast<std::int32_t>(grids.size()));
 
   std::set<std::string> taken;
   std::vector<GridDescriptor> written;

@@ -12,19 +12,27 @@ namespace solidnoise {
 // returned as they are.
 openvdb::GridBase::ConstPtr parallel_grid(const openvdb::GridBase::ConstPtr& grid);
 
-// Writes what OpenVDB's own archives do, with two differences. Its File writes grid offsets, which let a
-// reader take one grid or the metadata alone, but does not notice a full disk; its Stream writes to a stream
-// of the caller's, but no offsets: this does both. And it compresses all values once. OpenVDB compresses them
-// twice before version 13.2, the first time for the sizes alone (`file_delayed_load` in the metadata), from
-// which a reader that loads leaves when they are asked for knows where they are; without it such a reader
-// looks the sizes up in the file. Since 13.2 there is no such loading.
+// Writes what OpenVDB's own archives do, with three differences: files are the same, byte by byte, where
+// their contents are (OpenVDB's have a random UUID in their header). Its File writes grid offsets, which let
+// a reader take one grid or the metadata alone, but does not notice a full disk; its Stream writes to a
+// stream of the caller's, but no offsets: this does both. And it compresses all values once. OpenVDB
+// compresses them twice before version 13.2, the first time for the sizes alone (`file_delayed_load` in the
+// metadata), from which a reader that loads leaves when they are asked for knows where they are; without it
+// such a reader looks the sizes up in the file. Since 13.2 there is no such loading.
 class GridArchive final : public openvdb::io::Archive {
  public:
   enum class Offsets { write, none };
 
-  // With Offsets::write the stream is to be able to seek. Grids that share a tree share it in the file.
-  void write_grids(std::ostream& stream, Offsets offsets, const openvdb::GridCPtrVec& grids,
-                   const openvdb::MetaMap& metadata) const;
+  // What is written: `identity` becomes the file's UUID, in place of a random number.
+  struct Contents {
+    openvdb::GridCPtrVec grids;
+    openvdb::MetaMap metadata;
+    std::uint64_t identity = 0;
+  };
+
+  // With Offsets::write the stream is to be able to seek. Grids that share a tree share it in the file. The
+  // same contents make the same bytes.
+  void write_grids(std::ostream& stream, Offsets offsets, const Contents& contents) const;
 
  private:
   using Descriptor = openvdb::io::GridDescriptor;

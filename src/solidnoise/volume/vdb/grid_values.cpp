@@ -3,15 +3,22 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
+#include <limits>
 #include <memory>
 #include <numeric>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 
 #include <fmt/format.h>
 #include <openvdb/tree/LeafManager.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
 
 #include "solidnoise/core/check.h"
+#include "solidnoise/core/random.h"
 #include "solidnoise/volume/vdb/openvdb.h"
 
 namespace solidnoise {
@@ -161,36 +168,128 @@ struct Found {
   openvdb::Coord first;
 
   void add(const openvdb::Coord& voxel, std::uint64_t voxels) {
+    if (voxels == 0) return;
     if (count == 0 || voxel < first) first = voxel;
     count += voxels;
   }
 };
 
+// Whether a number, or each of a vector, is within +-most.
+template <typename Value>
+bool is_within(const Value& value, double most) {
+  if constexpr (std::is_floating_point_v<Value>) {
+    return std::abs(static_cast<double>(value)) <= most;
+  } else {
+    return is_within(value[0], most) && is_within(value[1], most) && is_within(value[2], most);
+  }
+}
+
+// Active or not.
 template <typename Grid>
-Found find_not_finite(const Grid& grid) {
-  Found found;
-  for (auto leaf = grid.tree().cbeginLeaf(); leaf; ++leaf) {
-    for (auto value = leaf->cbeginValueOn(); value; ++value) {
-      if (!openvdb::math::isFinite(*value)) found.add(value.getCoord(), 1);
+Found find_beyond(const Grid& grid, double most) {
+  using Leaf = typename Grid::TreeType::LeafNodeType;
+  std::vector<const Leaf*> leaves;
+  grid.tree().getNodes(leaves);
+  const auto add_leaf = [&](const Leaf& leaf, Found& found) {
+    for (openvdb::Index voxel = 0; voxel < Leaf::SIZE; ++voxel) {
+      if (!is_within(leaf.getValue(voxel), most)) found.add(leaf.offsetToGlobalCoord(voxel), 1);
+    }
+  };
+  Found found = tbb::parallel_reduce(
+      tbb::blocked_range<std::size_t>(0, leaves.size()), Found{},
+      [&](const auto& range, Found part) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i) add_leaf(*leaves[i], part);
+        return part;
+      },
+      [](Found a, const Found& b) {
+        a.add(b.first, b.count);
+        return a;
+      });
+  auto tile = grid.tree().cbeginValueAll();
+  tile.setMaxDepth(Grid::TreeType::ValueAllCIter::LEAF_DEPTH - 1);
+  for (; tile; ++tile) {
+    if (!is_within(*tile, most)) found.add(tile.getCoord(), tile.getVoxelCount());
+  }
+  if (!is_within(grid.background(), most)) found.add(openvdb::Coord(), 1);
+  return found;
+}
+
+class Hash {
+ public:
+  void add(std::uint64_t bits) { bits_ = mix_bits(bits_ ^ bits) + kGoldenGamma; }
+  void add(const openvdb::Coord& voxel) {
+    for (int axis = 0; axis < 3; ++axis) add(static_cast<std::uint64_t>(voxel[axis]));
+  }
+  void add_bytes(const void* bytes, std::size_t size) {
+    const char* from = static_cast<const char*>(bytes);
+    for (; size > 0; from += sizeof(std::uint64_t)) {
+      std::uint64_t word = 0;
+      const std::size_t count = std::min(size, sizeof word);
+      std::memcpy(&word, from, count);
+      add(word);
+      size -= count;
     }
   }
-  auto tile = grid.cbeginValueOn();
-  tile.setMaxDepth(Grid::ValueOnCIter::LEAF_DEPTH - 1);
+  std::uint64_t bits() const { return bits_; }
+
+ private:
+  std::uint64_t bits_ = 0;
+};
+
+template <typename Grid>
+void add_values(const Grid& grid, Hash& hash) {
+  using Leaf = typename Grid::TreeType::LeafNodeType;
+  using Value = typename Grid::ValueType;
+  std::vector<const Leaf*> leaves;
+  grid.tree().getNodes(leaves);
+  std::vector<std::uint64_t> parts(leaves.size());
+  tbb::parallel_for(std::size_t{0}, leaves.size(), [&](std::size_t i) {
+    Hash part;
+    part.add(leaves[i]->origin());
+    const auto& mask = leaves[i]->valueMask();
+    for (openvdb::Index word = 0; word < mask.WORD_COUNT; ++word) {
+      part.add(mask.template getWord<std::uint64_t>(word));
+    }
+    part.add_bytes(leaves[i]->buffer().data(), Leaf::SIZE * sizeof(Value));
+    parts[i] = part.bits();
+  });
+  for (const std::uint64_t part : parts) hash.add(part);
+  auto tile = grid.tree().cbeginValueAll();
+  tile.setMaxDepth(Grid::TreeType::ValueAllCIter::LEAF_DEPTH - 1);
   for (; tile; ++tile) {
-    if (!openvdb::math::isFinite(*tile)) found.add(tile.getCoord(), tile.getVoxelCount());
+    const Value value = *tile;
+    if (!tile.isValueOn() && value == grid.background()) continue;
+    hash.add(tile.getCoord());
+    hash.add(tile.getVoxelCount() * 2 + (tile.isValueOn() ? 1 : 0));
+    hash.add_bytes(&value, sizeof value);
   }
-  return found;
+  hash.add_bytes(&grid.background(), sizeof(Value));
 }
 
 }  // namespace
 
 void require_finite_values(const openvdb::GridBase& grid, const std::string& name) {
+  const bool half = grid.saveFloatAsHalf();
+  const double most = half ? kLargestHalf : std::numeric_limits<double>::max();
   Found found;
-  grid.apply<FiniteGrids>([&](const auto& typed) { found = find_not_finite(typed); });
+  grid.apply<FiniteGrids>([&](const auto& typed) { found = find_beyond(typed, most); });
   if (found.count == 0) return;
-  throw std::invalid_argument(
-      fmt::format("{} has {} values that are not finite, the first at voxel ({}, {}, {})", name, found.count,
-                  found.first.x(), found.first.y(), found.first.z()));
+  throw std::invalid_argument(fmt::format(
+      "{} has {} values that are not finite{}, the first at voxel ({}, {}, {})", name, found.count,
+      half ? " as 16-bit floats" : "", found.first.x(), found.first.y(), found.first.z()));
+}
+
+std::uint64_t checksum(const openvdb::GridBase& grid) {
+  Hash hash;
+  const openvdb::Mat4d matrix = grid.transform().baseMap()->isLinear()
+                                    ? grid.transform().baseMap()->getAffineMap()->getMat4()
+                                    : openvdb::Mat4d::identity();
+  hash.add_bytes(matrix.asPointer(), 16 * sizeof(double));
+  hash.add(grid.activeVoxelCount());
+  hash.add(grid.baseTree().leafCount());
+  using Hashed = openvdb::TypeList<openvdb::FloatGrid, openvdb::Vec3SGrid>;
+  grid.apply<Hashed>([&](const auto& typed) { add_values(typed, hash); });
+  return hash.bits();
 }
 
 openvdb::Vec3SGrid::ConstPtr in_single_precision(const openvdb::GridBase& grid) {

@@ -55,12 +55,21 @@ class ColumnSums {
 // values, taken as extinction per world unit, over all lines of voxels parallel to the axis.
 double thickest_column(const openvdb::FloatGrid& grid, int axis);
 
-// Throws std::invalid_argument if active values of a grid of floats or of vectors of them are not finite: how
-// many, and where the first one is. `name` says in the message which grid it is. Grids of other types pass.
+// The largest number that a grid may hold which is stored as 16-bit floats (IEEE 754 binary16).
+inline constexpr double kLargestHalf = 65504.0;
+
+// Throws std::invalid_argument if values of a grid of floats or of vectors of them are not finite, whether
+// their voxels are active or not, or are beyond what it is stored as: how many, and where the first one is.
+// `name` says in the message which grid it is. Grids of other types pass.
 void require_finite_values(const openvdb::GridBase& grid, const std::string& name);
 
 // A grid of vec3s or vec3d as one of vec3s, which shares the tree if it is one already. Null for a grid of
 // another type.
 openvdb::Vec3SGrid::ConstPtr in_single_precision(const openvdb::GridBase& grid);
+
+// 64 bits that tell grids apart which differ by accident: a hash of transform, tree, and all values of a grid
+// of floats or of vec3s; of another type the tree's shape counts alone. In parallel; the same for any number
+// of threads.
+std::uint64_t checksum(const openvdb::GridBase& grid);
 
 }  // namespace solidnoise

@@ -52,6 +52,22 @@ auto guarded(const std::filesystem::path& path, const Read& read) {
   }
 }
 
+// The voxels that are read: indices beyond would overflow where sizes of boxes are taken.
+constexpr std::int32_t kFarthestVoxel = (1 << 30) - 1;
+
+void require_near(const openvdb::CoordBBox& voxels) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (voxels.min()[axis] >= -kFarthestVoxel && voxels.max()[axis] <= kFarthestVoxel) continue;
+    throw std::runtime_error(fmt::format("it has voxels of index {} to {}, beyond +-{}", voxels.min()[axis],
+                                         voxels.max()[axis], kFarthestVoxel));
+  }
+}
+
+openvdb::GridBase::Ptr require_near(openvdb::GridBase::Ptr grid) {
+  if (!grid->empty()) require_near(grid->evalActiveVoxelBoundingBox());
+  return grid;
+}
+
 // Opens a .vdb that has grids.
 std::unique_ptr<VdbReader> open_vdb(const std::filesystem::path& path) {
   require_readable(path);
@@ -78,10 +94,11 @@ void summarize_voxels(VdbReader& reader, std::size_t index, const openvdb::GridB
     summary.active_voxels = static_cast<std::uint64_t>(count->value());
     if (summary.active_voxels > 0) {
       summary.voxel_bounds = {openvdb::Coord(lower->value()), openvdb::Coord(upper->value())};
+      require_near(summary.voxel_bounds);
     }
     return;
   }
-  const openvdb::GridBase::Ptr full = reader.read_grid(index);
+  const openvdb::GridBase::Ptr full = require_near(reader.read_grid(index));
   summary.active_voxels = full->activeVoxelCount();
   summary.voxel_bounds = full->evalActiveVoxelBoundingBox();
 }
@@ -130,7 +147,7 @@ openvdb::GridBase::Ptr read_matching(const std::filesystem::path& path, const st
   for (std::size_t i = 0; i < reader->grid_count(); ++i) {
     const openvdb::GridBase::Ptr header = guarded(path, [&] { return reader->read_header(i); });
     const bool named = name.empty() || reader->grid_name(i) == name;
-    if (named && suits(*header)) return guarded(path, [&] { return reader->read_grid(i); });
+    if (named && suits(*header)) return guarded(path, [&] { return require_near(reader->read_grid(i)); });
     others.push_back(listed(reader->grid_name(i), *header));
   }
   refuse_none(path, kind, name, others);
@@ -166,6 +183,7 @@ VdbFile read_grids(const std::filesystem::path& path) {
   const std::unique_ptr<VdbReader> reader = open_vdb(path);
   VdbFile file = guarded(path, [&] { return VdbFile{reader->metadata(), reader->read_grids()}; });
   for (const openvdb::GridBase::Ptr& grid : file.grids) {
+    guarded(path, [&] { return require_near(grid); });
     for (const char* about_the_file :
          {openvdb::GridBase::META_FILE_BBOX_MIN, openvdb::GridBase::META_FILE_BBOX_MAX,
           openvdb::GridBase::META_FILE_COMPRESSION, openvdb::GridBase::META_FILE_MEM_BYTES,

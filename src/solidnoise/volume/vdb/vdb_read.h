@@ -31,7 +31,7 @@ struct VdbSummary {
 };
 
 // Each function throws std::runtime_error naming the path if the file cannot be read, is no .vdb, is damaged
-// as far as that shows (values have no checksums), or holds no grids.
+// as far as that shows (values have no checksums), has voxels of indices beyond +-2^30, or holds no grids.
 
 VdbSummary read_vdb_summary(const std::filesystem::path& path);
 

@@ -7,6 +7,8 @@
 #include <openvdb/io/Compression.h>
 
 #include "solidnoise/volume/vdb/grid_archive.h"
+#include "solidnoise/volume/vdb/grid_file.h"
+#include "solidnoise/volume/vdb/grid_values.h"
 #include "solidnoise/volume/vdb/vdb_reader.h"
 
 namespace solidnoise {
@@ -44,9 +46,15 @@ void write_archive(std::ostream& stream, GridArchive::Offsets offsets, const ope
   openvdb::initialize();
   GridArchive archive;
   archive.setCompression(compression_flags(options.codec));
-  openvdb::GridCPtrVec parallel;
-  for (const auto& grid : grids) parallel.push_back(parallel_grid(grid));
-  archive.write_grids(stream, offsets, parallel, file_metadata(options));
+  GridArchive::Contents contents{{}, file_metadata(options), 0};
+  std::string all = contents.metadata.str();
+  for (const auto& grid : grids) {
+    all += fmt::format("{}{}{:x}\n", grid->str(), grid->saveFloatAsHalf(), checksum(*grid));
+    contents.grids.push_back(parallel_grid(grid));
+  }
+  constexpr int kHexadecimal = 16;
+  contents.identity = std::stoull(digest(all), nullptr, kHexadecimal);
+  archive.write_grids(stream, offsets, contents);
   stream.flush();
 }
 
