@@ -3,7 +3,10 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
+#include "solidnoise/recipe/json.h"
+#include "solidnoise/volume/vdb/grid_file.h"
 #include "tools/run_vdbnoise.h"
 #include "tools/same_grid.h"
 
@@ -75,6 +78,50 @@ TEST(Parts, NeedLessMemoryThanTheWhole) {
   std::vector<std::string> part = recipe;
   part.insert(part.end(), {"--out", "part.vdb", "--shard", "2/8"});
   run_well(part, folder);
+}
+
+TEST(Parts, AreDescribedAsParts) {
+  const auto memory = [](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"--raw", "--dim", "128", "--describe"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const ToolResult result = run_vdbnoise(arguments);
+    EXPECT_EQ(result.status, 0) << result.err;
+    return parse_json(result.out)["grid"]["memory_at_most_bytes"].get<double>();
+  };
+  EXPECT_LT(memory({"--shard", "2/8"}), 0.3 * memory({}));
+}
+
+TEST(Vdbnoise, RefusesBeforeWorkWhatTakesTooLong) {
+  const TemporaryFolder folder;
+  const ToolResult result = run_vdbnoise(
+      {"--raw", "--dim", "2048", "--exact", "--max-memory", "999G", "--max-time", "0.5", "--out", "x.vdb"},
+      {.folder = folder.path()});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_NE(result.err.find("--max-time allows 0.5"), std::string::npos) << result.err;
+  EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(Vdbnoise, MakesTheSameFileAgain) {
+  const TemporaryFolder folder;
+  for (const char* out : {"a.vdb", "b.vdb"}) run_well({"--dim", "24", "--quiet", "--out", out}, folder);
+  EXPECT_EQ(file_digest(folder.file("a.vdb")), file_digest(folder.file("b.vdb")));
+}
+
+TEST(Vdbnoise, WarnsOfAnEmptyVolume) {
+  const TemporaryFolder folder;
+  const ToolResult result =
+      run_vdbnoise({"--dim", "16", "--frequency", "0.01", "--out", "x.vdb"}, {.folder = folder.path()});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_NE(result.err.find("warning: the volume is empty"), std::string::npos) << result.err;
+}
+
+TEST(Vdbnoise, RefusesDensitiesThatAreBeyondHalfFloats) {
+  const TemporaryFolder folder;
+  const ToolResult result = run_vdbnoise({"--dim", "16", "--density", "1e6", "--half", "--out", "x.vdb"},
+                                         {.folder = folder.path()});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_NE(result.err.find("values that are not finite as 16-bit floats"), std::string::npos) << result.err;
+  EXPECT_TRUE(folder.names().empty());
 }
 
 TEST(Parts, WrongUsageIsRefused) {

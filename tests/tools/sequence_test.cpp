@@ -54,6 +54,29 @@ TEST(Sequence, FrameIsAtItsNumberOverTheRate) {
   EXPECT_TRUE(same_values(folder.file("s.12.vdb"), folder.file("time.vdb")));
 }
 
+TEST(Sequence, KeepsFramesThatAreWholeAndOfTheSameRecipe) {
+  const TemporaryFolder folder;
+  const RunOptions in_folder{.folder = folder.path()};
+  const auto frames = [&](const char* which, const std::vector<std::string>& more) {
+    return run_vdbnoise(with(with(kEvolving, {"--frames", which, "--out", "s.##.vdb"}), more), in_folder);
+  };
+  ASSERT_EQ(frames("1-2", {}).status, 0);
+  const auto before = std::filesystem::last_write_time(folder.file("s.01.vdb"));
+  EXPECT_EQ(frames("1-3", {}).status, 1);
+  ASSERT_EQ(frames("1-3", {"--skip-existing"}).status, 0);
+  EXPECT_EQ(std::filesystem::last_write_time(folder.file("s.01.vdb")), before);
+  EXPECT_EQ(folder.names().count("s.03.vdb"), 1u);
+
+  const ToolResult other = frames("1-3", {"--skip-existing", "--seed", "9"});
+  EXPECT_EQ(other.status, 1);
+  EXPECT_NE(other.err.find("s.01.vdb: exists already, and is damaged or of another recipe"),
+            std::string::npos);
+  std::filesystem::resize_file(folder.file("s.02.vdb"), 2000);
+  const ToolResult cut = frames("1-3", {"--skip-existing"});
+  EXPECT_EQ(cut.status, 1);
+  EXPECT_NE(cut.err.find("s.02.vdb: exists already, and is damaged"), std::string::npos) << cut.err;
+}
+
 TEST(Sequence, LastFramesSuccessorIsTheFirstToTheLastBit) {
   const std::vector<std::vector<std::string>> moving{
       kEvolving, {"--raw", "--dim", "12", "--frequency", "2", "--dims", "4", "--quiet"}};

@@ -162,7 +162,7 @@ void check_modify_flags(const FlagSet& flags, const VolumeRecipe& recipe) {
     throw UsageError(
         "--on is missing; the recipe works on a grid that exists: --on FILE.vdb or FILE.vdb:GRID");
   }
-  for (const char* flag : {"--shape", "--box", "--voxel", "--dim"}) {
+  for (const char* flag : {"--shape", "--box", "--voxel", "--dim", "--edge", "--prune"}) {
     refuse(flags, flag, "with --on, whose voxels are kept");
   }
   refuse(flags, "--grid", "with --on, whose name is kept; --on FILE.vdb:GRID chooses one");

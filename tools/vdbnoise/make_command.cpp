@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -19,6 +20,7 @@
 #include "solidnoise/volume/finish_volume.h"
 #include "solidnoise/volume/make_volume.h"
 #include "solidnoise/volume/preview/picture.h"
+#include "solidnoise/volume/volume_cost.h"
 #include "solidnoise/volume/volume_recipe_json.h"
 #include "vdbnoise/commands.h"
 #include "vdbnoise/grid_flags.h"
@@ -57,56 +59,42 @@ VolumeRecipe choose_recipe(const FlagSet& flags, bool quiet) {
   return load_preset(flags.value_of("--preset").value_or(preset_for_output(flags).value_or(otherwise)));
 }
 
-// What the flags leave without effect is refused rather than ignored.
-void check_consistency(const FlagSet& flags, const MakeOptions& options) {
-  const bool from_mesh = std::holds_alternative<MeshShape>(options.recipe.shape);
-  const bool from_grid = std::holds_alternative<GridShape>(options.recipe.shape);
-  if ((from_mesh || from_grid) && flags.given("--box")) {
-    throw UsageError("--box has no effect where --shape is a file; leave one of them out");
-  }
-  for (const char* flag : {"--voxel", "--dim"}) {
-    if (from_grid && flags.given(flag)) {
-      throw UsageError(fmt::format("{} has no effect where --shape is a grid, whose voxels are kept", flag));
-    }
-  }
-  if (!options.recipe.grids.empty()) {
-    for (const char* flag :
-         {"--output", "--speed", "--boundary", "--boundary-width", "--grid", "--raw", "--range", "--fold",
-          "--histogram", "--warp", "--optical-depth", "--density", "--density-factor", "--on"}) {
-      if (!flags.given(flag)) continue;
-      throw UsageError(
-          fmt::format("{} has no effect where the recipe makes several grids, each with its own", flag));
-    }
-  }
-  check_modify_flags(flags, options.recipe);
-  check_layer_flags(flags, options.recipe);
-  check_parameter_flags(flags, options.recipe);
-  const bool raw = std::holds_alternative<RawShaping>(options.recipe.shaping);
-  for (const char* flag : {"--optical-depth", "--density", "--density-factor"}) {
-    if (raw && flags.given(flag)) throw UsageError(fmt::format("{} has no effect on raw noise", flag));
-  }
-  if (options.out == "-" && options.write_recipe == "-") {
-    throw UsageError("--out and --write-recipe cannot both be the standard output");
-  }
-}
-
 void check_outputs(const MakeOptions& options) {
   if (options.out.empty() && options.preview.empty() && options.write_recipe.empty()) {
     throw UsageError("--out is missing; say where the grid goes: --out cloud.vdb");
   }
   check_output_names(options.out, options.preview);
-  require_outputs({options.out, options.preview, options.write_recipe}, options.existing);
+  const auto unless_kept = [&](const std::string& path) {
+    return options.skip_existing && std::filesystem::exists(path) ? std::string() : path;
+  };
+  if (options.skip_existing && options.out.empty()) {
+    throw UsageError("--skip-existing keeps volumes; it needs --out FILE.vdb");
+  }
+  require_outputs({unless_kept(options.out), unless_kept(options.preview), options.write_recipe},
+                  options.existing);
 }
 
-void check_memory(const MakeOptions& options, const VolumePlan& plan) {
-  const std::uint64_t available = available_memory();
-  const std::uint64_t limit = options.max_memory != 0 ? options.max_memory : available;
-  if (limit == 0 || plan.memory <= limit) return;
-  const openvdb::Coord size = plan.voxels.dim();
-  throw std::runtime_error(fmt::format(
-      "{} x {} x {} voxels may need {}, --max-memory allows {}{}{}", size.x(), size.y(), size.z(),
-      format_bytes(plan.memory), format_bytes(limit), options.max_memory != 0 ? "" : ", what is available",
-      plan.modification ? "" : "; make --dim smaller or --voxel larger"));
+// Before work: what it would take against what there is, or is allowed.
+void check_cost(const MakeOptions& options, const VolumeRecipe& recipe, const VolumePlan& plan) {
+  const int threads = max_threads();
+  const Cost cost = volume_cost(recipe, plan, threads);
+  const auto size = [&] {
+    const openvdb::Coord voxels = plan.voxels.dim();
+    return fmt::format("{} x {} x {} voxels", voxels.x(), voxels.y(), voxels.z());
+  };
+  const char* const advice = plan.modification ? "" : "; make --dim smaller or --voxel larger";
+  const std::uint64_t limit = options.max_memory != 0 ? options.max_memory : available_memory();
+  if (limit != 0 && cost.bytes > static_cast<double>(limit)) {
+    throw std::runtime_error(
+        fmt::format("{} may need {}, --max-memory allows {}{}{}", size(),
+                    format_bytes(static_cast<std::uint64_t>(std::min(cost.bytes, 0x1.0p63))),
+                    format_bytes(limit), options.max_memory != 0 ? "" : ", what is available", advice));
+  }
+  const double seconds = cost.seconds / threads;
+  if (options.max_time > 0.0 && seconds > options.max_time) {
+    throw std::runtime_error(fmt::format("{} may take {:.3g} seconds, --max-time allows {:.3g}{}", size(),
+                                         seconds, options.max_time, advice));
+  }
 }
 
 void write_recipe(const MakeOptions& options, const VolumePlan& plan, OutputGroup* group) {
@@ -125,13 +113,26 @@ ProgressBar::Visibility visibility(const MakeOptions& options) {
   return options.quiet ? ProgressBar::Visibility::hidden : ProgressBar::Visibility::if_terminal;
 }
 
+// Whether nothing is left to be done, for the files are there already. Throws if the volume's is another one.
+bool is_made(const MakeOptions& options, const VolumePlan& plan) {
+  if (!options.skip_existing || !std::filesystem::exists(options.out)) return false;
+  if (!holds_volume(options.out, options.recipe, plan)) {
+    throw std::runtime_error(options.out +
+                             ": exists already, and is damaged or of another recipe; --force replaces it");
+  }
+  if (!options.preview.empty() && !std::filesystem::exists(options.preview)) return false;
+  if (!options.quiet) std::cerr << options.out << ": is kept\n";
+  return true;
+}
+
 // Makes one volume.
 void make_volume_files(const MakeOptions& options) {
   auto ends_at_once = std::make_unique<EndsAtOnce>();
   options.times->begin("plan");
   const VolumePlan plan = plan_volume(options.recipe, options.part);
   if (options.out.empty() && options.preview.empty()) return write_recipe(options, plan, nullptr);
-  check_memory(options, plan);
+  if (is_made(options, plan)) return write_recipe(options, plan, nullptr);
+  check_cost(options, options.recipe, plan);
   const auto warn = [&] {
     if (!options.quiet && options.warns) warn_of_resolution(options.recipe, plan, std::cerr);
   };
@@ -161,7 +162,7 @@ void make_volume_files(const MakeOptions& options) {
     if (!options.out.empty()) {
       VdbWriteOptions write;
       write.codec = options.recipe.codec;
-      write.existing = options.existing;
+      write.existing = options.skip_existing ? Existing::replace : options.existing;
       write.creator = kVdbnoise;
       write.frame = options.frame;
       if (options.frame) write.fps = options.fps;
@@ -173,6 +174,12 @@ void make_volume_files(const MakeOptions& options) {
   }
   options.times->begin("end");
   if (!is_checked) warn();
+  const bool empty = std::ranges::all_of(
+      volume.grids, [](const MeasuredGrid& measured) { return measured.moments.front().count() == 0; });
+  if (empty && options.part.whole() && !options.quiet) {
+    std::cerr << "vdbnoise: warning: the volume is empty: no voxel of it has a density; another --seed, a "
+                 "higher --frequency or another shape may have some\n";
+  }
   if (!options.quiet) print_statistics(volume, options.out.empty() ? options.preview : options.out);
 }
 
@@ -181,7 +188,7 @@ double measure_sequence(const MakeOptions& options, const VolumeRecipe& recipe) 
   const EndsAtOnce ends_at_once;
   options.times->begin("scale");
   const VolumePlan plan = plan_volume(recipe, options.part);
-  check_memory(options, plan);
+  check_cost(options, recipe, plan);
   std::optional<double> factor;
   {
     TaskProgress progress(visibility(options));
@@ -296,11 +303,11 @@ int run_make(const std::vector<std::string>& arguments) {
   options.recipe = choose_recipe(flags, flags.given("--quiet"));
   try {
     flags.apply();
-    check_consistency(flags, options);
+    check_make_options(flags, options);
     options.recipe.validate();
     check_sequence(flags, options);
     if (options.task == MakeOptions::Task::describe) {
-      std::cout << format_json(describe_volume(options.recipe));
+      std::cout << format_json(describe_volume(options.recipe, options.part));
     } else {
       return make(options, flags);
     }

@@ -21,6 +21,8 @@
 namespace solidnoise {
 namespace {
 
+constexpr char kNoise[] = "Noise (defaults are those of --raw; presets have their own)";
+
 // "box", "sphere", "ellipsoid", "bunny.obj", "smoke.vdb" or "smoke.vdb:density". Files are kept with their
 // whole path, so that the recipe can be used from any folder.
 Shape parse_shape(const std::string& text) {
@@ -58,6 +60,9 @@ void declare_output(FlagSet& flags, MakeOptions& options) {
              "Frame the picture by this grid's active voxels: parts and frames, from one place",
              [](const std::string&) {});
   flags.toggle("--force", "Replace files that exist", [&] { options.existing = Existing::replace; });
+  flags.toggle("--skip-existing", "Keep volumes that exist, are whole, and are of the same recipe",
+               [&] { options.skip_existing = true; });
+  flags.exclude({"--force", "--skip-existing"});
   declare_output_flags(flags, options.recipe);
   keep(flags, "--grid", "NAME", "Name of the grid (default density; of others than values, see the docs)",
        options.recipe.grid);
@@ -83,7 +88,7 @@ void declare_recipes(FlagSet& flags, MakeOptions& options) {
 }
 
 void declare_noise(FlagSet& flags, VolumeRecipe& recipe) {
-  flags.group("Noise");
+  flags.group(kNoise);
   declare_noise_flags(flags, recipe.noise);
   flags.numbers("--offset", "X Y Z", 3, "Moves the noise, world units (default 0 0 0)",
                 [&](const std::vector<double>& v) {
@@ -124,6 +129,13 @@ void declare_shaping(FlagSet& flags, VolumeRecipe& recipe) {
                "Scale: what densities are multiplied by, as the metadata of another volume has it",
                [&](double value) { recipe.density.factor = value; });
   flags.exclude({"--optical-depth", "--density", "--density-factor"});
+  flags.number("--prune", "PART", "Leave out densities below this part of the largest one [0 to 1]",
+               [&](double value) {
+                 for (std::size_t i = 0; i < std::max<std::size_t>(1, recipe.grids.size()); ++i) {
+                   GridRecipe& grid = grid_of(recipe, i);
+                   if (!std::holds_alternative<RawShaping>(grid.shaping)) grid.prune = value;
+                 }
+               });
   for (const char* scale : {"--optical-depth", "--density", "--density-factor"}) {
     flags.exclude({"--raw", scale});
   }
@@ -143,6 +155,10 @@ void declare_shape(FlagSet& flags, VolumeRecipe& recipe) {
                 [&](const std::vector<double>& v) {
                   recipe.box = {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
                 });
+  flags.number(
+      "--edge", "UNITS",
+      "Width over which densities end at the shape's surface, world units (default two voxels; of a box 0)",
+      [&](double value) { recipe.edge = value; });
   flags.number("--voxel", "SIZE", "Size of a voxel, world units",
                [&](double value) { recipe.voxel = value; });
   flags.integer("--dim", "COUNT", "Voxels along the longest side instead (default 256)", [&](int value) {
@@ -165,6 +181,11 @@ void declare_run(FlagSet& flags, MakeOptions& options) {
   });
   flags.text("--max-memory", "SIZE", "Refuse to need more than this, such as 8G (default: what is available)",
              [&](const std::string& text) { options.max_memory = parse_bytes("--max-memory", text); });
+  flags.number("--max-time", "SECONDS", "Refuse what may take longer, of each volume (default: any)",
+               [&](double value) {
+                 require_positive("max_time", value, "seconds");
+                 options.max_time = value;
+               });
   flags.toggle("--quiet", "Print errors only", [&] { options.quiet = true; });
   flags.toggle("--timings", "Print what each stage of the run took", [&] { options.timings = true; });
 }
@@ -177,7 +198,7 @@ void declare_make_flags(FlagSet& flags, MakeOptions& options) {
   declare_noise(flags, options.recipe);
   declare_parameter_flags(flags, options.recipe);
   declare_time_flags(flags, options.recipe);
-  flags.group("Noise");
+  flags.group(kNoise);
   declare_generator_flag(flags, options.recipe.noise, options.recipe.dims);
   declare_shaping(flags, options.recipe);
   declare_layer_flags(flags, options.recipe);
@@ -185,6 +206,41 @@ void declare_make_flags(FlagSet& flags, MakeOptions& options) {
   declare_sequence_flags(flags, options);
   declare_modify_flags(flags, options.recipe);
   declare_run(flags, options);
+}
+
+void check_make_options(const FlagSet& flags, const MakeOptions& options) {
+  const bool from_mesh = std::holds_alternative<MeshShape>(options.recipe.shape);
+  const bool from_grid = std::holds_alternative<GridShape>(options.recipe.shape);
+  if (from_grid && flags.given("--edge")) {
+    throw UsageError("--edge has no effect where --shape is a grid, whose voxels are kept");
+  }
+  if ((from_mesh || from_grid) && flags.given("--box")) {
+    throw UsageError("--box has no effect where --shape is a file; leave one of them out");
+  }
+  for (const char* flag : {"--voxel", "--dim"}) {
+    if (from_grid && flags.given(flag)) {
+      throw UsageError(fmt::format("{} has no effect where --shape is a grid, whose voxels are kept", flag));
+    }
+  }
+  if (!options.recipe.grids.empty()) {
+    for (const char* flag :
+         {"--output", "--speed", "--boundary", "--boundary-width", "--grid", "--raw", "--range", "--fold",
+          "--histogram", "--warp", "--optical-depth", "--density", "--density-factor", "--on"}) {
+      if (!flags.given(flag)) continue;
+      throw UsageError(
+          fmt::format("{} has no effect where the recipe makes several grids, each with its own", flag));
+    }
+  }
+  check_modify_flags(flags, options.recipe);
+  check_layer_flags(flags, options.recipe);
+  check_parameter_flags(flags, options.recipe);
+  const bool raw = options.recipe.grids.empty() && std::holds_alternative<RawShaping>(options.recipe.shaping);
+  for (const char* flag : {"--optical-depth", "--density", "--density-factor", "--edge", "--prune"}) {
+    if (raw && flags.given(flag)) throw UsageError(fmt::format("{} has no effect on raw noise", flag));
+  }
+  if (options.out == "-" && options.write_recipe == "-") {
+    throw UsageError("--out and --write-recipe cannot both be the standard output");
+  }
 }
 
 }  // namespace solidnoise

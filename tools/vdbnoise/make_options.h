@@ -25,8 +25,10 @@ struct MakeOptions {
   openvdb::FloatGrid::ConstPtr preview_frame;  // by whose voxels previews are framed; null: by their own
   std::string write_recipe;                    // .json, "-" for the standard output; empty: none
   Existing existing = Existing::refuse;
+  bool skip_existing = false;    // of volumes that are what would be made
   int threads = 0;               // 0: as many as the machine has
   std::uint64_t max_memory = 0;  // bytes; 0: what the machine has available
+  double max_time = 0.0;         // seconds; 0: any
   bool quiet = false;
   bool timings = false;
   std::shared_ptr<StageTimes> times = std::make_shared<StageTimes>();  // of all frames
@@ -44,6 +46,9 @@ struct MakeOptions {
 // Declares all flags. Before they are applied the caller puts the recipe that they override into `options`:
 // --preset, --recipe and --raw choose it.
 void declare_make_flags(FlagSet& flags, MakeOptions& options);
+
+// Refuses what the flags leave without effect. Throws UsageError.
+void check_make_options(const FlagSet& flags, const MakeOptions& options);
 
 // Declares --frames and --fps, and --shard and --region.
 void declare_sequence_flags(FlagSet& flags, MakeOptions& options);

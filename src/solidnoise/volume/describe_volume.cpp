@@ -15,6 +15,7 @@
 #include "solidnoise/noise/interpolation/interpolation_plan.h"
 #include "solidnoise/noise/registry/noise_entries.h"
 #include "solidnoise/recipe/noise_recipe_json.h"
+#include "solidnoise/volume/volume_cost.h"
 #include "solidnoise/volume/volume_field.h"
 #include "solidnoise/volume/volume_recipe_json.h"
 
@@ -149,7 +150,10 @@ Json describe_grid(const VolumePlan& plan) {
 }
 
 // The grids that would be in the file, in their order.
-Json describe_outputs(const VolumeRecipe& recipe) {
+Json describe_outputs(const VolumeRecipe& recipe, const VolumePlan& plan) {
+  if (plan.modification) {
+    return Json::array({{{"name", plan.modification->grid().getName()}, {"components", 1}}});
+  }
   const std::vector<std::string> names = grid_names(recipe);
   Json json = Json::array();
   std::size_t i = 0;
@@ -163,8 +167,8 @@ Json describe_outputs(const VolumeRecipe& recipe) {
 
 }  // namespace
 
-Json describe_volume(const VolumeRecipe& recipe) {
-  const VolumePlan plan = plan_volume(recipe);
+Json describe_volume(const VolumeRecipe& recipe, const VolumePart& part) {
+  const VolumePlan plan = plan_volume(recipe, part);
   const Vec<3>& voxel = plan.frame.voxel_size();
   const double largest = std::max({voxel.x, voxel.y, voxel.z});
   Json json = Json::object();
@@ -179,7 +183,10 @@ Json describe_volume(const VolumeRecipe& recipe) {
     }
   }
   json["grid"] = describe_grid(plan);
-  json["grids"] = describe_outputs(recipe);
+  const int threads = max_threads();
+  const Cost cost = volume_cost(recipe, plan, threads);
+  json["cost"] = {{"seconds_of_one_core", cost.seconds}, {"threads", threads}, {"memory_bytes", cost.bytes}};
+  json["grids"] = describe_outputs(recipe, plan);
   json["recipe"] = to_json(recipe);
   return json;
 }

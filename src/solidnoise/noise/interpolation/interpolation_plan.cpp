@@ -244,7 +244,9 @@ std::vector<InterpolationPlan<Dim>> InterpolationPlanner<Dim>::plan(double error
     const std::vector<std::size_t> chosen = choose_within(choices, allowed);
     double total = 0.0;
     for (std::size_t i = 0; i < plans.size(); ++i) {
-      plans[i].axes = choices[i].options()[chosen[i]].axes;
+      const auto& option = choices[i].options()[chosen[i]];
+      plans[i].axes = option.axes;
+      plans[i].nanoseconds = option.cost;
       plans[i].error = error_of(i, plans[i], quantity);
       total += plans[i].error.interpolation;
     }

@@ -46,7 +46,8 @@ std::vector<std::size_t> choose_within(const std::vector<PartChoice<Dim>>& parts
 template <int Dim>
 struct InterpolationPlan {
   std::array<AxisStep, Dim> axes{};
-  LatticeError error;  // the part's amplitude included
+  LatticeError error;        // the part's amplitude included
+  double nanoseconds = 0.0;  // of a sample; see noise_cost.h
 
   bool direct() const {
     return std::all_of(axes.begin(), axes.end(), [](const AxisStep& axis) { return axis == AxisStep{}; });

@@ -43,6 +43,16 @@ void VolumePart::validate() const {
   }
 }
 
+std::string text_of(const VolumePart& part) {
+  std::string text = fmt::format("{}/{}", part.shard, part.shards);
+  if (part.region) {
+    const Vec<3>& a = part.region->lower;
+    const Vec<3>& b = part.region->upper;
+    text += fmt::format(" of {} {} {} {} {} {}", a.x, a.y, a.z, b.x, b.y, b.z);
+  }
+  return text;
+}
+
 Topology take_part(const Topology& topology, const VolumePart& part) {
   if (part.whole()) return topology;
   std::vector<const MaskLeaf*> all;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "solidnoise/core/vec.h"
 #include "solidnoise/volume/topology/topology.h"
@@ -22,6 +23,9 @@ struct VolumePart {
   // Throws std::invalid_argument naming the field, its value and what is allowed.
   void validate() const;
 };
+
+// "3/8", and the corners of the region, if there is one.
+std::string text_of(const VolumePart& part);
 
 // The part's leaves of a topology; they may be none. Shards are runs of blocks of 32^3 voxels, the blocks
 // that impulses are made for once, in the order of their coordinates.

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "solidnoise/noise/interpolation/interpolation_plan.h"
+#include "solidnoise/noise/interpolation/lattice_frame.h"
+#include "solidnoise/noise/noise.h"
+
+namespace solidnoise {
+
+// What work takes beside its results.
+struct Cost {
+  double seconds = 0.0;  // of one core of 2023 (3 GHz, AVX-512), without other work beside it
+  double bytes = 0.0;    // for each thread
+
+  Cost& operator+=(const Cost& other) {
+    seconds += other.seconds;
+    bytes += other.bytes;
+    return *this;
+  }
+};
+
+// What it takes to evaluate a noise at so many samples of a lattice, in blocks of `side` along an axis:
+// impulses that reach a sample, as the planner counts them, and the impulses of a block, which lie in it and
+// within a radius of it. Without impulses (gradient noise) a sample takes the same time everywhere.
+struct LatticeWork {
+  double samples = 0.0;
+  double side = 64.0;  // samples
+  double error = 0.0;  // of interpolation, 0: none; see InterpolationPlanner
+  Quantity quantity = Quantity::values;
+};
+Cost cost_on_lattice(const Noise<3>& noise, const LatticeFrame<3>& frame, const LatticeWork& work);
+
+// The same at points, all of them near each other.
+Cost cost_at_points(const Noise<3>& noise, double points);
+
+}  // namespace solidnoise
