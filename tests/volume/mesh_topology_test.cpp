@@ -9,7 +9,7 @@
 
 #include "solidnoise/geometry/mesh_file.h"
 #include "solidnoise/volume/make_volume.h"
-#include "solidnoise/volume/topology/topology.h"
+#include "solidnoise/volume/topology/mesh_level_set.h"
 #include "support/message_of.h"
 #include "support/temporary_folder.h"
 

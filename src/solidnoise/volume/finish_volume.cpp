@@ -5,6 +5,8 @@
 #include <vector>
 
 #include <nlohmann/json.hpp>
+#include <openvdb/tools/Prune.h>
+#include <openvdb/tree/LeafManager.h>
 
 #include "solidnoise/recipe/json.h"
 #include "solidnoise/volume/topology/fill.h"
@@ -32,6 +34,21 @@ Metadata describe(const VolumeRecipe& recipe, const std::vector<Moments>& moment
       {"solidnoise:mean", of_components(moments, [](const Moments& m) { return m.mean(); })},
       {"solidnoise:sigma", of_components(moments, [](const Moments& m) { return m.sigma(); })},
   };
+}
+
+// Densities below a part of the largest one.
+void drop_dust(double part, openvdb::FloatGrid& grid, Moments& moments) {
+  if (part == 0.0 || moments.count() == 0) return;
+  using Leaf = openvdb::FloatTree::LeafNodeType;
+  const auto least = static_cast<float>(part * moments.max());
+  openvdb::tree::LeafManager<openvdb::FloatTree> leaves(grid.tree());
+  leaves.foreach ([least](Leaf& leaf, std::size_t) {
+    for (auto voxel = leaf.beginValueOn(); voxel; ++voxel) {
+      if (*voxel < least) leaf.setValueOff(voxel.pos(), 0.0f);
+    }
+  });
+  openvdb::tools::pruneInactive(grid.tree());
+  moments = measure(grid);
 }
 
 }  // namespace
@@ -74,6 +91,7 @@ void finish_volume(const VolumeRecipe& recipe, const std::string& creator, Volum
       if (!raw) {
         auto& density = dynamic_cast<openvdb::FloatGrid&>(grid);
         note_density_factor(scale_density(single, density, measured.moments.front()), grid);
+        drop_dust(single.prune, density, measured.moments.front());
         set_fog_volume(density, names[i], creator);
       } else {
         grid.setName(names[i]);

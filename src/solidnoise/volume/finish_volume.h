@@ -26,7 +26,8 @@ std::optional<double> density_factor(const DensityScale& density, double peak, d
 void note_recipe(const VolumeRecipe& recipe, const std::vector<Moments>& moments, openvdb::GridBase& grid);
 void note_density_factor(double factor, openvdb::GridBase& grid);
 
-// Name of the metadata of a grid that holds its recipe, as JSON.
+// Names of the metadata of a grid that hold its recipe, as JSON, and which part of a volume it is.
 inline constexpr char kRecipeKey[] = "solidnoise:recipe";
+inline constexpr char kPartKey[] = "solidnoise:part";
 
 }  // namespace solidnoise

@@ -1,6 +1,7 @@
 #include "solidnoise/volume/make_volume.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <stdexcept>
@@ -9,15 +10,18 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "solidnoise/geometry/mesh_file.h"
 #include "solidnoise/volume/finish_volume.h"
 #include "solidnoise/volume/merge_parts.h"
 #include "solidnoise/volume/modified_volume.h"
+#include "solidnoise/volume/shape_cover.h"
 #include "solidnoise/volume/topology/fill.h"
 #include "solidnoise/volume/topology/grid_frame.h"
 #include "solidnoise/volume/topology/topology.h"
 #include "solidnoise/volume/volume_field.h"
+#include "solidnoise/volume/volume_recipe_json.h"
 
 namespace solidnoise {
 namespace {
@@ -89,6 +93,8 @@ VolumePlan plan_voxels(const VolumeRecipe& recipe, const VolumePart& part) {
   }
   plan.frame = GridFrame(recipe.voxel ? *recipe.voxel : voxel_size_for_dim(plan.box, recipe.dim));
   plan.voxels = plan.frame.voxels_in(plan.box);
+  const double size = plan.frame.voxel_size().x;
+  plan.voxels.expand(static_cast<int>(std::ceil(0.5 * edge_of(recipe, plan.frame.voxel_size()) / size)));
   plan.memory = estimate_part_memory(estimate_memory(plan.voxels, channels), plan.frame, part);
   return plan;
 }
@@ -118,28 +124,6 @@ VolumeRecipe with_digests(const VolumeRecipe& recipe, const VolumePlan& plan) {
 }
 
 namespace {
-
-template <typename... Functions>
-struct Overloaded : Functions... {
-  using Functions::operator()...;
-};
-template <typename... Functions>
-Overloaded(Functions...) -> Overloaded<Functions...>;
-
-Topology make_topology(const VolumeRecipe& recipe, const VolumePlan& plan, Progress* progress) {
-  const Vec<3> centre = (plan.box.lower + plan.box.upper) * 0.5;
-  const Vec<3> radii = (plan.box.upper - plan.box.lower) * 0.5;
-  const Overloaded by_shape{
-      [&](const BoxShape&) { return box_topology(plan.frame, plan.box); },
-      [&](const SphereShape&) {
-        return sphere_topology(plan.frame, centre, std::min({radii.x, radii.y, radii.z}));
-      },
-      [&](const EllipsoidShape&) { return ellipsoid_topology(plan.frame, centre, radii); },
-      [&](const MeshShape&) { return mesh_topology(plan.frame, *plan.mesh, progress); },
-      [&](const GridShape&) { return grid_topology(*plan.grid); },
-  };
-  return std::visit(by_shape, recipe.shape);
-}
 
 // The fields that modify the plan's grid, of whichever recipe that asks for.
 MakeModifyingField modifying_field(const VolumePlan& plan) {
@@ -175,8 +159,8 @@ Volume make_volume(const VolumeRecipe& recipe, const VolumePlan& plan, const std
     }
     return make_modified_volume(noted, *plan.modification, modifying_field(plan), progress);
   }
-  const VolumeField field = make_volume_field(recipe, plan);
-  const Topology topology = make_topology(recipe, plan, progress);
+  const auto [topology, cover] = make_shape(recipe, plan, progress);
+  const VolumeField field = make_volume_field(recipe, plan, cover);
   const Topology part = take_part(topology, plan.part);
   if (plan.parameters) plan.parameters->require_allowed_at(part);
   Volume volume{fill_grids(part, *field.field, field.grids, progress)};
@@ -184,8 +168,28 @@ Volume make_volume(const VolumeRecipe& recipe, const VolumePlan& plan, const std
     finish_volume(noted, creator, volume);
   } else {
     note_part(noted, creator, topology, part, volume);
+    for (const MeasuredGrid& measured : volume.grids) {
+      set_metadata(*measured.grid, {{kPartKey, text_of(plan.part)}});
+    }
   }
   return volume;
+}
+
+bool holds_volume(const std::filesystem::path& path, const VolumeRecipe& recipe, const VolumePlan& plan) {
+  const auto text_in = [](const openvdb::GridBase& grid, const char* key) {
+    const auto text = grid.getMetadata<openvdb::StringMetadata>(key);
+    return text == nullptr ? std::string() : text->value();
+  };
+  // It says "algorithm" too.
+  const std::string wanted = format_json(to_json(with_digests(recipe, plan)));
+  const std::string part = plan.part.whole() ? std::string() : text_of(plan.part);
+  try {
+    return std::ranges::any_of(read_grids(path).grids, [&](const openvdb::GridBase::Ptr& grid) {
+      return text_in(*grid, kRecipeKey) == wanted && text_in(*grid, kPartKey) == part;
+    });
+  } catch (const std::runtime_error&) {
+    return false;
+  }
 }
 
 bool measures_density(const VolumeRecipe& recipe) {
@@ -199,8 +203,8 @@ std::optional<double> measure_density_factor(const VolumeRecipe& recipe, const V
   if (plan.modification) {
     return measure_density_factor(recipe, *plan.modification, modifying_field(plan), progress);
   }
-  const VolumeField field = make_volume_field(recipe, plan);
-  const Topology topology = make_topology(recipe, plan, progress);
+  const auto [topology, cover] = make_shape(recipe, plan, progress);
+  const VolumeField field = make_volume_field(recipe, plan, cover);
   if (plan.parameters) plan.parameters->require_allowed_at(topology);
   const int axis = vertical_axis(recipe);
   ColumnSums columns(topology.voxel_bounds(), axis);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -54,6 +55,10 @@ VolumeRecipe with_digests(const VolumeRecipe& recipe, const VolumePlan& plan);
 // std::invalid_argument, Cancelled.
 Volume make_volume(const VolumeRecipe& recipe, const VolumePlan& plan, const std::string& creator,
                    Progress* progress = nullptr);
+
+// Whether a file, which exists, is what make_volume() makes of the recipe and the plan, by the recipe, part
+// and version in it, and whole: all of it is read.
+bool holds_volume(const std::filesystem::path& path, const VolumeRecipe& recipe, const VolumePlan& plan);
 
 // Whether a short form's densities are scaled by something that is to be measured.
 bool measures_density(const VolumeRecipe& recipe);

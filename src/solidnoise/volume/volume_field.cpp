@@ -24,6 +24,7 @@
 #include "solidnoise/noise/error_budget.h"
 #include "solidnoise/noise/interpolation/interpolated_noise.h"
 #include "solidnoise/noise/noise_views.h"
+#include "solidnoise/volume/shape_cover.h"
 
 namespace solidnoise {
 namespace {
@@ -241,7 +242,7 @@ FieldPtr make_varying_volume_noise(const VolumeRecipe& recipe, const VolumePlan&
   return make_varying_field(recipe.noise, view_of(recipe), plan.parameters->kernel());
 }
 
-VolumeField make_volume_field(const VolumeRecipe& recipe, const VolumePlan& plan) {
+VolumeField make_volume_field(const VolumeRecipe& recipe, const VolumePlan& plan, FieldPtr cover) {
   VolumeLayers layers(recipe, plan);
   const std::vector<VolumeRecipe> singles = recipes_of_grids(recipe);
   VolumeField volume;
@@ -253,6 +254,9 @@ VolumeField make_volume_field(const VolumeRecipe& recipe, const VolumePlan& plan
     fields.push_back(
         make_grid_field(single, plan, has_boundary ? plan.boundaries[i].distance : nullptr, layers));
     if (single.within) fields.back() = masked(fields.back(), layers.make({*single.within}, single.noise));
+    if (cover && !std::holds_alternative<RawShaping>(single.shaping)) {
+      fields.back() = covered(fields.back(), cover);
+    }
     for (GridChannels grid : channels_of(single)) {
       grid.first += first;
       volume.grids.push_back(grid);

@@ -20,7 +20,7 @@ struct VolumeField {
   FieldPtr field;
   std::vector<GridChannels> grids;
 };
-VolumeField make_volume_field(const VolumeRecipe& recipe, const VolumePlan& plan);
+VolumeField make_volume_field(const VolumeRecipe& recipe, const VolumePlan& plan, FieldPtr cover = nullptr);
 
 // The field of a short form whose shaping is RawShaping, without voxels: its noise or its layers, in their
 // range.

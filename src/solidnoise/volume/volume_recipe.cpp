@@ -77,6 +77,11 @@ void validate_finish(const VolumeRecipe& recipe) {
   if (recipe.sparse && recipe.modification) {
     throw std::invalid_argument("sparse has no effect where a grid that exists is worked on");
   }
+  require_in_range("prune", recipe.prune, 0.0, 1.0, "of the largest density");
+  const bool raw = std::holds_alternative<RawShaping>(recipe.shaping);
+  if (recipe.prune != 0.0 && (raw || recipe.modification)) {
+    throw std::invalid_argument("prune applies to densities that are made, not to raw noise");
+  }
   if (recipe.output.size() > 1 && recipe.within) {
     throw std::invalid_argument("within goes with a single output");
   }
@@ -169,6 +174,7 @@ void VolumeRecipe::validate() const {
     }
   }
   if (voxel) require_positive("voxel", *voxel, "world units");
+  if (edge) require_at_least("edge", *edge, 0.0, "world units");
   require_in_range("dim", dim, 1, 1 << 20, "voxels");
   validate_output(*this);
   validate_finish(*this);

@@ -71,6 +71,7 @@ struct GridRecipe {
   std::optional<Layer> within;  // clamped to 0..1, what the values are multiplied by
   bool sparse = false;  // of raw values: voxels that are 0 are inactive, as they are of densities, and where
                         // there is a `within`
+  double prune = 0.0;   // of densities: those below this part of the largest one are left out; 0 to 1
   bool half = false;    // store 16-bit floats
 
   friend bool operator==(const GridRecipe&, const GridRecipe&) = default;
@@ -82,6 +83,8 @@ struct Domain {
   Box<3> box{{-1.0, -1.0, -1.0}, {1.0, 1.0, 1.0}};  // world units; `shape` says what of it is filled
   std::optional<double> voxel;                      // size in world units; > 0; else from `dim`
   int dim = 256;                                    // voxels along the longest side; 1 to 2^20
+  std::optional<double> edge;  // of densities: over which they end at the shape's surface, world units; at
+                               // least 0; else of two voxels, of a box 0
 };
 
 // Everything that defines a volume: plain data. The same recipe makes the same grids, bit for bit.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <tuple>
 #include <type_traits>
 
 #include "solidnoise/core/fields.h"
@@ -16,14 +17,14 @@ inline constexpr Choices<Codec, 3> kCodecChoices{{
     {Codec::none, "none"},
 }};
 
-constexpr auto fields_of(std::type_identity<BoxShape>) {
-  return list_fields();
+constexpr std::tuple<> fields_of(std::type_identity<BoxShape>) {
+  return {};
 }
-constexpr auto fields_of(std::type_identity<SphereShape>) {
-  return list_fields();
+constexpr std::tuple<> fields_of(std::type_identity<SphereShape>) {
+  return {};
 }
-constexpr auto fields_of(std::type_identity<EllipsoidShape>) {
-  return list_fields();
+constexpr std::tuple<> fields_of(std::type_identity<EllipsoidShape>) {
+  return {};
 }
 constexpr auto fields_of(std::type_identity<MeshShape>) {
   return list_fields(field("file", &MeshShape::file, "A closed mesh: .ply .obj .off .stl .om"),
@@ -39,7 +40,9 @@ constexpr auto fields_of(std::type_identity<Domain>) {
       field("voxel", &Domain::voxel, kPositive, "world units", "Size of a voxel"),
       field("dim", &Domain::dim, between(1, 1 << 20), "voxels", "Along the longest side, in place of voxel")
           .in_place_of("voxel")
-          .written_if([](const Domain& domain) { return !domain.voxel; }));
+          .written_if([](const Domain& domain) { return !domain.voxel; }),
+      field("edge", &Domain::edge, at_least(0.0), "world units",
+            "Of densities: over which they end at the shape's surface; left out, two voxels, of a box none"));
 }
 
 constexpr auto fields_of(std::type_identity<DensityScale>) {
@@ -74,6 +77,8 @@ constexpr auto fields_of_any_grid() {
       field("within", &Grid::within, "Clamped to 0..1, what the values are multiplied by"),
       field("sparse", &Grid::sparse, "Of raw values: leave voxels out that are 0")
           .written_if([](const Grid& grid) { return grid.sparse; }),
+      field("prune", &Grid::prune, between(0.0, 1.0), "of the largest density", "Leave out what is below")
+          .written_if([](const Grid& grid) { return grid.prune != 0.0; }),
       field("half", &Grid::half, "Store 16-bit floats"));
 }
 
@@ -110,7 +115,7 @@ constexpr auto fields_of(std::type_identity<VolumeRecipe>) {
 }
 
 // The JSON form of a volume:
-//   {"solidnoise": 2, "algorithm": 4, "noise": {"type": "gabor", ...}, "dims": 3, "time": 0,
+//   {"solidnoise": 2, "algorithm": 5, "noise": {"type": "gabor", ...}, "dims": 3, "time": 0,
 //    "offset": [0, 0, 0],
 //    "fields": {"billows": {"fold": "billow", ...}, ...},
 //    "grids": [{"name": "density", "layers": [{"use": "billows"}], "shaping": {"type": "remap", ...},

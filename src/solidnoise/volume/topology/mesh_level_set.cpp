@@ -17,6 +17,17 @@
 
 namespace solidnoise {
 
+namespace {
+
+// The mesh in index space, moved by whole leaves close to the origin, because meshToVolume computes in single
+// precision.
+struct IndexMesh {
+  openvdb::Coord shift;  // what was taken off
+  std::vector<openvdb::Vec3s> points;
+  std::vector<openvdb::Vec3I> triangles;
+};
+
+// Throws std::invalid_argument if an index would leave +-2^30.
 IndexMesh to_index_space(const GridFrame& frame, const TriangleMesh& mesh) {
   constexpr int kLeaf = 8;  // voxels along a leaf's side
   const Box<3> bounds = mesh.bounds();
@@ -38,8 +49,6 @@ IndexMesh to_index_space(const GridFrame& frame, const TriangleMesh& mesh) {
   for (const auto& t : mesh.triangles) result.triangles.emplace_back(t[0], t[1], t[2]);
   return result;
 }
-
-namespace {
 
 constexpr double kLeastBand = 3.0;  // voxels, OpenVDB's narrow band
 constexpr double kMostBand = 1000.0;
@@ -103,25 +112,29 @@ namespace {
 
 using MaskLeaf = openvdb::MaskTree::LeafNodeType;
 
-// The voxels where the mesh's distance is negative, as leaves only.
-openvdb::MaskTree::Ptr inside(const IndexMesh& mesh, Progress* progress) {
-  // Only the sign is used; narrower bands than this leave gaps between the voxels whose sign is certain.
-  constexpr float kHalfWidth = 1.5f;  // voxels
+// The distances to the mesh in voxels, in a band of `half_width` of them.
+openvdb::FloatGrid::Ptr measure_distance(const IndexMesh& mesh, double half_width, Progress* progress) {
   Interrupter interrupter(progress);
   const openvdb::tools::QuadAndTriangleDataAdapter<openvdb::Vec3s, openvdb::Vec3I> adapter(mesh.points,
                                                                                            mesh.triangles);
+  const auto band = static_cast<float>(half_width);
   const auto distance = openvdb::tools::meshToVolume<openvdb::FloatGrid>(
-      interrupter.base(), adapter, *openvdb::math::Transform::createLinearTransform(1.0), kHalfWidth,
-      kHalfWidth);
+      interrupter.base(), adapter, *openvdb::math::Transform::createLinearTransform(1.0), band, band);
   throw_if_cancelled(progress);
+  return distance;
+}
 
-  const openvdb::BoolGrid::Ptr interior = openvdb::tools::sdfInteriorMask(*distance, 0.0f);
+// The voxels where it is below `outside`, as leaves only.
+openvdb::MaskTree::Ptr voxels_below(const openvdb::FloatGrid& distance, double outside,
+                                    const openvdb::Coord& shift) {
+  const openvdb::BoolGrid::Ptr interior =
+      openvdb::tools::sdfInteriorMask(distance, static_cast<float>(outside));
   interior->tree().voxelizeActiveTiles();
   auto mask = std::make_shared<openvdb::MaskTree>(false);
   for (auto leaf = interior->tree().cbeginLeaf(); leaf; ++leaf) {
     if (leaf->isEmpty()) continue;
     auto copy = std::make_unique<MaskLeaf>(*leaf, openvdb::TopologyCopy());
-    copy->setOrigin(leaf->origin() + mesh.shift);
+    copy->setOrigin(leaf->origin() + shift);
     mask->addLeaf(copy.release());
   }
   return mask;
@@ -129,17 +142,26 @@ openvdb::MaskTree::Ptr inside(const IndexMesh& mesh, Progress* progress) {
 
 }  // namespace
 
-Topology mesh_topology(const GridFrame& frame, const TriangleMesh& mesh, Progress* progress) {
+MeshVoxels mesh_voxels(const GridFrame& frame, const TriangleMesh& mesh, double outside, Progress* progress) {
+  // Where only the sign is used; narrower bands than this leave gaps between the voxels whose sign is
+  // certain.
+  constexpr double kHalfWidth = 1.5;  // voxels
   require_closed(mesh);
   const Vec<3> voxel = frame.voxel_size();
   if (voxel.x != voxel.y || voxel.y != voxel.z) {
     throw std::invalid_argument("the inside of a mesh needs voxels that are cubes");
   }
-  Topology topology{frame, inside(to_index_space(frame, mesh), progress)};
-  if (topology.mask->empty()) {
+  const IndexMesh index_mesh = to_index_space(frame, mesh);
+  const openvdb::FloatGrid::Ptr distance = measure_distance(index_mesh, outside + kHalfWidth, progress);
+  MeshVoxels voxels{{frame, voxels_below(*distance, outside, index_mesh.shift)}, distance, index_mesh.shift};
+  if (voxels.topology.mask->empty()) {
     throw std::invalid_argument("the mesh holds no voxel's centre: make it larger, or the voxels smaller");
   }
-  return topology;
+  return voxels;
+}
+
+Topology mesh_topology(const GridFrame& frame, const TriangleMesh& mesh, Progress* progress) {
+  return mesh_voxels(frame, mesh, 0.0, progress).topology;
 }
 
 }  // namespace solidnoise

@@ -1,25 +1,26 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "solidnoise/core/progress.h"
-#include "solidnoise/volume/topology/grid_frame.h"
+#include "solidnoise/volume/topology/topology.h"
 #include "solidnoise/volume/topology/triangle_mesh.h"
 #include "solidnoise/volume/vdb/openvdb.h"
 
 namespace solidnoise {
 
-// The mesh in index space, moved by whole leaves close to the origin, because meshToVolume computes in single
-// precision.
-struct IndexMesh {
-  openvdb::Coord shift;  // what was taken off
-  std::vector<openvdb::Vec3s> points;
-  std::vector<openvdb::Vec3I> triangles;
+// The voxels whose centres lie inside a closed mesh, or no more than `outside` voxels off it (OpenVDB's
+// meshToVolume), and the distances to its surface, in voxels, negative inside; beyond a band around it they
+// are those at the band's ends. Needs a frame of cubic voxels. Throws std::invalid_argument as require_closed
+// does, or if the mesh holds no voxel's centre; Cancelled.
+struct MeshVoxels {
+  Topology topology;
+  openvdb::FloatGrid::ConstPtr distance;  // at the voxel of the index plus `shift`
+  openvdb::Coord shift;
 };
-
-// Throws std::invalid_argument if an index would leave +-2^30.
-IndexMesh to_index_space(const GridFrame& frame, const TriangleMesh& mesh);
+MeshVoxels mesh_voxels(const GridFrame& frame, const TriangleMesh& mesh, double outside,
+                       Progress* progress = nullptr);
+Topology mesh_topology(const GridFrame& frame, const TriangleMesh& mesh, Progress* progress = nullptr);
 
 // The level set of a closed mesh (OpenVDB's meshToVolume): distances to its surface in world units, negative
 // inside, up to `band` on both sides; beyond, the grid's background is band or -band. Far from the surface

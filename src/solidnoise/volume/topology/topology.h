@@ -29,10 +29,6 @@ Topology box_topology(const GridFrame& frame, const Box<3>& box);
 Topology ellipsoid_topology(const GridFrame& frame, const Vec<3>& centre, const Vec<3>& radii);
 Topology sphere_topology(const GridFrame& frame, const Vec<3>& centre, double radius);
 
-// The voxels whose centres lie inside a closed mesh (OpenVDB's meshToVolume). Needs a frame of cubic voxels.
-// Throws std::invalid_argument as require_closed does, or if the mesh holds no voxel's centre; Cancelled.
-Topology mesh_topology(const GridFrame& frame, const TriangleMesh& mesh, Progress* progress = nullptr);
-
 // The active voxels of a grid of any type, in the grid's own frame. Throws std::invalid_argument if it has
 // none, or as GridFrame does.
 Topology grid_topology(const openvdb::GridBase& grid);
