@@ -4,6 +4,57 @@ include(CMakePackageConfigHelpers)
 set(_package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/solidnoise)
 get_property(_libraries GLOBAL PROPERTY SOLIDNOISE_LIBRARIES)
 
+# solidnoise_headers_of(HEADER OUT): this header of the library and all that it includes, directly or not.
+function(solidnoise_headers_of header out)
+  set(_found "")
+  set(_left ${header})
+  while(_left)
+    list(POP_FRONT _left _header)
+    if(_header IN_LIST _found)
+      continue()
+    endif()
+    list(APPEND _found ${_header})
+    file(STRINGS ${PROJECT_SOURCE_DIR}/src/${_header} _includes REGEX "^#include \"solidnoise/")
+    list(TRANSFORM _includes REPLACE "^#include \"([^\"]+)\".*" "\\1")
+    list(APPEND _left ${_includes})
+  endwhile()
+  set(${out} ${_found} PARENT_SCOPE)
+endfunction()
+
+# solidnoise_pkg_config(COMPONENT OWN FOREIGN): solidnoise-COMPONENT.pc, for builds without CMake. Debian has .pc files of some packages;
+# of the others the libraries are named.
+set(_pc_fmt fmt)
+set(_pc_hwy libhwy)
+set(_pc_TBB tbb)
+set(_pc_OpenMesh openmesh)
+set(_libs_OpenVDB -lopenvdb)
+set(_libs_embree -lembree3)
+function(solidnoise_pkg_config component own foreign)
+  list(TRANSFORM own PREPEND solidnoise- OUTPUT_VARIABLE _requires)
+  set(_libs -lsolidnoise_${component})
+  foreach(_package IN LISTS foreign)
+    list(APPEND _requires ${_pc_${_package}})
+    list(APPEND _libs ${_libs_${_package}})
+  endforeach()
+  if(component STREQUAL "image")
+    list(APPEND _libs ${CMAKE_DL_LIBS})
+  endif()
+  list(JOIN _requires " " _requires)
+  list(JOIN _libs " " _libs)
+  # Seen from lib/ARCHITECTURE/pkgconfig or lib/pkgconfig: what is installed may be moved.
+  file(RELATIVE_PATH _up /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+  string(REGEX REPLACE "/$" "" _up ${_up})
+  file(WRITE ${PROJECT_BINARY_DIR}/pkgconfig/solidnoise-${component}.pc
+    "prefix=\${pcfiledir}/${_up}\n"
+    "Name: solidnoise-${component}\n"
+    "Description: ${PROJECT_DESCRIPTION} (${component})\n"
+    "Version: ${PROJECT_VERSION}\n"
+    "Requires: ${_requires}\n"
+    "Cflags: -std=c++20 -I\${prefix}/${CMAKE_INSTALL_INCLUDEDIR}\n"
+    "Libs: -L\${prefix}/${CMAKE_INSTALL_LIBDIR} ${_libs}\n")
+  install(FILES ${PROJECT_BINARY_DIR}/pkgconfig/solidnoise-${component}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endfunction()
+
 set(SOLIDNOISE_COMPONENTS "")
 set(SOLIDNOISE_REQUIREMENTS "")
 foreach(_library IN LISTS _libraries)
@@ -26,9 +77,14 @@ foreach(_library IN LISTS _libraries)
   install(TARGETS ${_library} EXPORT solidnoise-${_component}
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
   install(EXPORT solidnoise-${_component} NAMESPACE solidnoise:: DESTINATION ${_package_folder})
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/solidnoise/${_component}
-    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/solidnoise
-    FILES_MATCHING PATTERN "*.h" PATTERN "*-inl.h" EXCLUDE)
+  solidnoise_pkg_config(${_component} "${_own}" "${_foreign}")
+
+  # A component's header, solidnoise/COMPONENT.h, says what is public.
+  solidnoise_headers_of(solidnoise/${_component}.h _headers)
+  foreach(_header IN LISTS _headers)
+    get_filename_component(_folder ${_header} DIRECTORY)
+    install(FILES ${PROJECT_SOURCE_DIR}/src/${_header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/${_folder})
+  endforeach()
 endforeach()
 
 foreach(_tool vdbnoise meshnoise noisefit)

@@ -53,3 +53,6 @@ execute_process(COMMAND ${CMAKE_COMMAND} -S ${WORK}/refused -B ${WORK}/refused/b
 if(status EQUAL 0 OR NOT message MATCHES "no component[ \n]+'marzipan'")
   message(FATAL_ERROR "A missing component should be refused by name; cmake said: ${message}")
 endif()
+
+# Its headers under other people's warnings, and without CMake.
+execute_process(COMMAND /usr/bin/python3 ${CMAKE_CURRENT_LIST_DIR}/check_headers.py ${prefix} ${CONSUMER}/../.. ${WORK} COMMAND_ERROR_IS_FATAL ANY)

@@ -32,7 +32,7 @@ struct SurfaceNoiseRecipe {
   double error = 0.02;    // relative RMS error of Gabor kernels; 1e-4 to 0.5
   double impulses = 0.0;  // mean impulses under a Gabor kernel; 0: the fewest with excess kurtosis below 0.5
   double layer = 0.5;     // of surface and oriented: half the layer's thickness, in kernel radii; 0.1 to 1
-  FractalOptions fractal;
+  FractalOptions fractal{};
   std::uint64_t seed = 0;
   ExemplarModel exemplar{};  // of spectrum
   int channel = 0;           // of the exemplar, that is baked; from 0
@@ -59,7 +59,7 @@ SurfaceNoiseRecipe channel_of(const SurfaceNoiseRecipe& recipe, int channel);
 // A number that every vertex has: one for all, or one each.
 struct VertexNumber {
   double constant = 0.0;
-  std::vector<float> values;  // empty: `constant` holds for all
+  std::vector<float> values{};  // empty: `constant` holds for all
 
   bool varies() const { return !values.empty(); }
 };

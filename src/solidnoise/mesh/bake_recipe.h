@@ -45,26 +45,26 @@ inline constexpr char kExemplarRamp[] = "exemplar";
 
 // Everything that a bake depends on but the mesh: plain data.
 struct BakeRecipe {
-  std::string description;  // one line
-  SurfaceNoiseRecipe noise;
+  std::string description{};  // one line
+  SurfaceNoiseRecipe noise{};
   // Their sum takes the noise's place; see Layer. A layer that names no noise has this one, with its
   // parameters; one that does has a solid noise of space, of the frequency that it names. Places are in the
   // mesh's box.
-  std::vector<Layer> layers;
+  std::vector<Layer> layers{};
   std::optional<ParameterRange>
-      frequency;                       // cycles per world unit; unset: suits the mesh, default_frequency()
+      frequency{};                     // cycles per world unit; unset: suits the mesh, default_frequency()
   ParameterRange detail{1.0, 1.0};     // of what suits the mesh, where frequency is unset; 0.001 to 1000
   ParameterRange bandwidth{1.0, 1.0};  // octaves; 0.1 to 4
   ParameterRange magnitude{1.0, 1.0};  // standard deviation; >= 0
   ParameterRange bias{0.0, 0.0};       // added to the noise, in standard deviations
-  Steering by;                         // what ranges follow
+  Steering by{};                       // what ranges follow
   int smooth = 2;                      // rounds of smoothing of the curvature, 0 to 10000
   double smooth_radius = 0.0;          // of smoothing that does not depend on the mesh, world units; >= 0
-  DirectionRecipe direction;
+  DirectionRecipe direction{};
   std::string ramp = "rust";  // a name or stops, see parse_color_ramp(); or exemplar, for its own colours
   double contrast = 1.0;  // the ramp spans -2.5 to 2.5 standard deviations over this; > 0. Of an exemplar's
                           // own colours, the factor of what differs from their mean
-  RefineRecipe refine;
+  RefineRecipe refine{};
   double displace = 0.0;  // along the normals, world units for a value of 1
   UpAxis up = UpAxis::y;
 

@@ -48,9 +48,9 @@ class ImpulseList {
     if (capacity <= capacity_) return;
     const std::size_t stride = std::max(capacity + capacity / 2, kLeast) + kPadding;
     auto memory = std::make_unique_for_overwrite<float[]>(kChannels * stride);
-    for (int channel = 0; channel < kChannels; ++channel) {
-      float* const to = memory.get() + static_cast<std::size_t>(channel) * stride;
-      std::copy_n(memory_.get() + static_cast<std::size_t>(channel) * stride_, size_, to);
+    for (std::size_t channel = 0; channel < kChannels; ++channel) {
+      float* const to = memory.get() + channel * stride;
+      std::copy_n(memory_.get() + channel * stride_, size_, to);
       if (channel < kRoles && !used_[channel]) std::fill(to, to + stride, 0.0f);
     }
     memory_ = std::move(memory);

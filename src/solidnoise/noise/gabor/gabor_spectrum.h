@@ -25,7 +25,7 @@ struct SpectrumComponent {
 
 struct SpectrumBand {
   double a = 0.0;
-  std::vector<SpectrumComponent> components;
+  std::vector<SpectrumComponent> components{};
 
   friend bool operator==(const SpectrumBand&, const SpectrumBand&) = default;
 };
@@ -33,7 +33,7 @@ struct SpectrumBand {
 struct GaborSpectrum {
   int dimensions = 2;      // 2 or 3
   bool isotropic = false;  // whether components stand for all directions
-  std::vector<SpectrumBand> bands;
+  std::vector<SpectrumBand> bands{};
   std::vector<std::string> groups{"all"};
 
   double variance() const;
@@ -59,7 +59,7 @@ struct GaborSpectrum {
 // What a noise takes over from an exemplar: one spectrum per channel of a decorrelated colour space, and how
 // channels make colours: color = mean + sum over k of axes[k] n_k, with n_k the noise of channel k.
 struct ExemplarModel {
-  std::vector<GaborSpectrum> channels;    // 1 (grey) or 3
+  std::vector<GaborSpectrum> channels{};  // 1 (grey) or 3
   std::vector<Vec<3>> axes{Vec<3>(1.0)};  // one per channel: its color
   Vec<3> mean{0.0};                       // linear light, unless the file says that values are raw
   bool raw_values = false;

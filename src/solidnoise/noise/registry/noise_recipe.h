@@ -15,8 +15,8 @@ namespace solidnoise {
 // Everything that defines a noise: plain data. One more noise is one more alternative here.
 struct NoiseRecipe {
   std::variant<GaborNoiseOptions, OrientedGaborNoiseOptions, GradientNoiseOptions, SpectrumNoiseOptions>
-      noise;
-  FractalOptions fractal;
+      noise{};
+  FractalOptions fractal{};
 
   // Throws std::invalid_argument naming the field, its value and what is allowed.
   void validate() const;

@@ -1,0 +1,67 @@
+#!/usr/bin/env python3
+"""check_headers.py PREFIX PROJECT WORK: the installed library as others include it, with their warnings as errors. By g++, and clang++ where
+it is installed: each header that has no source file of its own alone, all components' headers in one file, README's C++ with the headers
+that it names. By pkg-config: a program that CMake knows nothing of is built, and runs. What is not public is not installed."""
+
+import concurrent.futures
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+WARNINGS = ["-Wall", "-Wextra", "-Wconversion", "-pedantic", "-Werror"]
+COMPILERS = [compiler for compiler in ("g++", "clang++") if shutil.which(compiler)]
+
+
+def compiles(compiler, source, prefix):
+    # OpenVDB's and OpenMesh's own headers warn; they are of the system.
+    run = subprocess.run([compiler, "-std=c++20", "-fsyntax-only", "-x", "c++", *WARNINGS, f"-I{prefix}/include", "-isystem",
+                          "/usr/include/Imath", "-DOPENVDB_ABI_VERSION_NUMBER=10", "-"], input=source, capture_output=True, text=True)
+    return "" if run.returncode == 0 else run.stderr[:2000]
+
+
+def readme_sources(readme):
+    """README's C++ as one file per block: its includes before a function that holds the rest."""
+    for block in re.findall(r"^```cpp\n(.*?)^```", readme.read_text(), re.MULTILINE | re.DOTALL):
+        lines = block.split("\n")
+        includes = [line for line in lines if line.startswith("#include")]
+        yield "\n".join(includes + ["void shown() {"] + [line for line in lines if not line.startswith("#include")] + ["}"])
+
+
+def main():
+    prefix, project, work = (pathlib.Path(name).resolve() for name in sys.argv[1:4])
+    headers = sorted((prefix / "include").rglob("*.h"))
+    names = [str(header.relative_to(prefix / "include")) for header in headers]
+    faults = [f"{name} is installed, and is not for others" for name in names if name.endswith("-inl.h") or "_simd" in name]
+
+    umbrellas = [name for name in names if name.count("/") == 1]
+    sources = {"all components": "".join(f'#include "{name}"\n' for name in umbrellas)}
+    sources |= {f"README's block {number}": source for number, source in enumerate(readme_sources(project / "README.md"), 1)}
+    jobs = [(compiler, what, source) for compiler in COMPILERS for what, source in sources.items()]
+    # The others stand alone: they are the first include of their .cpp files.
+    jobs += [("g++", name, f'#include "{name}"\n') for name in names
+             if name not in umbrellas and not (project / "src" / name).with_suffix(".cpp").exists()]
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        said = pool.map(lambda job: compiles(job[0], job[2], prefix), jobs)
+        faults += [f"{compiler}, {what}: {text}" for (compiler, what, _), text in zip(jobs, said) if text]
+
+    packages = sorted(prefix.rglob("pkgconfig/solidnoise-*.pc"))
+    if len(packages) != len(umbrellas):
+        faults.append(f"{len(packages)} .pc files, {len(umbrellas)} components")
+    environment = {**os.environ, "PKG_CONFIG_PATH": str(packages[0].parent)} if packages else {}
+    for component, program in (("noise", "variance.cpp"), ("volume", "write_volume.cpp")):
+        if f"solidnoise/{component}.h" not in names or not packages:
+            continue
+        flags = subprocess.run(["pkg-config", "--cflags", "--libs", f"solidnoise-{component}"], env=environment, check=True,
+                               capture_output=True, text=True).stdout.split()
+        subprocess.run(["g++", project / "examples/consumer" / program, "-o", work / component, *flags], check=True)
+        subprocess.run([work / component], cwd=work, check=True, stdout=subprocess.DEVNULL)
+
+    print("\n".join(faults) or f"{len(names)} headers, {len(packages)} packages, {' and '.join(COMPILERS)}")
+    sys.exit(1 if faults else 0)
+
+
+if __name__ == "__main__":
+    main()
