@@ -119,7 +119,7 @@ constexpr PartRow<Struct, Value> part(Value Struct::*member) {
 // Fields, parts and other lists of them, one after the other.
 template <typename... Items>
 constexpr auto list_fields(const Items&... items) {
-  constexpr auto as_list = []<typename Item>(const Item& item) {
+  [[maybe_unused]] constexpr auto as_list = []<typename Item>(const Item& item) {
     if constexpr (requires { std::tuple_size<Item>::value; }) {
       return item;
     } else {

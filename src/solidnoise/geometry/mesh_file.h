@@ -25,10 +25,10 @@ bool is_mesh_path(const std::filesystem::path& path);
 enum class PlyEncoding { ascii, binary_little_endian, binary_big_endian };
 
 struct MeshReading {
-  PolygonMesh mesh;
-  std::vector<std::string> comments;  // PLY: comment and obj_info lines; OBJ: those before the first vertex;
-                                      // OFF: those and all that have a line of their own
-  std::vector<std::string> notes;     // what the file has and the mesh has not, in plain words, one line each
+  PolygonMesh mesh{};
+  std::vector<std::string> comments{};  // PLY: comment and obj_info lines; OBJ: those before the first
+                                        // vertex; OFF: those and all that have a line of their own
+  std::vector<std::string> notes{};  // what the file has and the mesh has not, in plain words, one line each
 };
 
 // Reads a mesh by the path's extension, in any case:

@@ -29,7 +29,7 @@ struct EllipsoidShape {
   friend bool operator==(const EllipsoidShape&, const EllipsoidShape&) = default;
 };
 struct MeshShape {
-  std::string file;      // .ply .obj .off .stl .om, a closed mesh; its own bounds take the place of the box
+  std::string file{};    // .ply .obj .off .stl .om, a closed mesh; its own bounds take the place of the box
   std::string digest{};  // file_digest() of it, where the volume exists already; empty: any file will do
   friend bool operator==(const MeshShape&, const MeshShape&) = default;
 };
@@ -42,33 +42,33 @@ struct DensityScale {
   // extinction per world unit. > 0
   double optical_depth = 60.0;
   // The largest density instead, where it is given; > 0
-  std::optional<double> peak;
+  std::optional<double> peak{};
   // What the densities are multiplied by, where that is known already: one factor for all frames of a
   // sequence, as measure_density_factor() gives it. The two above then say what it was measured for. > 0
-  std::optional<double> factor;
+  std::optional<double> factor{};
 
   friend bool operator==(const DensityScale&, const DensityScale&) = default;
 };
 
 // A field, and the grids that are made of it.
 struct GridRecipe {
-  std::string grid;  // the grid's name, where there is one; empty: as default_grid_name() says
+  std::string grid{};  // the grid's name, where there is one; empty: as default_grid_name() says
 
-  std::optional<NoiseRecipe> own;  // a noise of its own; none: that of the recipe. Its seed is mixed with the
-                                   // recipe's
-  std::vector<Layer> layers;       // their sum takes the noise's place; see Layer. Not of a cloud
-  Shaping shaping;  // RawShaping where the output is not the value; then also Range::raw, but for colours
-  DensityScale density;
+  std::optional<NoiseRecipe> own{};  // a noise of its own; none: that of the recipe. Its seed is mixed with
+                                     // the recipe's
+  std::vector<Layer> layers{};  // their sum takes the noise's place; see Layer. Not of a cloud
+  Shaping shaping{};  // RawShaping where the output is not the value; then also Range::raw, but for colours
+  DensityScale density{};
 
   std::vector<Output> output{Output::value};  // what grids are made, in this order; see validate_outputs
   double speed = 1.0;  // of Output::curl: root mean square, world units per second; > 0
   Vec<3> drift{0.0};   // of Output::curl: a mean velocity that is added
   // Of Output::curl: a level set that the velocity does not cross, and the distance over which it turns along
   // it, world units; > 0; else the noise's wavelength, 1 / frequency.
-  std::optional<GridFile> boundary;
+  std::optional<GridFile> boundary{};
   std::optional<double> boundary_width;
 
-  std::optional<Layer> within;  // clamped to 0..1, what the values are multiplied by
+  std::optional<Layer> within{};  // clamped to 0..1, what the values are multiplied by
   bool sparse = false;  // of raw values: voxels that are 0 are inactive, as they are of densities, and where
                         // there is a `within`
   double prune = 0.0;   // of densities: those below this part of the largest one are left out; 0 to 1
@@ -79,9 +79,9 @@ struct GridRecipe {
 
 // Where there are voxels.
 struct Domain {
-  Shape shape;
+  Shape shape{};
   Box<3> box{{-1.0, -1.0, -1.0}, {1.0, 1.0, 1.0}};  // world units; `shape` says what of it is filled
-  std::optional<double> voxel;                      // size in world units; > 0; else from `dim`
+  std::optional<double> voxel{};                    // size in world units; > 0; else from `dim`
   int dim = 256;                                    // voxels along the longest side; 1 to 2^20
   std::optional<double> edge;  // of densities: over which they end at the shape's surface, world units; at
                                // least 0; else of two voxels, of a box 0
@@ -89,27 +89,27 @@ struct Domain {
 
 // Everything that defines a volume: plain data. The same recipe makes the same grids, bit for bit.
 struct VolumeRecipe : GridRecipe, Domain {
-  std::string description;  // for people; changes nothing
+  std::string description{};  // for people; changes nothing
 
-  NoiseRecipe noise;
-  int dims = 3;               // 3, or 4: a frame of a noise that changes in time
-  double time = 0.0;          // of the frame: in the noise's fourth axis, or of its Evolution; else 0
-  ParameterGrids parameters;  // of the noise, where they vary in space; of Output::value, without layers
-  Vec<3> offset{0.0};         // moves the noise, world units
-  bool band_limit = false;    // filter the noise at the size of the voxels: at_resolution()
-  bool exact = false;         // sum impulses at every voxel, where fewer samples would do within the error
+  NoiseRecipe noise{};
+  int dims = 3;                 // 3, or 4: a frame of a noise that changes in time
+  double time = 0.0;            // of the frame: in the noise's fourth axis, or of its Evolution; else 0
+  ParameterGrids parameters{};  // of the noise, where they vary in space; of Output::value, without layers
+  Vec<3> offset{0.0};           // moves the noise, world units
+  bool band_limit = false;      // filter the noise at the size of the voxels: at_resolution()
+  bool exact = false;           // sum impulses at every voxel, where fewer samples would do within the error
 
-  NamedLayers fields;                          // for layers to use
-  std::optional<NoiseRecipe> noise_of_fields;  // of those that name none; none: `noise`, as it is but in
-                                               // short forms of grids with noises of their own
+  NamedLayers fields{};                          // for layers to use
+  std::optional<NoiseRecipe> noise_of_fields{};  // of those that name none; none: `noise`, as it is but in
+                                                 // short forms of grids with noises of their own
 
   // Several grids of the same voxels; then those of the recipe itself are left as they are by default. A
   // recipe without these is the short form of one with a single entry, itself. See recipes_of_grids().
-  std::vector<GridRecipe> grids;
+  std::vector<GridRecipe> grids{};
 
   // Instead of a grid of its own: shape, box and voxels are those of the grid that is modified, whose name
   // and precision stay, and the density is scaled only where it replaces what was there.
-  std::optional<Modification> modification;
+  std::optional<Modification> modification{};
 
   UpAxis up = UpAxis::y;
   Codec codec = Codec::blosc;
