@@ -275,6 +275,17 @@ const Refusal kRefusals[] = {
 INSTANTIATE_TEST_SUITE_P(Vdbnoise, BadInput, testing::ValuesIn(kRefusals),
                          [](const auto& refusal) { return refusal.param.name; });
 
+// A word of 4000 bytes is echoed up to 255 of them.
+TEST(LongValue, IsShortenedInTheMessage) {
+  const TemporaryFolder folder;
+  std::string value;
+  for (int i = 0; i < 2000; ++i) value += "\u00e9";
+  const ToolResult result = run_vdbnoise({"--raw", "--preview", value}, {.folder = folder.path()});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_NE(result.err.find("--preview"), std::string::npos) << result.err;
+  EXPECT_LT(result.err.size(), 600U);
+}
+
 // Damaged files end in a message, never in a signal. The seed of the damage is fixed: 16 cuts, 16 flips.
 TEST(DamagedInput, VolumesAreRefusedOrRead) {
   const TemporaryFolder folder;

@@ -79,10 +79,18 @@ EndsAtOnce::~EndsAtOnce() {
 
 namespace {
 
-// What other libraries say may have several lines, and what files say anything; ours is one line.
+// What other libraries say may have several lines, and what files and flags say anything; ours is one line,
+// and none of its words is longer than a path may be and be read.
 std::string one_line(std::string text) {
+  constexpr std::size_t kLongestWord = 255;
   std::replace(text.begin(), text.end(), '\n', ' ');
-  return printable(text, std::string::npos);
+  std::istringstream words(text);
+  std::string shown;
+  for (std::string word; std::getline(words, word, ' ');) {
+    if (!shown.empty()) shown += ' ';
+    shown += printable(word, kLongestWord);
+  }
+  return shown;
 }
 
 // While one lives, texts for the standard output are kept.
