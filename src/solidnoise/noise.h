@@ -1,5 +1,5 @@
-// All of the component noise: make_noise() from a recipe, the noises themselves, octaves, slices and movements of them, and their
-// interpolation within an error.
+// All of the component noise: make_noise() from a recipe, the noises themselves, octaves, slices and
+// movements of them, and their interpolation within an error.
 #pragma once
 
 #include "solidnoise/noise/error_budget.h"

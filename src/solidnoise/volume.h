@@ -1,4 +1,5 @@
-// All of the component volume: recipes of OpenVDB grids, made, modified, merged, described, measured and pictured, and their files.
+// All of the component volume: recipes of OpenVDB grids, made, modified, merged, described, measured and
+// pictured, and their files.
 #pragma once
 
 #include "solidnoise/volume/analyze_volume.h"
