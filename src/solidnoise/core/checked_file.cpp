@@ -164,8 +164,7 @@ void NewFile::replace_target() {
     if (!take_name(hidden)) fail("cannot be written");
     hidden_ = hidden;
   }
-  keeps_replaced_ =
-      ::renameat2(AT_FDCWD, hidden_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE) == 0;
+  keeps_replaced_ = ::renameat2(AT_FDCWD, hidden_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE) == 0;
   if (keeps_replaced_) return;
   // Not every file system can exchange two files.
   if (::rename(hidden_.c_str(), target_.c_str()) != 0) fail("cannot be written");

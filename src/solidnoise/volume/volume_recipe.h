@@ -56,7 +56,7 @@ struct GridRecipe {
 
   std::optional<NoiseRecipe> own{};  // a noise of its own; none: that of the recipe. Its seed is mixed with
                                      // the recipe's
-  std::vector<Layer> layers{};  // their sum takes the noise's place; see Layer. Not of a cloud
+  std::vector<Layer> layers{};       // their sum takes the noise's place; see Layer. Not of a cloud
   Shaping shaping{};  // RawShaping where the output is not the value; then also Range::raw, but for colours
   DensityScale density{};
 

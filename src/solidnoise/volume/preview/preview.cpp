@@ -197,7 +197,7 @@ class SurfacePainter {
   }
 
   void paint_row(int y, Image& image) const {
-    constexpr int kAcross = 2;                              // rays
+    constexpr int kAcross = 2;                                     // rays
     std::optional<SurfaceIntersector> intersector = intersector_;  // it has a state
     for (int x = 0; x < options_.width; ++x) {
       Vec3d sum(0.0);
