@@ -28,8 +28,8 @@ struct BakePlan {
   double mean_cycles_per_edge = 0.0;  // of the highest frequency: above 0.5 the noise aliases
 };
 
-// Bytes that planning and baking take at most for a mesh of so many vertices and faces, without what the
-// noise takes.
+// Bytes that planning, baking and a preview take at most for a mesh of so many vertices and faces, without
+// what the noise takes.
 double bake_memory(double vertices, double faces);
 
 // Measures, refines and steers. Throws std::invalid_argument: recipe.validate(), a mesh whose positions are
