@@ -117,6 +117,24 @@ const char* format_of(std::string_view bytes) {
   throw std::runtime_error("it must be a PNG, JPEG, TIFF, OpenEXR or Radiance HDR file");
 }
 
+// Whether a PNG file goes on up to its closing chunk. Where it does not, OpenImageIO's reader in memory leaks
+// its message.
+bool is_whole_png(std::string_view bytes) {
+  constexpr std::size_t kSignature = 8;
+  constexpr std::size_t kAroundData = 12;  // length, type and checksum of a chunk
+  bytes.remove_prefix(kSignature);
+  while (bytes.size() >= kAroundData) {
+    std::size_t length = kAroundData;
+    for (std::size_t i = 0; i < 4; ++i) {
+      length += static_cast<std::size_t>(static_cast<unsigned char>(bytes[i])) << (24 - 8 * i);
+    }
+    if (length > bytes.size()) return false;
+    if (bytes.substr(4, 4) == "IEND") return true;
+    bytes.remove_prefix(length);
+  }
+  return false;
+}
+
 constexpr std::size_t kMostValues = std::size_t{1} << 28;  // a gigabyte of floats
 
 constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 30;
@@ -151,6 +169,7 @@ float* allocate_image(void* context, int width, int height, int depth, int chann
 // Throws std::runtime_error that says what is wrong, but not with which file.
 Image decode(std::string_view bytes) {
   const char* const format = format_of(bytes);
+  if (format == std::string_view("png") && !is_whole_png(bytes)) throw std::runtime_error("it is cut short");
   Reading reading;
   std::array<char, 1024> text{};
   SolidnoiseImageError error{text.data(), text.size()};
