@@ -29,7 +29,7 @@ void FitOutputs::check(const std::vector<std::string>& inputs) const {
     throw UsageError("--out is missing; say where the noise goes: --out sand.json");
   }
   require_extension("--out", model, {".json"}, StandardOutput::allowed);
-  require_extension("--preview", preview, {".png", ".jpg"}, StandardOutput::refused);
+  require_extension("--preview", preview, {".png", ".jpg", ".tif", ".exr"}, StandardOutput::refused);
   require_outputs({model, preview}, existing, inputs);
 }
 
