@@ -27,25 +27,21 @@ set(_pc_fmt fmt)
 set(_pc_hwy libhwy)
 set(_pc_TBB tbb)
 set(_pc_OpenMesh openmesh)
+set(_pc_OpenVDB Imath)
 set(_libs_OpenVDB -lopenvdb)
 set(_libs_embree -lembree3)
-# Imath is beside OpenVDB, in a folder that the compiler does not search.
-set(_flags_OpenVDB -I/usr/include/Imath)
 function(solidnoise_pkg_config component own foreign)
   list(TRANSFORM own PREPEND solidnoise- OUTPUT_VARIABLE _requires)
   set(_libs -lsolidnoise_${component})
-  set(_flags "")
   foreach(_package IN LISTS foreign)
     list(APPEND _requires ${_pc_${_package}})
     list(APPEND _libs ${_libs_${_package}})
-    list(APPEND _flags ${_flags_${_package}})
   endforeach()
   if(component STREQUAL "image")
     list(APPEND _libs -ldl)
   endif()
   list(JOIN _requires " " _requires)
   list(JOIN _libs " " _libs)
-  list(JOIN _flags " " _flags)
   # Seen from lib/ARCHITECTURE/pkgconfig or lib/pkgconfig: what is installed may be moved.
   file(RELATIVE_PATH _up /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
   string(REGEX REPLACE "/$" "" _up ${_up})
@@ -55,7 +51,7 @@ function(solidnoise_pkg_config component own foreign)
     "Description: ${PROJECT_DESCRIPTION} (${component})\n"
     "Version: ${PROJECT_VERSION}\n"
     "Requires: ${_requires}\n"
-    "Cflags: -std=c++20 -I\${prefix}/${CMAKE_INSTALL_INCLUDEDIR} ${_flags}\n"
+    "Cflags: -std=c++20 -I\${prefix}/${CMAKE_INSTALL_INCLUDEDIR}\n"
     "Libs: -L\${prefix}/${CMAKE_INSTALL_LIBDIR} ${_libs}\n")
   install(FILES ${PROJECT_BINARY_DIR}/pkgconfig/solidnoise-${component}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endfunction()
