@@ -119,6 +119,75 @@ TEST_F(UntrustedPicture, ThatClaimsTooManyPixelsIsRefusedBeforeMemoryIsTaken) {
                     "at most 268435456"));
 }
 
+// An OpenEXR file that begins with an attribute.
+std::string exr_with(const TemporaryFolder& folder, const std::string& name, const std::string& type,
+                     std::uint32_t size, const std::string& value) {
+  constexpr std::size_t kHeader = 8;  // where the attributes begin
+  write_image(folder / "whole.exr", Image(64, 64, 3), {.existing = Existing::replace});
+  const std::string whole = folder.read("whole.exr");
+  std::string attribute = name + '\0' + type + '\0';
+  append(attribute, size, 4);
+  return whole.substr(0, kHeader) + attribute + value + whole.substr(kHeader);
+}
+
+// Its attribute of this name, with another value.
+std::string exr_changed(const TemporaryFolder& folder, const std::string& attribute,
+                        const std::string& value) {
+  write_image(folder / "whole.exr", Image(64, 64, 3), {.existing = Existing::replace});
+  std::string bytes = folder.read("whole.exr");
+  const std::size_t type = bytes.find(attribute + '\0') + attribute.size() + 1;
+  constexpr std::size_t kSize = 4;
+  return bytes.replace(bytes.find('\0', type) + 1 + kSize, value.size(), value);
+}
+
+TEST_F(UntrustedPicture, OfOpenExrIsRefusedForAnAttributeLongerThanTheFile) {
+  const std::string bytes = exr_with(folder_, "note", "string", 0x65000000, "x");
+  folder_.write("a.exr", bytes);
+  EXPECT_EQ(complaint("a.exr"),
+            refusal("a.exr", "its attribute note claims 1694498816 bytes of the " +
+                                 std::to_string(bytes.size() - 8 - 16) + " that are left"));
+  std::string preview;
+  for (const std::uint32_t number : {30000, 30000}) append(preview, number, 4);
+  folder_.write("a.exr", exr_with(folder_, "preview", "preview", 8, preview));
+  EXPECT_EQ(complaint("a.exr"), refusal("a.exr", "its preview has not the size it says, in 8 bytes"));
+}
+
+TEST_F(UntrustedPicture, OfOpenExrIsRefusedForATableLongerThanTheFile) {
+  std::string tall;
+  for (const std::uint32_t corner : {0, 0, 0, 200000000}) append(tall, corner, 4);
+  const std::string bytes = exr_changed(folder_, "dataWindow", tall);
+  folder_.write("a.exr", bytes);
+  EXPECT_EQ(complaint("a.exr"),
+            refusal("a.exr", "it has 1 x 200000001 pixels; a side must have at most 1048576"));
+  tall.clear();
+  for (const std::uint32_t corner : {0, 0, 0, 999999}) append(tall, corner, 4);
+  folder_.write("a.exr", exr_changed(folder_, "dataWindow", tall));
+  EXPECT_EQ(complaint("a.exr"), refusal("a.exr", "its 62500 blocks of pixels cannot be in " +
+                                                     std::to_string(bytes.size()) + " bytes"));
+}
+
+// The tile's 2^30 pixels would be held in 5 GB.
+TEST_F(UntrustedPicture, WithTilesLargerThanAnyPictureIsRefused) {
+  std::string tiff = grey_tiff(16, 16);
+  constexpr std::size_t kTiles = 2 + 8 + 5 * 12 + 8;  // where the tile's width is
+  std::string side;
+  append(side, 32768, 4);
+  tiff.replace(kTiles, 4, side);
+  tiff.replace(kTiles + 12, 4, side);
+  folder_.write("a.tif", tiff + std::string(256, 'x'));
+  EXPECT_EQ(complaint("a.tif"), refusal("a.tif", "its tiles are 32768 x 32768 pixels; they must be smaller"));
+}
+
+TEST_F(UntrustedPicture, ThatIsAProgressiveJpegOfTooManyPixelsIsRefusedBeforeMemoryIsTaken) {
+  // A frame of 65500 x 65500 pixels of 3 channels, of which a decoder would hold 25 GB.
+  const std::string frame("\xff\xd8\xff\xc2\0\x11\x08\xff\xdc\xff\xdc\x03\x01\x11\0\x02\x11\0\x03\x11\0", 21);
+  folder_.write("a.jpg", frame + std::string("\xff\xda\0\x0c\x03\x01\0\x02\0\x03\0\0\x3f\0", 14));
+  EXPECT_EQ(complaint("a.jpg"),
+            refusal("a.jpg",
+                    "it has 65500 x 65500 pixels of 3 channels; width x height x channels must be at "
+                    "most 268435456"));
+}
+
 TEST_F(UntrustedPicture, CutAtHalfIsRefused) {
   Image image(64, 64, 3);
   RandomStream stream(7);

@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include "solidnoise/core/input_file.h"
+#include "solidnoise/image/check_picture.h"
 #include "solidnoise/image/image_module.h"
 
 namespace solidnoise {
@@ -117,26 +118,6 @@ const char* format_of(std::string_view bytes) {
   throw std::runtime_error("it must be a PNG, JPEG, TIFF, OpenEXR or Radiance HDR file");
 }
 
-// Whether a PNG file goes on up to its closing chunk. Where it does not, OpenImageIO's reader in memory leaks
-// its message.
-bool is_whole_png(std::string_view bytes) {
-  constexpr std::size_t kSignature = 8;
-  constexpr std::size_t kAroundData = 12;  // length, type and checksum of a chunk
-  bytes.remove_prefix(kSignature);
-  while (bytes.size() >= kAroundData) {
-    std::size_t length = kAroundData;
-    for (std::size_t i = 0; i < 4; ++i) {
-      length += static_cast<std::size_t>(static_cast<unsigned char>(bytes[i])) << (24 - 8 * i);
-    }
-    if (length > bytes.size()) return false;
-    if (bytes.substr(4, 4) == "IEND") return true;
-    bytes.remove_prefix(length);
-  }
-  return false;
-}
-
-constexpr std::size_t kMostValues = std::size_t{1} << 28;  // a gigabyte of floats
-
 constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 30;
 
 // A picture that is being read, and why it is refused.
@@ -148,20 +129,15 @@ struct Reading {
 float* allocate_image(void* context, int width, int height, int depth, int channels) {
   Reading& reading = *static_cast<Reading*>(context);
   try {
-    if (depth > 1) {
-      reading.refusal = fmt::format("it is {} pixels deep; a picture must be 1 deep", depth);
-      return nullptr;
-    }
-    const double values = static_cast<double>(width) * height * channels;
-    if (width < 1 || height < 1 || channels < 1 || values > static_cast<double>(kMostValues)) {
-      reading.refusal =
-          fmt::format("it has {} x {} pixels of {} channels; width x height x channels must be at most {}",
-                      width, height, channels, kMostValues);
-      return nullptr;
-    }
+    if (depth > 1)
+      throw std::runtime_error(fmt::format("it is {} pixels deep; a picture must be 1 deep", depth));
+    require_picture_size(width, height, channels);
     reading.image = Image(width, height, channels);
     return reading.image.pixels.data();
   } catch (const std::bad_alloc&) {
+    return nullptr;
+  } catch (const std::runtime_error& error) {
+    reading.refusal = error.what();
     return nullptr;
   }
 }
@@ -169,7 +145,7 @@ float* allocate_image(void* context, int width, int height, int depth, int chann
 // Throws std::runtime_error that says what is wrong, but not with which file.
 Image decode(std::string_view bytes) {
   const char* const format = format_of(bytes);
-  if (format == std::string_view("png") && !is_whole_png(bytes)) throw std::runtime_error("it is cut short");
+  check_picture(format, bytes);
   Reading reading;
   std::array<char, 1024> text{};
   SolidnoiseImageError error{text.data(), text.size()};

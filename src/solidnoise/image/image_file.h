@@ -36,8 +36,8 @@ void write_image(const std::filesystem::path& path, const Image& image, const Im
 
 // Reads a PNG, JPEG, TIFF, OpenEXR or Radiance HDR file, told by what it begins with, whatever its name:
 // first image, all channels, integers scaled to [0, 1], pixels as they are stored. Files may come from
-// anybody: a damaged one, one with depth, or of more than 2^28 values (width x height x channels) is refused,
-// by std::runtime_error that names the path.
+// anybody: a damaged one, one with depth, with a side of more than 2^20 pixels or of more than 2^28
+// values (width x height x channels) is refused, by std::runtime_error that names the path.
 Image read_image(const std::filesystem::path& path);
 
 // The same from a file's bytes; `name` stands for the path in messages.

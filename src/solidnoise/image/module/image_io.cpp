@@ -104,6 +104,12 @@ int decode(const char* format, const char* bytes, std::size_t count, SolidnoiseI
   if (!input->open(format, spec, wishes)) return fail(error, input->geterror());
   float* const pixels = allocate(context, spec.width, spec.height, spec.depth, spec.nchannels);
   if (pixels == nullptr) return fail(error, "no memory for its pixels");
+  // Readers hold some tiles whole, whatever part of them the picture has.
+  constexpr double kMostTileValues = 1 << 26;
+  if (static_cast<double>(spec.tile_width) * spec.tile_height * spec.nchannels > kMostTileValues) {
+    return fail(error, "its tiles are " + std::to_string(spec.tile_width) + " x " +
+                           std::to_string(spec.tile_height) + " pixels; they must be smaller");
+  }
   const bool done = input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, pixels);
   // The JPEG reader goes on after the end of the file, in grey, and leaves a message.
   if (!done || input->has_error()) return fail(error, input->geterror());
