@@ -223,16 +223,19 @@ FieldPtr side_by_side(std::vector<FieldPtr> fields) {
 
 namespace {
 
-// Has evaluate_mask(values) and evaluate(samples) write, and multiplies.
+// Has evaluate_mask(values) and evaluate(samples) write `parts` parts of `count` positions each, and
+// multiplies all channels of each part.
 template <typename EvaluateMask, typename Evaluate>
-void multiply(std::size_t count, const Samples<3>& samples, const EvaluateMask& evaluate_mask,
-              const Evaluate& evaluate) {
-  std::vector<float> mask(count);
+void multiply(std::size_t count, std::size_t parts, const Samples<3>& samples,
+              const EvaluateMask& evaluate_mask, const Evaluate& evaluate) {
+  std::vector<float> mask(count * parts);
   evaluate_mask(mask);
   if (std::ranges::all_of(mask, [](float m) { return !(m > 0.0f); })) return fill_with_zero(samples);
   evaluate(samples);
+  const std::size_t stride = samples.values.size() / parts;
   for (std::size_t i = 0; i < samples.values.size(); ++i) {
-    samples.values[i] *= std::clamp(mask[i % count], 0.0f, 1.0f);
+    const float m = mask[i / stride * count + i % stride % count];
+    samples.values[i] = m > 0.0f ? samples.values[i] * std::min(m, 1.0f) : 0.0f;
   }
 }
 
@@ -246,7 +249,7 @@ class MaskedField final : public Field<3> {
   }
   void evaluate(const Points<3>& points, const Samples<3>& samples) const override {
     multiply(
-        points.size(), samples,
+        points.size(), 1, samples,
         [&](std::span<float> mask) {
           mask_->evaluate(points, {mask, {}});
         },
@@ -261,12 +264,16 @@ class MaskedField final : public Field<3> {
         : field_(std::move(field)), mask_(std::move(mask)) {}
 
     void evaluate(const Lattice<3>& lattice, const Samples<3>& samples) const override {
+      evaluate_all({&lattice, 1}, samples);
+    }
+    void evaluate_all(std::span<const Lattice<3>> lattices, const Samples<3>& samples) const override {
+      if (lattices.empty()) return;
       multiply(
-          lattice.size(), samples,
+          lattices.front().size(), lattices.size(), samples,
           [&](std::span<float> mask) {
-            mask_->evaluate(lattice, {mask, {}});
+            mask_->evaluate_all(lattices, {mask, {}});
           },
-          [&](const Samples<3>& of_field) { field_->evaluate(lattice, of_field); });
+          [&](const Samples<3>& of_field) { field_->evaluate_all(lattices, of_field); });
     }
 
    private:

@@ -82,54 +82,6 @@ class MeshCover final : public PointwiseField {
   double edge_;
 };
 
-// Shares what the field shares between lattices.
-class CoveredField final : public Field<3> {
- public:
-  CoveredField(FieldPtr field, FieldPtr cover) : field_(std::move(field)), cover_(std::move(cover)) {}
-
-  int channels() const override { return field_->channels(); }
-  std::unique_ptr<FieldBlock<3>> block(const Box<3>& box) const override {
-    return std::make_unique<Block>(*this, field_->block(box));
-  }
-  void evaluate(const Points<3>& points, const Samples<3>& samples) const override {
-    field_->evaluate(points, samples);
-    multiply(points.positions, samples.values);
-  }
-  bool empty(const Box<3>& box) const override { return field_->empty(box); }
-
- private:
-  class Block final : public FieldBlock<3> {
-   public:
-    Block(const CoveredField& field, std::unique_ptr<FieldBlock<3>> source)
-        : field_(field), source_(std::move(source)) {}
-
-    void evaluate(const Lattice<3>& lattice, const Samples<3>& samples) const override {
-      evaluate_all({&lattice, 1}, samples);
-    }
-    void evaluate_all(std::span<const Lattice<3>> lattices, const Samples<3>& samples) const override {
-      source_->evaluate_all(lattices, samples);
-      const std::size_t stride = lattices.empty() ? 0 : samples.values.size() / lattices.size();
-      for (std::size_t i = 0; i < lattices.size(); ++i) {
-        field_.multiply(positions_of(lattices.subspan(i, 1)), samples.values.subspan(i * stride, stride));
-      }
-    }
-
-   private:
-    const CoveredField& field_;
-    std::unique_ptr<FieldBlock<3>> source_;
-  };
-
-  // All channels at some positions.
-  void multiply(std::span<const Vec<3>> positions, std::span<float> values) const {
-    std::vector<float> cover(positions.size());
-    cover_->evaluate({positions}, {cover, {}});
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] *= cover[i % cover.size()];
-  }
-
-  FieldPtr field_;
-  FieldPtr cover_;
-};
-
 bool has_density(const VolumeRecipe& recipe) {
   return std::ranges::any_of(recipes_of_grids(recipe), [](const VolumeRecipe& grid) {
     return !std::holds_alternative<RawShaping>(grid.shaping);
@@ -172,10 +124,6 @@ ShapedVoxels make_shape(const VolumeRecipe& recipe, const VolumePlan& plan, Prog
   if (edge == 0.0) return {box_topology(plan.frame, plan.box), nullptr};
   const Box<3> box{plan.box.lower - 0.5 * edge, plan.box.upper + 0.5 * edge};
   return {box_topology(plan.frame, box), std::make_shared<BoxCover>(plan.box, edge)};
-}
-
-FieldPtr covered(FieldPtr field, FieldPtr cover) {
-  return std::make_shared<CoveredField>(std::move(field), std::move(cover));
 }
 
 }  // namespace solidnoise

@@ -26,7 +26,4 @@ ShapedVoxels make_shape(const VolumeRecipe& recipe, const VolumePlan& plan, Prog
 // The width of that end, world units; 0: voxels are in the shape or not.
 double edge_of(const VolumeRecipe& recipe, const Vec<3>& voxel);
 
-// The field times the cover.
-FieldPtr covered(FieldPtr field, FieldPtr cover);
-
 }  // namespace solidnoise

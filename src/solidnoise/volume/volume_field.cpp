@@ -24,7 +24,6 @@
 #include "solidnoise/noise/error_budget.h"
 #include "solidnoise/noise/interpolation/interpolated_noise.h"
 #include "solidnoise/noise/noise_views.h"
-#include "solidnoise/volume/shape_cover.h"
 
 namespace solidnoise {
 namespace {
@@ -255,7 +254,7 @@ VolumeField make_volume_field(const VolumeRecipe& recipe, const VolumePlan& plan
         make_grid_field(single, plan, has_boundary ? plan.boundaries[i].distance : nullptr, layers));
     if (single.within) fields.back() = masked(fields.back(), layers.make({*single.within}, single.noise));
     if (cover && !std::holds_alternative<RawShaping>(single.shaping)) {
-      fields.back() = covered(fields.back(), cover);
+      fields.back() = masked(fields.back(), cover);
     }
     for (GridChannels grid : channels_of(single)) {
       grid.first += first;
