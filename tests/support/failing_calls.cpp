@@ -1,3 +1,4 @@
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstdarg>
@@ -10,10 +11,13 @@
 #include <unistd.h>
 
 // A library to be loaded before others, by LD_PRELOAD, that lets a call of the system fail, or kills the
-// process at it. SOLIDNOISE_FAULT says which: "write 3 fail", "linkat 1 kill"; writing counts on files alone.
-// "open 1 fail" stands for a file system without files that have no name.
+// process at it. SOLIDNOISE_FAULT says which: "write 3 fail", "linkat 1 kill"; writing counts on files alone,
+// "malloc" from kLargeAllocation on, but not under the address sanitizer, which has its own. "open 1 fail"
+// stands for a file system without files that have no name.
 
 namespace {
+
+constexpr std::size_t kLargeAllocation = std::size_t{1} << 14;  // bytes
 
 struct Fault {
   char call[16] = "";
@@ -32,7 +36,7 @@ Fault wanted() {
 // Whether this call is to fail.
 bool fails(const char* call, int fault_number) {
   static const Fault fault = wanted();
-  static int calls = 0;
+  static std::atomic<int> calls{0};
   if (std::strcmp(call, fault.call) != 0 || ++calls != fault.number) return false;
   if (std::strcmp(fault.deed, "kill") == 0) std::raise(SIGKILL);
   errno = fault_number;
@@ -47,6 +51,15 @@ Function* real(const char* name) {
 }  // namespace
 
 extern "C" {
+
+#ifndef __SANITIZE_ADDRESS__
+void* __libc_malloc(size_t size) noexcept;
+
+// dlsym() may call it.
+void* malloc(size_t size) noexcept {
+  return size >= kLargeAllocation && fails("malloc", ENOMEM) ? nullptr : __libc_malloc(size);
+}
+#endif
 
 ssize_t write(int descriptor, const void* bytes, size_t count) {
   struct stat status = {};

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "support/paths.h"
+#include "tools/expect_whole_or_nothing.h"
 #include "tools/run_vdbnoise.h"
 
 namespace solidnoise {
@@ -117,6 +118,41 @@ TEST(FullDisk, OfARecipeOrAPreviewLeavesNothing) {
   EXPECT_EQ(preview.status, 1);
   EXPECT_NE(preview.err.find("x.png"), std::string::npos) << preview.err;
   EXPECT_TRUE(folder.names().empty()) << *folder.names().begin();
+}
+
+TEST(VdbnoiseFaults, LeaveAllOutputsOrNone) {
+  const TemporaryFolder folder;
+  std::vector<std::string> arguments{"--quiet", "--raw", "--dim",          "16",
+                                     "--out",   "x.vdb", "--write-recipe", "x.json"};
+  const auto run = [&](const RunOptions& options) { return run_vdbnoise(arguments, options); };
+  arguments.push_back("--force");
+  expect_whole_or_nothing(run, folder, {{"x.vdb", "old"}, {"x.json", "old as well"}});
+  arguments.pop_back();
+  for (const char* name : {"x.vdb", "x.json"}) std::filesystem::remove(folder / name);
+  arguments.insert(arguments.end(), {"--preview", "x.png"});
+  expect_whole_or_nothing(run, folder);
+}
+
+TEST(VdbnoiseFaults, OfOtherCommandsLeaveTheOutputOrNone) {
+  const TemporaryFolder folder;
+  const RunOptions in_folder{.folder = folder.path()};
+  const std::string torus = in_source("meshes/torus.obj");
+  for (const char* part : {"1/2", "2/2"}) {
+    ASSERT_EQ(run_vdbnoise({"--quiet", "--raw", "--dim", "16", "--shard", part, "--out",
+                            std::string("part") + part[0] + ".vdb"},
+                           in_folder)
+                  .status,
+              0);
+  }
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"merge", "part1.vdb", "part2.vdb", "--quiet", "--out", "x.vdb"},
+        {"surface", torus, "--dim", "24", "--quiet", "--out", "x.vdb"},
+        {"slice", "part1.vdb", "--quiet", "--resolution", "16", "--out", "x.png"}}) {
+    SCOPED_TRACE(arguments[0]);
+    expect_whole_or_nothing([&](const RunOptions& options) { return run_vdbnoise(arguments, options); },
+                            folder);
+    std::filesystem::remove(folder / arguments.back());
+  }
 }
 
 TEST(FullDisk, OfTheStandardOutputIsReported) {
