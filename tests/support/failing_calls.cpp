@@ -7,6 +7,7 @@
 #include <cstring>
 #include <dlfcn.h>
 #include <fcntl.h>
+#include <string_view>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -38,6 +39,8 @@ bool fails(const char* call, int fault_number) {
   static const Fault fault = wanted();
   static std::atomic<int> calls{0};
   if (std::strcmp(call, fault.call) != 0 || ++calls != fault.number) return false;
+  constexpr std::string_view kStruck = "the call has failed\n";
+  if (::write(STDERR_FILENO, kStruck.data(), kStruck.size()) < 0) std::abort();
   if (std::strcmp(fault.deed, "kill") == 0) std::raise(SIGKILL);
   errno = fault_number;
   return true;

@@ -23,9 +23,9 @@ inline std::vector<std::string> failing_calls(const std::string& fault) {
 }
 
 // Runs a program again and again in a folder, with the first, the second, ... call of a kind failing, or the
-// process dying at it, until it does not come to that call any more. Each time the outputs must be absent or
-// what they are without faults, those of a failure all absent; of other files there may be none. `replaced`
-// is what an output has before, by its name.
+// process dying at it, until it does not come to that call any more; from the third on some are left out.
+// Each time the outputs must be absent or what they are without faults, those of a failure all absent; of
+// other files there may be none. `replaced` is what an output has before, by its name.
 //
 // A process that dies may leave some outputs of several, and a hidden file where it replaces one: see
 // write_output().
@@ -48,16 +48,17 @@ inline void expect_whole_or_nothing(const std::function<ToolResult(const RunOpti
   for (const std::string call : {"malloc", "write", "fsync", "linkat", "rename", "renameat2"}) {
     for (const bool dies : {false, true}) {
       if (dies && call == "malloc") continue;
-      constexpr int kMostCalls = 100;
-      for (int number = 1; number <= kMostCalls; ++number) {
+      constexpr int kMostCalls = 10000;
+      for (int number = 1; number <= kMostCalls; number += 1 + number / 3) {
         restore(before);
         const std::string fault = call + " " + std::to_string(number) + (dies ? " kill" : " fail");
         SCOPED_TRACE(fault);
         const ToolResult result = run({.folder = folder.path(), .environment = failing_calls(fault)});
-        const bool done = result.status == 0;
+        const bool done = result.status == 0;  // it may do without some memory
+        // OpenImageIO's libraries end the process where there is no memory to load them.
         if (dies) {
           ASSERT_TRUE(done || result.signal == SIGKILL) << result.err;
-        } else if (!done) {
+        } else if (!done && !(call == "malloc" && result.signal != 0)) {
           ASSERT_EQ(result.status, 1) << result.err;
         }
         for (const std::string& name : folder.names()) {
@@ -74,8 +75,8 @@ inline void expect_whole_or_nothing(const std::function<ToolResult(const RunOpti
             ASSERT_TRUE(as_before) << name << " is replaced";
           }
         }
-        if (done) break;
-        ASSERT_LT(number, kMostCalls);
+        if (result.err.find("the call has failed") == std::string::npos) break;
+        ASSERT_LT(2 * number, kMostCalls);
       }
     }
   }
