@@ -54,6 +54,15 @@ TEST(Vdbnoise, FlagsOverrideTheRecipeAndNothingElse) {
   EXPECT_EQ(to_json(recipe_in(folder.file("b.vdb"))), to_json(expected));
 }
 
+TEST(Vdbnoise, CloudsHaveFlagsOfTheirOwn) {
+  const TemporaryFolder folder;
+  run_well({"--dim", "16", "--puffs", "9", "--lobes", "0.2", "--base", "0.3", "--cloud-edge", "0.2",
+            "--wisps", "0.5", "--core", "0.4", "--lean", "0", "--out", folder.file("a.vdb")});
+  const CloudShaping expected{
+      .puffs = 9, .lobes = 0.2, .base = 0.3, .edge = 0.2, .wisps = 0.5, .core = 0.4, .lean = 0.0};
+  EXPECT_EQ(std::get<CloudShaping>(recipe_in(folder.file("a.vdb")).shaping), expected);
+}
+
 // The recipe in the file names the generator that was taken, whatever is cheaper in another version.
 TEST(Vdbnoise, TakesTheCheaperGenerator) {
   const TemporaryFolder folder;

@@ -141,6 +141,22 @@ void declare_shaping(FlagSet& flags, VolumeRecipe& recipe) {
   }
 }
 
+void declare_cloud(FlagSet& flags, VolumeRecipe& recipe) {
+  flags.group("Clouds (defaults are those of the shaping \"cloud\"; presets have their own)");
+  for_each_flag(CloudShaping{}, [&]<typename F, typename Owner>(F field, const Owner& owner) {
+    if (field.name == "edge") field.name = "cloud_edge";  // --edge is the shape's
+    declare_field(flags, field, owner, "", [field, &recipe](const ValueOf<F, Owner>& value) {
+      auto* const cloud = std::get_if<CloudShaping>(&recipe.shaping);
+      if (!cloud) {
+        throw UsageError(
+            fmt::format("{} applies to clouds only, as of --preset cumulus or smoke", flag_of(field.name)));
+      }
+      require(field.name, value, field.allowed, field.unit);
+      field.set(*cloud, value);
+    });
+  });
+}
+
 void declare_shape(FlagSet& flags, VolumeRecipe& recipe) {
   flags.group("Shape and resolution (1 world unit is 1 m)");
   flags.text(
@@ -201,6 +217,7 @@ void declare_make_flags(FlagSet& flags, MakeOptions& options) {
   flags.group(kNoise);
   declare_generator_flag(flags, options.recipe.noise, options.recipe.dims);
   declare_shaping(flags, options.recipe);
+  declare_cloud(flags, options.recipe);
   declare_layer_flags(flags, options.recipe);
   declare_shape(flags, options.recipe);
   declare_sequence_flags(flags, options);
