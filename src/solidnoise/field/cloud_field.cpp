@@ -9,6 +9,7 @@
 #include <glm/common.hpp>
 
 #include "solidnoise/field/cloud_puffs.h"
+#include "solidnoise/field/edge_cover.h"
 #include "solidnoise/field/shaping.h"
 
 namespace solidnoise {
@@ -56,6 +57,10 @@ struct CloudModel {
   Vec<3> ground{0.0};            // where the cloud's frame has its origin
   UpAxis up = UpAxis::y;
   PuffUnion pile{{}, 1.0};
+  Vec<3> voxel{0.0};
+
+  // Of all that a box's samples depend on.
+  Box<3> with_neighbours(const Box<3>& world) const { return {world.lower - voxel, world.upper + voxel}; }
 
   // From the world to the cloud's own frame, in which y is up.
   Vec<3> to_cloud(const Vec<3>& world) const {
@@ -74,7 +79,19 @@ constexpr float kSoftest = 3.0f;  // greatest width of the edge over its least
 // Densities below this are taken for nothing: what cannot be seen needs no voxels.
 constexpr float kLeastDensity = 1e-3f;
 
-// Makes densities of groups of samples (lattices, or points); all groups are of one cloud and one pile.
+// The edge of a cloud at some samples, see edge_cover(), and the density that there is within.
+struct CloudEdge {
+  std::vector<float> level;
+  std::vector<float> width;
+  std::vector<float> within;
+};
+
+float density(float cover, float within) {
+  const float result = cover * within;
+  return result < kLeastDensity ? 0.0f : result;
+}
+
+// Finds the edge at groups of samples (lattices, or points); all groups are of one cloud and one pile.
 class CloudEvaluation {
  public:
   CloudEvaluation(const CloudModel& model, const PuffUnion& pile) : model_(model), pile_(pile) {}
@@ -82,18 +99,19 @@ class CloudEvaluation {
   // `positions` has those of `groups` groups of one size, one after the other. noise(k, wanted, values)
   // writes octave k of the groups that are wanted.
   template <typename Noise>
-  void operator()(std::span<const Vec<3>> positions, std::size_t groups, const Noise& noise,
-                  std::span<float> values) const {
-    if (positions.empty()) return;
+  std::vector<CloudEdge> operator()(std::span<const Vec<3>> positions, std::size_t groups,
+                                    const Noise& noise) const {
+    if (positions.empty()) return {};
     const std::size_t size = positions.size() / groups;
     std::vector<Surface> surfaces;
     for (std::size_t i = 0; i < groups; ++i) surfaces.push_back(begin(positions.subspan(i * size, size)));
     for (std::size_t k = 0; k < model_.octaves.size(); ++k) displace(k, noise, surfaces);
+    std::vector<CloudEdge> edges;
     for (Surface& s : surfaces) {
       keep_inside(s.p, s.distance);
-      for (std::size_t i = 0; i < size; ++i) values[i] = density(s, i);
-      values = values.subspan(size);
+      edges.push_back(edge_of(s));
     }
+    return edges;
   }
 
  private:
@@ -182,17 +200,22 @@ class CloudEvaluation {
     }
   }
 
-  float density(const Surface& s, std::size_t i) const {
-    const float height = s.p[1][i];
-    const float depth = s.depth[i];
-    const float at_base = 1.0f - smoothstep(height / model_.foot);
-    const float soft = std::max(s.softness[i], at_base);
-    const float width = model_.edge * (1.0f + (kSoftest - 1.0f) * soft);
-    float t = -s.distance[i] / width;
-    if (t < 1.0f) t -= static_cast<float>(model_.shaping.wisps) * (1.0f - t) * 0.5f * std::abs(s.fine[i]);
-    const float core = static_cast<float>(model_.shaping.core);
-    const float result = smoothstep(t) * (1.0f - core + core * smoothstep(-depth / model_.core_depth));
-    return result < kLeastDensity ? 0.0f : result;
+  // Eroded where it is thin.
+  CloudEdge edge_of(const Surface& s) const {
+    const auto wisps = static_cast<float>(model_.shaping.wisps);
+    const auto core = static_cast<float>(model_.shaping.core);
+    CloudEdge edge;
+    for (std::size_t i = 0; i < s.distance.size(); ++i) {
+      const float at_base = 1.0f - smoothstep(s.p[1][i] / model_.foot);
+      const float soft = std::max(s.softness[i], at_base);
+      const float width = model_.edge * (1.0f + (kSoftest - 1.0f) * soft);
+      const float t = -s.distance[i] / width;
+      const float thin = std::clamp(1.0f - t, 0.0f, 1.0f);
+      edge.level.push_back(width * (t - wisps * thin * 0.5f * std::abs(s.fine[i]) - 0.5f));
+      edge.width.push_back(width);
+      edge.within.push_back(1.0f - core + core * smoothstep(-s.depth[i] / model_.core_depth));
+    }
+    return edge;
   }
 
   const CloudModel& model_;
@@ -204,16 +227,20 @@ class CloudField final : public Field<3> {
   explicit CloudField(CloudModel model) : model_(std::move(model)) {}
 
   std::unique_ptr<FieldBlock<3>> block(const Box<3>& box) const override {
-    return std::make_unique<Block>(model_, box);
+    return std::make_unique<Block>(model_, model_.with_neighbours(box));
   }
   void evaluate(const Points<3>& points, const Samples<3>& samples) const override {
     const auto noise = [&](std::size_t k, std::span<const std::size_t>, std::span<float> values) {
       model_.octaves[k].noise->evaluate(points, {values, {}});
     };
-    CloudEvaluation(model_, model_.pile)(points.positions, 1, noise, samples.values);
+    for (const CloudEdge& edge : CloudEvaluation(model_, model_.pile)(points.positions, 1, noise)) {
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        samples.values[i] = density(smoothstep(0.5f + edge.level[i] / edge.width[i]), edge.within[i]);
+      }
+    }
   }
   bool empty(const Box<3>& box) const override {
-    const Box<3> own = model_.to_cloud(box);
+    const Box<3> own = model_.to_cloud(model_.with_neighbours(box));
     const double reach = model_.outward.front();
     return -own.upper.y > reach || model_.pile.lower_bound(own) > reach;
   }
@@ -221,6 +248,7 @@ class CloudField final : public Field<3> {
  private:
   class Block final : public FieldBlock<3> {
    public:
+    // `box` is that of the samples and of their neighbours.
     Block(const CloudModel& model, const Box<3>& box)
         : model_(model), pile_(model.pile.within(model.to_cloud(box))) {
       for (const Octave& octave : model_.octaves) noises_.push_back(octave.noise->block(box));
@@ -230,15 +258,40 @@ class CloudField final : public Field<3> {
       evaluate_all({&lattice, 1}, samples);
     }
     void evaluate_all(std::span<const Lattice<3>> lattices, const Samples<3>& samples) const override {
+      if (lattices.empty()) return;
+      const glm::ivec3 count = lattices.front().count;
+      std::vector<Lattice<3>> wider(lattices.begin(), lattices.end());
+      for (Lattice<3>& lattice : wider) {
+        lattice.first -= 1;
+        lattice.count += 2;
+      }
       const auto noise = [&](std::size_t k, std::span<const std::size_t> wanted, std::span<float> values) {
         std::vector<Lattice<3>> of_wanted;
-        for (const std::size_t i : wanted) of_wanted.push_back(lattices[i]);
+        for (const std::size_t i : wanted) of_wanted.push_back(wider[i]);
         noises_[k]->evaluate_all(of_wanted, {values, {}});
       };
-      CloudEvaluation(model_, pile_)(positions_of(lattices), lattices.size(), noise, samples.values);
+      std::span<float> values = samples.values;
+      for (const CloudEdge& edge : CloudEvaluation(model_, pile_)(positions_of(wider), wider.size(), noise)) {
+        const std::span<float> own = values.first(lattices.front().size());
+        edge_cover(count, edge.level, edge.width, own);
+        apply_core(edge.within, count, own);
+        values = values.subspan(own.size());
+      }
     }
 
    private:
+    // Makes densities of covers; `within` has one sample more all around.
+    static void apply_core(const std::vector<float>& within, const glm::ivec3& count,
+                           std::span<float> covers) {
+      auto value = covers.begin();
+      for (int i = 1; i <= count.x; ++i) {
+        for (int j = 1; j <= count.y; ++j) {
+          auto from = within.begin() + (i * (count.y + 2) + j) * (count.z + 2) + 1;
+          for (int k = 0; k < count.z; ++k, ++value, ++from) *value = density(*value, *from);
+        }
+      }
+    }
+
     const CloudModel& model_;
     PuffUnion pile_;
     std::vector<std::unique_ptr<FieldBlock<3>>> noises_;
@@ -266,6 +319,7 @@ void set_lobes(const CloudParts& parts, CloudModel& model) {
 FieldPtr make_cloud_field(const CloudParts& parts) {
   CloudModel model;
   model.shaping = parts.shaping;
+  model.voxel = parts.voxel;
   set_lobes(parts, model);
   model.edge = static_cast<float>(parts.shaping.edge * parts.wavelength);
   model.widest_edge = kSoftest * model.edge;

@@ -25,6 +25,9 @@ struct CloudParts {
   Box<3> box;                   // that the cloud stays in, world units
   UpAxis up = UpAxis::y;
   std::uint64_t seed = 0;  // of the pile of puffs
+  // Of the lattices that the cloud is evaluated on, world units; their samples are of voxels, see
+  // edge_cover(). Points have the edge as it is.
+  Vec<3> voxel{0.0};
 };
 
 // See CloudShaping. Densities are 0 to 1. An octave is evaluated only in leaves where it can decide

@@ -130,6 +130,7 @@ FieldPtr make_cloud(const VolumeRecipe& recipe, const VolumePlan& plan, const Cl
   parts.box = plan.box;
   parts.up = recipe.up;
   parts.seed = seed_of(recipe.noise);
+  parts.voxel = plan.frame.voxel_size();
   for (int k = 0; k < recipe.noise.fractal.octaves; ++k) {
     parts.octaves.push_back({make_octave(recipe, plan, k), std::pow(recipe.noise.fractal.gain, k)});
   }
