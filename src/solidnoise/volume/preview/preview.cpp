@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include <openvdb/tools/Interpolation.h>
 #include <openvdb/tools/RayIntersector.h>
 #include <openvdb/tools/RayTracer.h>
 #include <tbb/blocked_range.h>
@@ -215,12 +216,10 @@ class SurfacePainter {
   Vec3d light_at(double x, double y, std::optional<SurfaceIntersector>& intersector) const {
     const Vec3d background = sky(1.0 - y / options_.height);
     if (!intersector) return background;
-    const double across = (2.0 * x / options_.width - 1.0) * camera_.tan_x;
-    const double upwards = (1.0 - 2.0 * y / options_.height) * camera_.tan_y;
-    const Vec3d direction = (across * view_.right + upwards * view_.up - view_.back).unit();
+    const Vec3d direction = direction_at(camera_, view_, x / options_.width, y / options_.height);
     Vec3d point;
-    Vec3d normal;
-    if (!intersector->intersectsWS(Ray(camera_.eye, direction), point, normal)) return background;
+    if (!intersector->intersectsWS(Ray(camera_.eye, direction), point)) return background;
+    const Vec3d normal = normal_at(point);
 
     // A ray to the sun begins off the surface, which is known to a part of a voxel.
     const double lit = std::max(0.0, normal.dot(to_sun_));
@@ -229,6 +228,21 @@ class SurfacePainter {
     const double above = 0.5 + 0.5 * normal.dot(vertical_);
     const Vec3d light = (in_shadow ? 0.0 : lit) * kSun + above * kSkyLight + (1.0 - above) * kGroundLight;
     return kAlbedo * light;
+  }
+
+  // By differences over two voxels of what is interpolated between them: the slope inside of one voxel, which
+  // the intersector has, jumps at its faces, and shows as hatching.
+  Vec3d normal_at(const Vec3d& point) const {
+    const auto distance = grid_.getConstUnsafeAccessor();
+    const Vec3d index = grid_.worldToIndex(point);
+    Vec3d slope;
+    for (int axis = 0; axis < 3; ++axis) {
+      Vec3d step(0.0);
+      step[axis] = 1.0;
+      slope[axis] = openvdb::tools::BoxSampler::sample(distance, index + step) -
+                    openvdb::tools::BoxSampler::sample(distance, index - step);
+    }
+    return slope.lengthSqr() > 0.0 ? slope.unit() : vertical_;
   }
 
   const openvdb::FloatGrid& grid_;

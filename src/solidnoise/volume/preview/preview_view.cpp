@@ -67,6 +67,12 @@ View three_quarter_view(UpAxis axis) {
   return view;
 }
 
+Vec3d direction_at(const Camera& camera, const View& view, double x, double y) {
+  const double across = (2.0 * x - 1.0) * camera.tan_x;
+  const double upwards = (1.0 - 2.0 * y) * camera.tan_y;
+  return (across * view.right + upwards * view.up - view.back).unit();
+}
+
 const openvdb::FloatGrid& framing_grid(const openvdb::FloatGrid& shown, const PreviewOptions& options) {
   return options.frame && options.frame->activeVoxelCount() > 0 ? *options.frame : shown;
 }

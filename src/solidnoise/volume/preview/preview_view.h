@@ -25,6 +25,9 @@ struct Camera {
   double tan_y = 0.0;
 };
 
+// What the camera sees at a place of the picture, from 0 at its left and top to 1: a unit vector.
+openvdb::Vec3d direction_at(const Camera& camera, const View& view, double x, double y);
+
 // The grid that frames a picture of `shown`: that of the options, if it has one with active voxels.
 const openvdb::FloatGrid& framing_grid(const openvdb::FloatGrid& shown, const PreviewOptions& options);
 
