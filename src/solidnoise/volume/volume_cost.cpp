@@ -46,11 +46,20 @@ int channels_of(const VolumeRecipe& recipe) {
   return contains(recipe, Output::phase) || contains(recipe, Output::intensity) ? 2 : 1;
 }
 
+double count(const openvdb::CoordBBox& voxels) {
+  return voxels.empty() ? 0.0 : static_cast<double>(voxels.dim().x()) * voxels.dim().y() * voxels.dim().z();
+}
+
+// Of the plan's part.
 double voxels_of(const VolumePlan& plan) {
   double voxels = plan.modification ? static_cast<double>(plan.modification->grid().activeVoxelCount())
                   : plan.grid       ? static_cast<double>(plan.grid->activeVoxelCount())
-                                    : static_cast<double>(plan.voxels.dim().x()) * plan.voxels.dim().y() *
-                                    plan.voxels.dim().z();
+                                    : count(plan.voxels);
+  if (plan.part.region) {
+    openvdb::CoordBBox region = plan.frame.voxels_in(*plan.part.region);
+    region.intersect(plan.voxels);
+    voxels *= count(region) / count(plan.voxels);
+  }
   return voxels / plan.part.shards;
 }
 
