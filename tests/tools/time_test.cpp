@@ -60,6 +60,20 @@ TEST(VdbnoiseTime, DescriptionTellsHowFastOctavesTurn) {
   }
 }
 
+TEST(VdbnoiseTime, WarnsOfLoopsThatAreTooShortForTheRate) {
+  const auto says = [](const char* rate, const char* loop) {
+    const TemporaryFolder folder;
+    return run_vdbnoise({"--raw", "--dim", "8", "--frequency", "2", "--evolve", rate, "--loop", loop, "--out",
+                         folder.file("x.vdb")})
+        .err;
+  };
+  const std::string warning = says("0.4", "2");
+  EXPECT_NE(warning.find("correlation -0.60"), std::string::npos) << warning;
+  EXPECT_NE(warning.find("--evolve 1 or --loop 5"), std::string::npos) << warning;
+  EXPECT_EQ(says("1", "2").find("correlation"), std::string::npos);
+  EXPECT_EQ(says("0.4", "5").find("correlation"), std::string::npos);
+}
+
 TEST(VdbnoiseTime, ARecipeKeepsRateLoopAndTime) {
   const TemporaryFolder folder;
   const auto made = frame(folder, kMoving[0], "0.7");

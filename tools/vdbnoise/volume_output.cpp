@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "common/run_tool.h"
+#include "solidnoise/noise/gabor/evolution.h"
 #include "solidnoise/noise/interpolation/lattice_frame.h"
 #include "solidnoise/volume/volume_field.h"
 
@@ -69,12 +70,33 @@ void warn_of_divergence(const VolumeRecipe& recipe, std::ostream& stream) {
       gabor->error, kSmoothError);
 }
 
+// Impulses that turn about once in a loop are all opposite to themselves in the middle of it.
+void warn_of_loop(const VolumeRecipe& recipe, std::ostream& stream) {
+  constexpr double kLeastCorrelation = -0.25;
+  constexpr double kTurns = 2.0;  // of which the correlation is -0.20
+  for (const NoiseRecipe& noise : noises_of(recipe)) {
+    const Evolution* const evolution = evolution_of(noise);
+    if (!evolution || evolution->loop == 0.0) continue;
+    const double correlation = evolution_correlation(*evolution, 0.5 * evolution->loop);
+    if (correlation > kLeastCorrelation) continue;
+    stream << fmt::format(
+        "vdbnoise: warning: half a loop later the noise is much like its own negative (correlation {:.2f}), "
+        "for "
+        "its impulses turn about once; --evolve {:.3g} or --loop {:.3g} has less of that\n",
+        correlation, kTurns / evolution->loop, kTurns / evolution->rate);
+    return;
+  }
+}
+
 }  // namespace
 
 void warn_of_resolution(const VolumeRecipe& recipe, const VolumePlan& plan, std::ostream& stream) {
   warn_of_aliasing(recipe, plan, stream);
   warn_of_tiles(recipe, plan.frame.voxel_size(), stream);
-  for (const VolumeRecipe& single : recipes_of_grids(recipe)) warn_of_divergence(single, stream);
+  for (const VolumeRecipe& single : recipes_of_grids(recipe)) {
+    warn_of_divergence(single, stream);
+    warn_of_loop(single, stream);
+  }
 }
 
 namespace {
