@@ -30,7 +30,7 @@ TEST(Vdbnoise, RecipeOfAVolumeMakesTheSameGridAgain) {
       {"--raw", "--dim", "24", "--frequency", "3.3", "--seed", "18446744073709551615", "--half"},
       {"--raw", "--voxel", "0.1", "--noise", "kensler", "--range", "unit", "--codec", "none"},
       {"--raw", "--dim", "20", "--noise", "gabor-oriented", "--anisotropy", "0.7", "--octaves", "2"},
-      {"--preset", "marble", "--dim", "20", "--octaves", "1", "--dims", "4", "--time", "0.3", "--grid",
+      {"--preset", "nebula", "--dim", "20", "--octaves", "1", "--dims", "4", "--time", "0.3", "--grid",
        "stone", "--up", "z"},
   };
   for (std::vector<std::string> arguments : cases) {
@@ -61,6 +61,26 @@ TEST(Vdbnoise, CloudsHaveFlagsOfTheirOwn) {
   const CloudShaping expected{
       .puffs = 9, .lobes = 0.2, .base = 0.3, .edge = 0.2, .wisps = 0.5, .core = 0.4, .lean = 0.0};
   EXPECT_EQ(std::get<CloudShaping>(recipe_in(folder.file("a.vdb")).shaping), expected);
+}
+
+// On one lattice for all boxes: centres are whole multiples of the voxel size, from a box's lower sides on.
+TEST(Vdbnoise, FillsABoxFromItsLowerSides) {
+  const TemporaryFolder folder;
+  const auto bounds_of = [&](std::vector<std::string> flags) {
+    flags.insert(flags.end(), {"--out", folder.file("x.vdb"), "--force"});
+    run_well(flags);
+    const auto grid = read_float_grid(folder.file("x.vdb"));
+    EXPECT_EQ(grid->indexToWorld(openvdb::Vec3d(0.0)), openvdb::Vec3d(0.0));
+    return grid->evalActiveVoxelBoundingBox();
+  };
+  using Bounds = openvdb::CoordBBox;
+  EXPECT_EQ(bounds_of({"--raw", "--dim", "32"}), Bounds({-16, -16, -16}, {15, 15, 15}));
+  EXPECT_EQ(bounds_of({"--raw", "--dim", "20", "--box", "0", "0", "0", "2", "1", "1"}),
+            Bounds({0, 0, 0}, {19, 9, 9}));
+  // Of a sphere of 16 voxels' radius the centres at 16 are on the surface, and half covered.
+  EXPECT_EQ(bounds_of({"--preset", "marble", "--shape", "sphere", "--box", "-1", "-1", "-1", "1", "1", "1",
+                       "--dim", "32"}),
+            Bounds({-16, -16, -16}, {16, 16, 16}));
 }
 
 // The recipe in the file names the generator that was taken, whatever is cheaper in another version.
@@ -204,7 +224,8 @@ TEST(Vdbnoise, EveryPresetIsListedAndMakesAVolume) {
     EXPECT_NE(list.out.find(preset + " "), std::string::npos) << list.out;
     const TemporaryFolder folder;
     run_well({"--preset", preset, "--dim", "32", "--octaves", "2", "--out", folder.file("x.vdb")});
-    const Moments moments = measure(*read_float_grid(folder.file("x.vdb")));
+    const std::string grid = preset == "marble" ? "vein" : "density";
+    const Moments moments = measure(*read_float_grid(folder.file("x.vdb"), grid));
     EXPECT_GT(moments.count(), 1000u) << preset;
     EXPECT_GT(moments.sigma(), 0.0) << preset;
   }
@@ -222,6 +243,30 @@ TEST(Vdbnoise, DescribesInJsonAndWritesNothing) {
   EXPECT_EQ(json["grid"]["voxels_at_most"], 64 * 64 * 64);
   EXPECT_GE(json["grid"]["memory_at_most_bytes"].get<double>(), 64.0 * 64.0 * 64.0 * 4.0);
   EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(Vdbnoise, DescribesTheGridThatIsWorkedOn) {
+  const TemporaryFolder folder;
+  run_well({"--preset", "fire", "--dim", "16", "--out", folder.file("f.vdb")});
+  const ToolResult result = run_vdbnoise({"--describe", "--on", folder.file("f.vdb:temperature")});
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(parse_json(result.out)["grids"], Json::array({{{"name", "temperature"}, {"components", 1}}}));
+}
+
+TEST(Vdbnoise, DescribesWhatAPartTakes) {
+  const auto cost_of = [](const std::vector<std::string>& flags) {
+    std::vector<std::string> arguments{"--describe", "--raw", "--dim", "256"};
+    arguments.insert(arguments.end(), flags.begin(), flags.end());
+    return parse_json(run_vdbnoise(arguments).out)["cost"];
+  };
+  const Json whole = cost_of({});
+  for (const std::vector<std::string>& part :
+       {std::vector<std::string>{"--shard", "1/8"}, {"--region", "-1", "-1", "-1", "0", "0", "0"}}) {
+    // An eighth, and what every part has: its share of the topology, the impulses around blocks.
+    const Json cost = cost_of(part);
+    EXPECT_LT(cost["memory_bytes"].get<double>(), 0.25 * whole["memory_bytes"].get<double>());
+    EXPECT_LT(cost["seconds_of_one_core"].get<double>(), 0.25 * whole["seconds_of_one_core"].get<double>());
+  }
 }
 
 TEST(Vdbnoise, ShapesStandOnTheUpAxis) {

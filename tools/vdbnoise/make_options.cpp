@@ -54,8 +54,10 @@ void declare_output(FlagSet& flags, MakeOptions& options) {
   flags.group("Output");
   keep(flags, "--out", "FILE.vdb", "Where the grid goes; - for the standard output", options.out);
   keep(flags, "--preview", "FILE.png",
-       "A picture of the volume, rendered by OpenVDB; of vectors, colours and phases one of a slice",
-       options.preview);
+       "A picture of the volume; of vectors, colours and phases one of a slice", options.preview);
+  declare_choice(flags, "--look", kLookChoices,
+                 "What the preview shows it as (default auto: by its grids; presets have their own)",
+                 options.recipe.look);
   flags.text("--preview-frame", "FILE.vdb[:GRID]",
              "Frame the picture by this grid's active voxels: parts and frames, from one place",
              [](const std::string&) {});
@@ -177,10 +179,12 @@ void declare_shape(FlagSet& flags, VolumeRecipe& recipe) {
       [&](double value) { recipe.edge = value; });
   flags.number("--voxel", "SIZE", "Size of a voxel, world units",
                [&](double value) { recipe.voxel = value; });
-  flags.integer("--dim", "COUNT", "Voxels along the longest side instead (default 256)", [&](int value) {
-    recipe.dim = value;
-    recipe.voxel.reset();
-  });
+  flags.integer("--dim", "COUNT",
+                "Voxels along the box's longest side instead, the first centre on it (default 256)",
+                [&](int value) {
+                  recipe.dim = value;
+                  recipe.voxel.reset();
+                });
   flags.exclude({"--voxel", "--dim"});
 }
 

@@ -158,7 +158,7 @@ void VolumeRecipe::validate() const {
         "band_limit is true; it must be false where dims is 4, for gradient noise (kensler), with layers and "
         "where frequency, bandwidth or direction are from a grid");
   }
-  std::visit([](const auto& look) { look.validate(); }, shaping);
+  std::visit([](const auto& shaped) { shaped.validate(); }, shaping);
   if (modification) modification->validate();
   require_positive("optical_depth", density.optical_depth);
   if (density.peak) require_positive("density", *density.peak, "extinction per world unit");

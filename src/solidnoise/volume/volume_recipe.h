@@ -87,6 +87,15 @@ struct Domain {
                                // least 0; else of two voxels, of a box 0
 };
 
+// What a preview shows a volume as.
+enum class PreviewLook {
+  automatic,  // a fire where there is a temperature, a cloud where there is a density, else a solid
+  cloud,      // white, under a sun
+  fire,       // glowing by its temperature and flame, before black
+  nebula,     // glowing by its density, before black
+  solid,      // a body whose surface has the values' colours
+};
+
 // Everything that defines a volume: plain data. The same recipe makes the same grids, bit for bit.
 struct VolumeRecipe : GridRecipe, Domain {
   std::string description{};  // for people; changes nothing
@@ -113,6 +122,7 @@ struct VolumeRecipe : GridRecipe, Domain {
 
   UpAxis up = UpAxis::y;
   Codec codec = Codec::blosc;
+  PreviewLook look = PreviewLook::automatic;  // of previews; changes nothing else
 
   // Throws std::invalid_argument naming the field, its value and what is allowed.
   void validate() const;

@@ -17,6 +17,14 @@ inline constexpr Choices<Codec, 3> kCodecChoices{{
     {Codec::none, "none"},
 }};
 
+inline constexpr Choices<PreviewLook, 5> kLookChoices{{
+    {PreviewLook::automatic, "auto"},
+    {PreviewLook::cloud, "cloud"},
+    {PreviewLook::fire, "fire"},
+    {PreviewLook::nebula, "nebula"},
+    {PreviewLook::solid, "solid"},
+}};
+
 constexpr std::tuple<> fields_of(std::type_identity<BoxShape>) {
   return {};
 }
@@ -108,6 +116,8 @@ constexpr auto fields_of(std::type_identity<VolumeRecipe>) {
       field("exact", &Recipe::exact, "Sum impulses at every voxel"), part(&Recipe::parameters),
       field("up", &Recipe::up, kUpAxisChoices, "The up axis"),
       field("codec", &Recipe::codec, kCodecChoices, "Compression of the file"),
+      field("look", &Recipe::look, kLookChoices, "What a preview shows the volume as")
+          .written_if([](const Recipe& recipe) { return recipe.look != PreviewLook::automatic; }),
       field("fields", &Recipe::fields,
             "Fields with names, for layers to use; what is used by several is evaluated once")
           .written_if([](const Recipe& recipe) { return !recipe.fields.empty(); }),

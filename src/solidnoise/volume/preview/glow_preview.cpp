@@ -1,0 +1,195 @@
+#include "solidnoise/volume/preview/glow_preview.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+
+#include <openvdb/tools/Interpolation.h>
+#include <openvdb/tools/RayIntersector.h>
+#include <tbb/parallel_for.h>
+
+#include "solidnoise/core/check.h"
+#include "solidnoise/image/color.h"
+#include "solidnoise/volume/preview/light_field.h"
+#include "solidnoise/volume/preview/preview_view.h"
+
+namespace solidnoise {
+namespace {
+
+using openvdb::Vec3d;
+using Intersector = openvdb::tools::VolumeRayIntersector<openvdb::FloatGrid>;
+using Ray = Intersector::RayType;
+using Sampler = openvdb::tools::BoxSampler;
+
+// What is to be seen, beside what glows.
+struct Scene {
+  MakeMatter make_matter;
+  Vec3d dimming{1.0, 1.0, 1.0};  // of each channel, over the extinction
+  Vec3d albedo{0.0, 0.0, 0.0};   // of the smoke; 0: it is not lit
+  Vec3d ambient{0.0, 0.0, 0.0};  // linear light from all around
+  Vec3d sun{0.0, 0.0, 0.0};      // linear light
+};
+
+void require_picture(const openvdb::FloatGrid& grid, const PreviewOptions& options) {
+  require_in_range("the preview's width", options.width, 16, 8192, "pixels");
+  require_in_range("the preview's height", options.height, 16, 8192, "pixels");
+  if (!grid.hasUniformVoxels()) throw std::invalid_argument("a preview needs voxels that are cubes");
+}
+
+double longest_side(const openvdb::FloatGrid& grid) {
+  const openvdb::Coord dim = grid.evalActiveVoxelBoundingBox().dim();
+  return std::max({dim.x(), dim.y(), dim.z()}) * grid.voxelSize().x();
+}
+
+// Walks rays through the active voxels of `hull`.
+class GlowPainter {
+ public:
+  GlowPainter(const openvdb::FloatGrid& hull, const Scene& scene, const PreviewOptions& options)
+      : hull_(hull), scene_(scene), options_(options), view_(three_quarter_view(options.up)) {
+    if (hull.activeVoxelCount() == 0) return;
+    intersector_.emplace(hull, 1);
+    camera_ = frame_grid(framing_grid(hull, options), view_, options.width, options.height);
+    const openvdb::Coord dim = hull.evalActiveVoxelBoundingBox().dim();
+    const double voxels_per_pixel =
+        std::max({dim.x(), dim.y(), dim.z()}) / static_cast<double>(std::min(options.width, options.height));
+    step_ = std::max(0.75, voxels_per_pixel);
+    if (scene.albedo == Vec3d(0.0)) return;
+    const Vec3d vertical = options.up == UpAxis::y ? Vec3d(0, 1, 0) : Vec3d(0, 0, 1);
+    const Vec3d to_sun = (-0.85 * view_.right + 0.70 * vertical + 0.25 * view_.back).unit();
+    light_.emplace(hull.evalActiveVoxelBoundingBox(), hull.voxelSize().x(),
+                   LightField::Sun{to_sun, scene.sun}, scene.make_matter);
+  }
+
+  void paint_row(int y, Image& image) const {
+    if (!intersector_) return;
+    Intersector intersector(*intersector_);  // it has a state
+    const MatterAt matter_at = scene_.make_matter();
+    for (int x = 0; x < options_.width; ++x) {
+      const Vec3d light =
+          light_from((x + 0.5) / options_.width, (y + 0.5) / options_.height, intersector, matter_at);
+      for (int channel = 0; channel < 3; ++channel) image.at(x, y, channel) = encode_light(light[channel]);
+    }
+  }
+
+ private:
+  Vec3d light_from(double x, double y, Intersector& intersector, const MatterAt& matter_at) const {
+    const Vec3d eye = hull_.worldToIndex(camera_.eye);
+    const Ray ray(eye, direction_at(camera_, view_, x, y));  // a unit of it is a voxel, for they are cubes
+    Vec3d light(0.0);
+    Vec3d clear(1.0);
+    if (!intersector.setIndexRay(ray)) return light;
+    const double length = step_ * hull_.voxelSize().x();
+    double first = 0.0;
+    double last = 0.0;
+    while (intersector.march(first, last)) {
+      for (double t = std::ceil(first / step_) * step_; t < last; t += step_) {
+        const Vec3d place = ray(t);
+        const Matter matter = matter_at(place);
+        if (matter.extinction <= 0.0 && matter.emission == Vec3d(0.0)) continue;
+        Vec3d source = matter.emission;
+        if (light_) source += matter.extinction * scene_.albedo * (scene_.ambient + light_->at(place));
+        for (int channel = 0; channel < 3; ++channel) {
+          const double depth = matter.extinction * scene_.dimming[channel] * length;
+          const double through = std::exp(-depth);
+          // The mean of what is left over the step, of 1 at its beginning.
+          const double mean = depth > 1e-4 ? (1.0 - through) / depth : 1.0;
+          light[channel] += clear[channel] * source[channel] * mean * length;
+          clear[channel] *= through;
+        }
+        if (std::max({clear[0], clear[1], clear[2]}) < 0.01) return light;
+      }
+    }
+    return light;
+  }
+
+  const openvdb::FloatGrid& hull_;
+  const Scene& scene_;
+  const PreviewOptions& options_;
+  const View view_;
+  std::optional<Intersector> intersector_;
+  std::optional<LightField> light_;
+  Camera camera_;
+  double step_ = 1.0;  // voxels
+};
+
+Image paint(const openvdb::FloatGrid& hull, const Scene& scene, const PreviewOptions& options,
+            Progress* progress) {
+  const GlowPainter painter(hull, scene, options);
+  Image image(options.width, options.height, 3);
+  std::atomic<std::uint64_t> rows_done{0};
+  tbb::parallel_for(0, options.height, [&](int y) {
+    throw_if_cancelled(progress);
+    painter.paint_row(y, image);
+    if (progress != nullptr) progress->advance(++rows_done, static_cast<std::uint64_t>(options.height));
+  });
+  return image;
+}
+
+// Linear light of a black body, with 1 for the mean of its channels at 2000 K: Wien's law at 610, 549 and
+// 464 nm, white at 6500 K, and the light of all wavelengths after Stefan and Boltzmann.
+Vec3d black_body(double kelvin) {
+  constexpr double kSecondRadiation = 1.4388e7;  // nm K
+  constexpr double kWhite = 6500.0;
+  const Vec3d wavelengths(610.0, 549.0, 464.0);
+  Vec3d colour;
+  for (int channel = 0; channel < 3; ++channel) {
+    colour[channel] = std::exp(-kSecondRadiation / wavelengths[channel] * (1.0 / kelvin - 1.0 / kWhite));
+  }
+  return colour * (3.0 / (colour[0] + colour[1] + colour[2]) * std::pow(kelvin / 2000.0, 4));
+}
+
+}  // namespace
+
+Image render_fire(const FireGrids& fire, const PreviewOptions& options, Progress* progress) {
+  require_picture(*fire.density, options);
+  const openvdb::FloatGrid::Ptr hull = fire.density->deepCopy();
+  hull->topologyUnion(*fire.temperature);
+  constexpr double kColdest = 500.0;  // K, below which nothing is seen to glow
+  constexpr double kLight = 8.0;      // of what glows fully at 2000 K, through a whole volume of it
+  const double light = kLight / std::max(longest_side(*hull), 1e-30);
+  Scene scene;
+  scene.albedo = {0.45, 0.42, 0.39};
+  scene.ambient = {0.05, 0.06, 0.085};
+  scene.sun = {0.60, 0.57, 0.54};
+  scene.make_matter = [&]() -> MatterAt {
+    return [density = fire.density->getConstAccessor(), temperature = fire.temperature->getConstAccessor(),
+            flame = (fire.flame ? fire.flame : fire.temperature)->getConstAccessor(),
+            glows_by_flame = fire.flame != nullptr, light](const Vec3d& index) {
+      Matter matter{std::max(0.0f, Sampler::sample(density, index)), {0.0, 0.0, 0.0}};
+      const double kelvin = Sampler::sample(temperature, index);
+      if (kelvin < kColdest) return matter;
+      const double share = glows_by_flame ? std::max(0.0f, Sampler::sample(flame, index)) : 1.0;
+      if (share > 0.0) matter.emission = light * share * black_body(kelvin);
+      return matter;
+    };
+  };
+  return paint(*hull, scene, options, progress);
+}
+
+Image render_nebula(const openvdb::FloatGrid& density, const PreviewOptions& options, Progress* progress) {
+  require_picture(density, options);
+  float peak = 0.0f;
+  for (auto value = density.cbeginValueOn(); value; ++value) peak = std::max(peak, *value);
+  const ColorRamp ramp({{0.0f, {0.02f, 0.10f, 0.30f}},
+                        {0.12f, {0.10f, 0.36f, 0.62f}},
+                        {0.3f, {0.62f, 0.25f, 0.55f}},
+                        {0.55f, {0.95f, 0.50f, 0.35f}},
+                        {1.0f, {1.0f, 0.93f, 0.75f}}});
+  constexpr double kLight = 1.2;  // of what is opaque and densest
+  Scene scene;
+  scene.dimming = {0.35, 0.55, 0.8};
+  scene.make_matter = [&]() -> MatterAt {
+    return [values = density.getConstAccessor(), &ramp, peak](const Vec3d& index) {
+      const float value = std::max(0.0f, Sampler::sample(values, index));
+      if (value == 0.0f) return Matter{};
+      const Color colour = ramp.linear(std::sqrt(value / peak));
+      return Matter{value, kLight * value * Vec3d(colour.x, colour.y, colour.z)};
+    };
+  };
+  return paint(density, scene, options, progress);
+}
+
+}  // namespace solidnoise
