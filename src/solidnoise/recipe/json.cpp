@@ -19,6 +19,7 @@ namespace {
 // time: keys that keep their order are looked up one by one.
 constexpr std::size_t kMaxDepth = 32;
 constexpr std::size_t kMaxKeys = 1024;
+constexpr std::size_t kMaxObjects = 4096;  // each a grid, layer or band, which costs memory and time
 
 constexpr std::size_t kMostShown = 80;  // characters
 
@@ -40,7 +41,10 @@ class KeyCheck final : public nlohmann::json_sax<Json> {
   bool number_float(number_float_t, const string_t&) override { return true; }
   bool string(string_t&) override { return true; }
   bool binary(binary_t&) override { return true; }
-  bool start_object(std::size_t) override { return open(); }
+  bool start_object(std::size_t) override {
+    if (++objects_ > kMaxObjects) throw std::invalid_argument("too many objects to be a recipe");
+    return open();
+  }
   bool end_object() override { return close(); }
   bool start_array(std::size_t) override { return open(); }
   bool end_array() override { return close(); }
@@ -69,6 +73,7 @@ class KeyCheck final : public nlohmann::json_sax<Json> {
     return true;
   }
 
+  std::size_t objects_ = 0;
   std::vector<std::unordered_set<std::string>> keys_of_open_;
 };
 
