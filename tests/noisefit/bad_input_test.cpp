@@ -14,6 +14,11 @@ namespace {
 const std::vector<Refusal> kRefusals = {
     {"NoArguments", 2, {}, {"an exemplar or a command is missing"}},
     {"NoOutput", 2, {"in.png"}, {"--out is missing"}},
+    {"Memory", 1, {"in.png", "--max-memory", "10M", "--out", "x.json"}, {"--max-memory allows 10.0 MiB"}},
+    {"Time",
+     1,
+     {"in.png", "--max-time", "0.001", "--out", "x.json"},
+     {" samples may take ", "--max-time allows 0.001"}},
     {"NoSuchFile", 1, {"none.png", "--out", "x.json"}, {"none.png"}},
     {"NotAPicture", 1, {"text.png", "--out", "x.json"}, {"text.png"}},
     {"AVolume", 1, {"volume.vdb", "--out", "x.json"}, {"volume.vdb", "PNG, JPEG, TIFF, OpenEXR"}},

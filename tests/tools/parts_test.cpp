@@ -68,13 +68,13 @@ TEST(Parts, RegionsMergeToTheWholeToTheLastBit) {
 
 // A volume that would not fit in the memory does, part by part.
 TEST(Parts, NeedLessMemoryThanTheWhole) {
-  const std::vector<std::string> recipe{"--raw", "--dim", "128", "--max-memory", "5M", "--quiet"};
+  const std::vector<std::string> recipe{"--raw", "--dim", "128", "--max-memory", "65M", "--quiet"};
   const TemporaryFolder folder;
   std::vector<std::string> whole = recipe;
   whole.insert(whole.end(), {"--out", "whole.vdb"});
   const ToolResult result = run_vdbnoise(whole, {.folder = folder.path()});
   EXPECT_EQ(result.status, 1);
-  EXPECT_NE(result.err.find("--max-memory allows 5.0 MiB"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("--max-memory allows 65.0 MiB"), std::string::npos) << result.err;
   std::vector<std::string> part = recipe;
   part.insert(part.end(), {"--out", "part.vdb", "--shard", "2/8"});
   run_well(part, folder);

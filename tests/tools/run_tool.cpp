@@ -123,7 +123,9 @@ ToolResult RunningTool::wait() {
   ToolResult result;
   if (terminal_ >= 0) result.err = drain(terminal_);
   int status = 0;
-  waitpid(pid_, &status, 0);
+  rusage usage = {};
+  wait4(pid_, &status, 0, &usage);
+  result.peak_memory = 1024.0 * static_cast<double>(usage.ru_maxrss);
   if (WIFEXITED(status)) result.status = WEXITSTATUS(status);
   if (WIFSIGNALED(status)) result.signal = WTERMSIG(status);
   if (terminal_ >= 0) {

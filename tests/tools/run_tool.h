@@ -15,6 +15,7 @@ struct ToolResult {
   int signal = 0;   // which one, or 0
   std::string out;
   std::string err;
+  double peak_memory = 0.0;  // bytes
 };
 
 struct RunOptions {

@@ -1,4 +1,7 @@
+#include <algorithm>
+#include <cmath>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -7,8 +10,10 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <glm/common.hpp>
 #include <nlohmann/json.hpp>
 #include <tbb/global_control.h>
+#include <tbb/task_arena.h>
 
 #include "common/memory.h"
 #include "common/outputs.h"
@@ -20,6 +25,7 @@
 #include "meshnoise/mesh_files.h"
 #include "meshnoise/recipe_source.h"
 #include "solidnoise/image/image_file.h"
+#include "solidnoise/mesh/bake_cost.h"
 #include "solidnoise/mesh/bake_mesh.h"
 #include "solidnoise/mesh/bake_recipe_json.h"
 
@@ -119,6 +125,25 @@ void print_plan(const BakePlan& plan, const std::string& steered_by) {
   }
 }
 
+// The mesh then goes through itself.
+void warn_of_displacement(const BakedMesh& baked, const BakePlan& plan, double displace) {
+  Vec<3> lower(std::numeric_limits<double>::infinity());
+  Vec<3> upper = -lower;
+  for (const Vec<3>& position : plan.mesh.positions) {
+    lower = glm::min(lower, position);
+    upper = glm::max(upper, position);
+  }
+  const double farthest =
+      std::abs(displace) * std::max(std::abs(baked.moments.min()), std::abs(baked.moments.max()));
+  const Vec<3> size = upper - lower;
+  const double longest = std::max({size.x, size.y, size.z});
+  if (!(farthest > 0.5 * longest)) return;
+  std::cerr << fmt::format(
+      "meshnoise: warning: --displace moves vertices by up to {:.4g}, through a mesh {:.4g} long; make it "
+      "smaller\n",
+      farthest, longest);
+}
+
 void write_baked(const BakedMesh& baked, const BakeOptions& options, std::vector<std::string> comments,
                  Progress* progress, OutputGroup* group) {
   MeshWriteOptions write;
@@ -165,15 +190,27 @@ void write_recipe(const BakeOptions& options, OutputGroup* group) {
 }
 
 // Within --max-memory.
-BakePlan plan_within(PolygonMesh mesh, const BakeOptions& options) {
+BakePlan plan_within_memory(PolygonMesh mesh, const BakeOptions& options) {
   const std::uint64_t limit = options.max_memory != 0 ? options.max_memory : available_memory();
   if (limit == 0) return plan_bake(std::move(mesh), options.recipe);
+  const double share = options.preview.empty() ? 1.0 : kPreviewMemory;
   try {
-    return plan_bake(std::move(mesh), options.recipe, limit);
+    return plan_bake(std::move(mesh), options.recipe,
+                     static_cast<std::uint64_t>(static_cast<double>(limit) / share));
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(fmt::format("{}; --max-memory allows {}{}", error.what(), format_bytes(limit),
                                          options.max_memory != 0 ? "" : ", what is available"));
   }
+}
+
+// And within --max-time.
+BakePlan plan_within(PolygonMesh mesh, const BakeOptions& options) {
+  BakePlan plan = plan_within_memory(std::move(mesh), options);
+  const double seconds =
+      bake_cost(plan, options.recipe).seconds / static_cast<double>(tbb::this_task_arena::max_concurrency());
+  if (options.max_time == 0.0 || seconds <= options.max_time) return plan;
+  throw std::runtime_error(fmt::format("{} vertices may take {:.3g} seconds, --max-time allows {:.3g}",
+                                       plan.mesh.positions.size(), seconds, options.max_time));
 }
 
 void bake_file(const std::string& in, const BakeOptions& options) {
@@ -206,6 +243,7 @@ void bake_file(const std::string& in, const BakeOptions& options) {
   outputs.appear();
   options.times->begin("end");
   if (options.quiet) return;
+  warn_of_displacement(baked, plan, options.recipe.displace);
   std::cerr << fmt::format("{}: {} vertices, {} faces\nmin {:.6g}  max {:.6g}  mean {:.6g}  sigma {:.6g}\n",
                            options.out.empty() ? options.preview : options.out, baked.mesh.positions.size(),
                            baked.mesh.face_count(), baked.moments.min(), baked.moments.max(),

@@ -243,6 +243,10 @@ void declare_run(FlagSet& flags, BakeOptions& options) {
   });
   flags.text("--max-memory", "SIZE", "Refuse to need more than this, such as 8G (default: what is available)",
              [&](const std::string& text) { options.max_memory = parse_bytes("--max-memory", text); });
+  flags.number("--max-time", "SECONDS", "Refuse what may take longer (default: any)", [&](double value) {
+    require_positive("max_time", value, "seconds");
+    options.max_time = value;
+  });
   flags.toggle("--quiet", "Print errors only", [&] { options.quiet = true; });
   flags.toggle("--timings", "Print what each stage of the run took", [&] { options.timings = true; });
 }

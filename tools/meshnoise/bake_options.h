@@ -25,6 +25,7 @@ struct BakeOptions {
   Existing existing = Existing::refuse;
   int threads = 0;               // 0: as many as the machine has
   std::uint64_t max_memory = 0;  // bytes; 0: what the machine has available
+  double max_time = 0.0;         // seconds; 0: any
   bool quiet = false;
   bool timings = false;
   std::shared_ptr<StageTimes> times = std::make_shared<StageTimes>();

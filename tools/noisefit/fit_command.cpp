@@ -12,6 +12,7 @@
 #include "common/progress.h"
 #include "common/run_tool.h"
 #include "noisefit/commands.h"
+#include "noisefit/fit_limits.h"
 #include "noisefit/model_file.h"
 #include "solidnoise/analysis/exemplar/describe_fit.h"
 #include "solidnoise/analysis/exemplar/exemplar.h"
@@ -38,6 +39,7 @@ constexpr Choices<ColorAxes, 3> kColorAxesChoices{
 struct FitCommand {
   std::vector<std::string> inputs;
   FitOutputs outputs;
+  FitLimits limits;
   ExemplarReading reading;
   ExemplarFitOptions fit;
   int seed = 1;
@@ -57,6 +59,7 @@ void declare_flags(FlagSet& flags, FitCommand& command) {
   flags.integer("--seed", "NUMBER", "Of the textures in the sheet (default 1)",
                 [&](int value) { command.seed = value; });
   flags.toggle("--force", "Replace files that exist", [&] { command.outputs.existing = Existing::replace; });
+  declare_limits(flags, command.limits);
   flags.toggle("--quiet", "Print errors only", [&] { command.quiet = true; });
   flags.group("The exemplar");
   flags.number("--pixel-size", "UNITS", "World units of a pixel (default 1)",
@@ -104,6 +107,15 @@ void agree_on_channels(std::vector<Exemplar<2>>& exemplars) {
   for (const Exemplar<2>& exemplar : exemplars) color = color || exemplar.channels.size() == 3;
   if (!color) return;
   for (Exemplar<2>& exemplar : exemplars) exemplar.channels.resize(3, exemplar.channels.front());
+}
+
+double count_samples(const std::vector<Exemplar<2>>& exemplars) {
+  double samples = 0.0;
+  for (const Exemplar<2>& exemplar : exemplars) {
+    for (const DenseField<2>& channel : exemplar.channels)
+      samples += static_cast<double>(channel.values.size());
+  }
+  return samples;
 }
 
 void warn_of_structure(const std::vector<Exemplar<2>>& exemplars, const std::vector<std::string>& names) {
@@ -189,6 +201,7 @@ int run_fit(const std::vector<std::string>& arguments) {
     if (command.grey) make_grey(exemplars.back());
   }
   agree_on_channels(exemplars);
+  command.limits.check(count_samples(exemplars));
   if (!command.quiet) warn_of_structure(exemplars, command.inputs);
 
   catch_interrupts();

@@ -15,6 +15,7 @@
 #include <tbb/parallel_reduce.h>
 
 #include "solidnoise/image/color.h"
+#include "solidnoise/mesh/bake_cost.h"
 #include "solidnoise/mesh/displace.h"
 #include "solidnoise/mesh/refine.h"
 #include "solidnoise/mesh/surface_mesh.h"
@@ -162,7 +163,9 @@ VertexGuides carry(const RefinedMesh& refined, VertexGuides guides) {
 
 // As many as there is memory for, with a closed mesh's two faces for each vertex, or any other share of them.
 RefineOptions limited(RefineOptions options, std::uint64_t most_memory) {
-  const double vertices = static_cast<double>(most_memory) / bake_memory(1.0, 2.0);
+  const double none = bake_memory(0.0, 0.0);
+  const double vertices =
+      std::max(static_cast<double>(most_memory) - none, 0.0) / (bake_memory(1.0, 2.0) - none);
   if (vertices >= static_cast<double>(options.most_vertices)) return options;
   options.most_vertices = static_cast<std::size_t>(vertices);
   options.most_faces = 2 * options.most_vertices;
@@ -238,15 +241,6 @@ std::vector<Color> exemplar_colors(const BakePlan& plan, const BakeRecipe& recip
 }
 
 }  // namespace
-
-// Measured on meshes of half a million vertices and a million faces: 300 bytes for a vertex and two faces,
-// 335 with directions, ranges and what --keep names, 560 with meshnoise's preview; 76 for a face where a
-// million share three vertices.
-double bake_memory(double vertices, double faces) {
-  constexpr double kVertex = 420.0;
-  constexpr double kFace = 80.0;
-  return kVertex * vertices + kFace * faces;
-}
 
 BakePlan plan_bake(PolygonMesh mesh, const BakeRecipe& recipe, std::uint64_t most_memory) {
   recipe.validate();

@@ -28,12 +28,8 @@ struct BakePlan {
   double mean_cycles_per_edge = 0.0;  // of the highest frequency: above 0.5 the noise aliases
 };
 
-// Bytes that planning, baking and a preview take at most for a mesh of so many vertices and faces, without
-// what the noise takes.
-double bake_memory(double vertices, double faces);
-
 // Measures, refines and steers. Throws std::invalid_argument: recipe.validate(), a mesh whose positions are
-// not finite, an attribute that is not there, refining beyond what takes `most_memory` bytes;
+// not finite, an attribute that is not there, refining beyond what takes `most_memory` bytes (bake_memory());
 // std::runtime_error for a mesh that takes more by itself.
 BakePlan plan_bake(PolygonMesh mesh, const BakeRecipe& recipe,
                    std::uint64_t most_memory = std::numeric_limits<std::uint64_t>::max());

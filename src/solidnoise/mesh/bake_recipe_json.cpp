@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "solidnoise/mesh/bake_cost.h"
 #include "solidnoise/noise/gabor/surface_gabor_noise.h"
 #include "solidnoise/recipe/exemplar_model_json.h"
 #include "solidnoise/recipe/field_json.h"
@@ -123,6 +124,8 @@ Json describe_bake(const BakePlan& plan, const BakeRecipe& recipe) {
   if (recipe.noise.kind == SurfaceNoiseKind::surface || recipe.noise.kind == SurfaceNoiseKind::oriented)
     json["noise"]["kernel"] = describe_kernel(recipe.noise, plan.parameters);
   if (!plan.guides.numbers.empty()) json["steering"] = describe_steering(plan.guides.steering);
+  const BakeCost cost = bake_cost(plan, recipe);
+  json["cost"] = {{"seconds_of_one_core", cost.seconds}, {"memory_bytes", cost.bytes}};
   json["recipe"] = to_json(recipe);
   return json;
 }

@@ -146,22 +146,30 @@ std::optional<NoiseRecipe> solid_recipe(const SurfaceNoiseRecipe& recipe, const 
   return std::nullopt;
 }
 
-FieldPtr make_tangent_field(const SurfaceNoiseRecipe& recipe, const SurfaceKernel& kernel) {
+// Calls `use` with the noise of the tangent plane that one octave is, and the fields of its kernel.
+template <typename Use>
+auto with_tangent_noise(const SurfaceNoiseRecipe& recipe, const SurfaceKernel& kernel, const Use& use) {
   if (recipe.kind == SurfaceNoiseKind::kensler) {
-    return tangent_field(
-        ProjectedGradientNoise(common_options<ProjectedGradientOptions>(recipe, kernel.frequency)), {});
+    return use(ProjectedGradientNoise(common_options<ProjectedGradientOptions>(recipe, kernel.frequency)),
+               KernelFields{});
   }
   if (recipe.kind == SurfaceNoiseKind::spectrum) {
     auto options = common_options<SpectrumNoiseOptions>(recipe, kernel.frequency);
     options.model = recipe.exemplar;
     options.channel = recipe.channel;
-    return tangent_field(SurfaceSpectrumNoise(options, recipe.layer), kernel.fields);
+    return use(SurfaceSpectrumNoise(options, recipe.layer), kernel.fields);
   }
   auto options = common_options<SurfaceGaborOptions>(recipe, kernel.frequency);
   options.bandwidth = kernel.bandwidth;
   options.layer = recipe.layer;
   if (recipe.kind == SurfaceNoiseKind::oriented) options.waves = GaborWaves::oriented;
-  return tangent_field(SurfaceGaborNoise(options), kernel.fields);
+  return use(SurfaceGaborNoise(options), kernel.fields);
+}
+
+FieldPtr make_tangent_field(const SurfaceNoiseRecipe& recipe, const SurfaceKernel& kernel) {
+  return with_tangent_noise(recipe, kernel, [](auto noise, const KernelFields& fields) {
+    return tangent_field(std::move(noise), fields);
+  });
 }
 
 // A kernel of another frequency.
@@ -219,6 +227,21 @@ LayerNoise surface_layer_noise(const SurfaceNoiseRecipe& recipe, const SurfaceKe
     return make_surface_field(other, kernel);
   };
   return {recipe.fractal, [=] { return make_surface_field(recipe, kernel); }, octave, channel};
+}
+
+double impulses_at_point(const SurfaceNoiseRecipe& recipe, const SurfaceKernel& kernel) {
+  if (const auto solid = solid_recipe(recipe, kernel)) {
+    const auto noise = make_noise<3>(*solid);
+    const auto parts = noise->parts();
+    double impulses = parts.empty() ? noise->waves().impulses : 0.0;
+    for (const auto& part : parts) impulses += part.noise->waves().impulses;
+    return impulses;
+  }
+  const auto of_octave = [](const auto& noise, const KernelFields&) {
+    if constexpr (requires { noise.impulses_per_kernel(); }) return noise.impulses_per_kernel();
+    return 0.0;
+  };
+  return recipe.fractal.octaves * with_tangent_noise(recipe, kernel, of_octave);
 }
 
 }  // namespace solidnoise

@@ -42,4 +42,7 @@ FieldPtr make_surface_field(const SurfaceNoiseRecipe& recipe, const SurfaceKerne
 // The same as layers are made of it.
 LayerNoise surface_layer_noise(const SurfaceNoiseRecipe& recipe, const SurfaceKernel& kernel);
 
+// Mean impulses that reach a point, of all octaves together; of noise without impulses 0.
+double impulses_at_point(const SurfaceNoiseRecipe& recipe, const SurfaceKernel& kernel);
+
 }  // namespace solidnoise

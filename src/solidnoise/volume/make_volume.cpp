@@ -105,6 +105,9 @@ VolumePlan plan_volume(const VolumeRecipe& recipe, const VolumePart& part) {
   recipe.validate();
   part.validate();
   VolumePlan plan = plan_voxels(recipe, part);
+  for (const VolumePlan::GridBoundary& boundary : plan.boundaries) {
+    if (boundary.distance) plan.memory += boundary.distance->memory();
+  }
   if (!recipe.parameters.any()) return plan;
   plan.parameters = std::make_shared<ParameterFields>(recipe.parameters);
   plan.parameters->require_overlap(plan.modification ? world_bounds(plan.modification->grid()) : plan.box);

@@ -1,12 +1,15 @@
 #include "solidnoise/volume/volume_cost.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <variant>
 #include <vector>
 
 #include <tbb/global_control.h>
 
 #include "solidnoise/noise/error_budget.h"
+#include "solidnoise/noise/interpolation/coarse_samples.h"
 #include "solidnoise/volume/volume_field.h"
 
 namespace solidnoise {
@@ -19,6 +22,12 @@ constexpr double kSecondsPerCloudVoxel = 150e-9;
 
 // Voxels from which on blocks are of 64^3, else of 32^3 (fill_grids()).
 constexpr double kManyVoxels = 64.0 * 512.0 * 512.0;
+
+// A program with OpenVDB loaded and its tables of kernels; and, relative to the grids, what compresses them.
+constexpr double kProgramBytes = 54.0 * 0x1p20;
+constexpr double kWriting = 1.08;
+
+constexpr double kLeafSide = 8.0;
 
 bool has_warp(const std::vector<Layer>& layers) {
   return std::ranges::any_of(
@@ -63,19 +72,64 @@ double voxels_of(const VolumePlan& plan) {
   return voxels / plan.part.shards;
 }
 
-Cost noise_cost(const VolumeRecipe& recipe, const NoiseRecipe& of, const VolumePlan& plan) {
+// The side of blocks, of which few voxels need only one.
+double block_side(const VolumePlan& plan) {
+  const openvdb::Coord size = plan.voxels.dim();
+  const double longest = std::max({size.x(), size.y(), size.z(), static_cast<int>(kLeafSide)});
+  return std::min(voxels_of(plan) < kManyVoxels ? 32.0 : 64.0, longest);
+}
+
+// Of samples that others are interpolated from: CoarseStore keeps those of one part of the noise for all
+// threads, in tiles, with the impulses of tiles that are not whole, as those at the volume's surface stay.
+// Each thread holds the samples around its block, in bricks.
+double interpolation_bytes(const InterpolationPlan<3>& plan, const WaveMixture<3>& waves,
+                           const LatticeFrame<3>& lattice, const VolumePlan& volume, int threads) {
+  constexpr double kTile = CoarseStore<3>::kBrickSide * CoarseStore<3>::kTileBricks;
+  constexpr double kBytesPerImpulse = 56.0;
+  constexpr double kUnfinished = 0.5;
+  constexpr double kBall = 4.0 / 3.0 * std::numbers::pi;
+  if (plan.direct()) return 0.0;
+  double tiles = 1.0;
+  double inner_tiles = 1.0;
+  double held = sizeof(float);
+  double impulses = waves.radius > 0.0 ? waves.impulses / (kBall * std::pow(waves.radius, 3)) : 0.0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto [step, taps] = plan.axes[static_cast<std::size_t>(axis)];
+    const double along = std::ceil(volume.voxels.dim()[axis] / (kTile * step) + 1.0);
+    tiles *= along;
+    inner_tiles *= std::max(along - 2.0, 0.0);
+    held *= block_side(volume) / step + taps + 2 * CoarseStore<3>::kBrickSide;
+    impulses *= kTile * step * lattice.step[axis] + 2.0 * waves.radius;
+  }
+  const double samples = tiles * std::pow(kTile, 3) * sizeof(float) / volume.part.shards;
+  return std::min(samples, static_cast<double>(CoarseStore<3>::kMostBytes)) + held * threads +
+         kUnfinished * (tiles - inner_tiles) / volume.part.shards * impulses * kBytesPerImpulse;
+}
+
+Cost noise_cost(const VolumeRecipe& recipe, const NoiseRecipe& of, const VolumePlan& plan, int threads) {
   VolumeRecipe single = recipe;
   single.noise = of;
   const auto noise = make_volume_noise(single);
   const double voxels = voxels_of(plan);
-  if (at_points(recipe, plan)) return cost_at_points(*noise, voxels);
-  const bool slopes = contains(recipe, Output::gradient) || contains(recipe, Output::curl);
+  if (at_points(recipe, plan)) {
+    const Cost cost = cost_at_points(*noise, voxels);
+    return {cost.seconds, cost.bytes * threads};
+  }
+  const Quantity quantity = contains(recipe, Output::gradient) || contains(recipe, Output::curl)
+                                ? Quantity::gradient
+                                : Quantity::values;
   const double error = recipe.exact ? 0.0 : ErrorBudget(error_of(of)).interpolation;
-  return cost_on_lattice(*noise, voxel_lattice(single, plan.frame),
-                         {.samples = voxels,
-                          .side = voxels < kManyVoxels ? 32.0 : 64.0,
-                          .error = error,
-                          .quantity = slopes ? Quantity::gradient : Quantity::values});
+  const LatticeFrame<3> lattice = voxel_lattice(single, plan.frame);
+  Cost cost = cost_on_lattice(
+      *noise, lattice, {.samples = voxels, .side = block_side(plan), .error = error, .quantity = quantity});
+  cost.bytes *= threads;
+  const auto plans = InterpolationPlanner<3>(*noise, lattice).plan(error, quantity);
+  const auto parts = noise->parts();
+  for (std::size_t i = 0; i < plans.size(); ++i) {
+    const WaveMixture<3> waves = parts.empty() ? noise->waves() : parts[i].noise->waves();
+    cost.bytes += interpolation_bytes(plans[i], waves, lattice, plan, threads);
+  }
+  return cost;
 }
 
 }  // namespace
@@ -90,11 +144,11 @@ Cost volume_cost(const VolumeRecipe& recipe, const VolumePlan& plan, int threads
     const VolumeRecipe resolved = at_resolution(grid, plan.frame.voxel_size());
     cost.seconds += voxels_of(plan) * channels_of(grid) * seconds_per_voxel(grid);
     for (const NoiseRecipe& noise : noises_of(resolved)) {
-      const Cost of_noise = noise_cost(resolved, noise, plan);
+      const Cost of_noise = noise_cost(resolved, noise, plan, threads);
       for (int channel = 0; channel < channels_of(grid); ++channel) cost += of_noise;
     }
   }
-  cost.bytes = cost.bytes * threads + static_cast<double>(plan.memory);
+  cost.bytes += kProgramBytes + kWriting * static_cast<double>(plan.memory);
   return cost;
 }
 

@@ -13,6 +13,7 @@
 #include "common/progress.h"
 #include "common/run_tool.h"
 #include "noisefit/commands.h"
+#include "noisefit/fit_limits.h"
 #include "noisefit/model_file.h"
 #include "solidnoise/analysis/exemplar/describe_fit.h"
 #include "solidnoise/analysis/exemplar/exemplar_sheet.h"
@@ -36,6 +37,7 @@ constexpr int kLargestSide = 256;
 struct VolumeCommand {
   std::string in;
   FitOutputs outputs;
+  FitLimits limits;
   std::string grid;
   std::optional<Box<3>> box;
   ExemplarFitOptions fit;
@@ -67,6 +69,7 @@ void declare_flags(FlagSet& flags, VolumeCommand& command) {
                [&] { command.fit.spectrum.narrowest_band = true; });
   flags.toggle("--force", "Replace a file that exists",
                [&] { command.outputs.existing = Existing::replace; });
+  declare_limits(flags, command.limits);
   flags.toggle("--quiet", "Print errors only", [&] { command.quiet = true; });
   flags.footer("A Ctrl-C ends the fit early and keeps the last solution.");
 }
@@ -146,6 +149,7 @@ int run_volume(const std::vector<std::string>& arguments) {
   command.outputs.check({command.in});
 
   const std::vector<Exemplar<3>> exemplars{read_box(command)};
+  command.limits.check(static_cast<double>(exemplars.front().channels.front().values.size()));
   catch_interrupts();
   const Clock::time_point start = Clock::now();
   TaskProgress progress(command.quiet ? ProgressBar::Visibility::hidden

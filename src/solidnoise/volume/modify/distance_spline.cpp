@@ -68,6 +68,10 @@ DistanceSpline::DistanceSpline(const openvdb::FloatGrid::ConstPtr& level_set, do
     : reach_(reach), frame_(level_set->transform()) {
   require_positive("boundary_width", reach, "world units");
   level_set_ = with_wide_band(level_set, reach);
+  // Rebuilding keeps the closest polygon of each voxel beside distances, and each in a second tree.
+  constexpr std::uint64_t kTrees = 4;
+  memory_ = level_set_->memUsage();
+  if (level_set_ != level_set) memory_ = kTrees * memory_ + level_set->memUsage();
 }
 
 void DistanceSpline::evaluate(std::span<const Vec<3>> positions, std::span<Jet> jets) const {

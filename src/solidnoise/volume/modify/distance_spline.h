@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 
 #include "solidnoise/core/vec.h"
@@ -28,6 +29,8 @@ class DistanceSpline final : public SmoothDistance {
   DistanceSpline(const openvdb::FloatGrid::ConstPtr& level_set, double reach);
 
   double reach() const override { return reach_; }
+  // Bytes that it takes, or took while the band was widened.
+  std::uint64_t memory() const { return memory_; }
   void evaluate(std::span<const Vec<3>> positions, std::span<Jet> jets) const override;
 
  private:
@@ -36,6 +39,7 @@ class DistanceSpline final : public SmoothDistance {
   double reach_;
   openvdb::FloatGrid::ConstPtr level_set_;
   GridFrame frame_;
+  std::uint64_t memory_ = 0;
 };
 
 }  // namespace solidnoise

@@ -1,0 +1,59 @@
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "meshnoise/run_meshnoise.h"
+#include "meshnoise/sample_torus.h"
+#include "tools/expect_estimate.h"
+
+namespace solidnoise {
+namespace {
+
+TEST(MeshnoiseEstimatedMemory, IsWhatABakeTakes) {
+  const TemporaryFolder folder;
+  write_sample(folder, "in.ply", sample_torus(44));
+  const auto run = [&](const std::vector<std::string>& arguments) {
+    return run_meshnoise(arguments, {.folder = folder.path()});
+  };
+  for (const std::vector<std::string>& options : {std::vector<std::string>{},
+                                                  {"--refine", "3"},
+                                                  {"--preset", "bark", "--refine", "3"},
+                                                  {"--refine", "auto", "--frequency", "8"}}) {
+    std::vector<std::string> command{"bake", "in.ply"};
+    command.insert(command.end(), options.begin(), options.end());
+    expect_estimate(run, command, {"--force", "--out", "x.ply"});
+  }
+}
+
+TEST(MeshnoiseLimits, AreHeldToBeforeWork) {
+  const TemporaryFolder folder;
+  write_sample(folder, "in.ply", sample_torus(44));
+  const ToolResult time = run_meshnoise(
+      {"bake", "in.ply", "--impulses", "20000", "--refine", "2", "--max-time", "0.5", "--out", "x.ply"},
+      {.folder = folder.path()});
+  EXPECT_EQ(time.status, 1);
+  EXPECT_NE(time.err.find(" seconds, --max-time allows 0.5"), std::string::npos) << time.err;
+  const ToolResult memory =
+      run_meshnoise({"bake", "in.ply", "--max-memory", "10M", "--out", "x.ply"}, {.folder = folder.path()});
+  EXPECT_EQ(memory.status, 1);
+  EXPECT_NE(memory.err.find("--max-memory allows 10.0 MiB"), std::string::npos) << memory.err;
+  EXPECT_EQ(folder.names(), std::set<std::string>{"in.ply"});
+}
+
+TEST(MeshnoiseDisplace, FartherThanTheMeshIsLongIsWarnedOf) {
+  const TemporaryFolder folder;
+  write_sample(folder, "in.ply", sample_torus(44));
+  const auto warning = [&](const char* displace) {
+    const ToolResult result = run_meshnoise(
+        {"bake", "in.ply", "--preset", "stone", "--displace", displace, "--force", "--out", "x.ply"},
+        {.folder = folder.path()});
+    EXPECT_EQ(result.status, 0) << result.err;
+    return result.err.find("meshnoise: warning: --displace moves vertices by up to ") != std::string::npos;
+  };
+  EXPECT_TRUE(warning("5"));
+  EXPECT_FALSE(warning("0.02"));
+}
+
+}  // namespace
+}  // namespace solidnoise

@@ -1,0 +1,55 @@
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "support/paths.h"
+#include "tools/expect_estimate.h"
+#include "tools/run_vdbnoise.h"
+
+namespace solidnoise {
+namespace {
+
+const TemporaryFolder& files() {
+  static const TemporaryFolder folder;
+  if (folder.count() == 0) {
+    const RunOptions in_folder{.folder = folder.path()};
+    run_vdbnoise({"surface", in_source("meshes/torus.obj"), "--dim", "128", "--band", "0.3", "--quiet",
+                  "--out", "surface.vdb"},
+                 in_folder);
+    run_vdbnoise({"--raw", "--noise", "kensler", "--dim", "96", "--quiet", "--out", "values.vdb"}, in_folder);
+    // Three bands of an exemplar's.
+    folder.write("exemplar.json", R"({"solidnoise": 2, "exemplar": {"mean": [0, 0, 0], "channels": [
+      {"axis": [1, 1, 1], "dimensions": 3, "isotropic": true, "groups": ["all"], "bands": [
+        {"a": 0.5, "components": [[0.2, 0, 0, 1, 0]]}, {"a": 0.2, "components": [[0.1, 0, 0, 1, 0]]},
+        {"a": 0.1, "components": [[0.05, 0, 0, 1, 0]]}]}]}})");
+  }
+  return folder;
+}
+
+class EstimatedMemory : public testing::TestWithParam<std::vector<std::string>> {};
+
+TEST_P(EstimatedMemory, IsWhatAVolumeTakes) {
+  expect_estimate(
+      [](const std::vector<std::string>& arguments) {
+        return run_vdbnoise(arguments, {.folder = files().path()});
+      },
+      GetParam(), {"--force", "--out", "x.vdb"});
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Vdbnoise, EstimatedMemory,
+    testing::Values(
+        std::vector<std::string>{"--preset", "cumulus", "--dim", "128"},
+        std::vector<std::string>{"--preset", "marble", "--dim", "192"},
+        std::vector<std::string>{"--preset", "velocity", "--dim", "144"},
+        std::vector<std::string>{"--raw", "--dim", "256"},
+        std::vector<std::string>{"--raw", "--dim", "256", "--exact", "--shard", "1/4"},
+        std::vector<std::string>{"--raw", "--dims", "4", "--frequency", "4", "--dim", "160"},
+        std::vector<std::string>{"--raw", "--noise", "exemplar.json", "--frequency", "8", "--dim", "160"},
+        std::vector<std::string>{"--on", "values.vdb", "--combine", "add"},
+        std::vector<std::string>{"--on", "surface.vdb", "--raw", "--displace", "0.02"},
+        std::vector<std::string>{"--preset", "velocity", "--dim", "96", "--boundary", "surface.vdb"}));
+
+}  // namespace
+}  // namespace solidnoise
