@@ -1,10 +1,13 @@
 #include <cstdlib>
+#include <filesystem>
 #include <stdexcept>
 #include <string>
 
 #include <gtest/gtest.h>
 
 #include "solidnoise/image/image_file.h"
+#include "support/paths.h"
+#include "support/temporary_folder.h"
 
 namespace solidnoise {
 namespace {
@@ -26,6 +29,25 @@ TEST(ImageModuleDeathTest, AMissingModuleIsNamedInTheError) {
         std::_Exit(2);
       },
       testing::ExitedWithCode(0), "");
+}
+
+TEST(ImageModule, IsFoundBesideTheLibraryThatWasLoaded) {
+  const TemporaryFolder folder;
+  const auto copy = [&](const std::string& from, const std::string& to) {
+    std::filesystem::create_directories((folder / to).parent_path());
+    std::filesystem::copy_file(in_build(from), folder / to);
+  };
+  copy("tests/picture_program", "elsewhere/program");
+  copy("tests/libpicture_host.so", "lib/libpicture_host.so");
+  const auto run = [&] {
+    const std::string command = "cd '" + folder.path().string() +
+                                "' && env -u SOLIDNOISE_IMAGE_MODULE LD_LIBRARY_PATH=lib elsewhere/program";
+    return std::system(command.c_str());
+  };
+  if (run() == 0) GTEST_SKIP() << "there is an installed module";
+  copy("lib/solidnoise/solidnoise_image_io.so", "lib/solidnoise/solidnoise_image_io.so");
+  EXPECT_EQ(run(), 0);
+  EXPECT_EQ(folder.names().count("x.png"), 1u);
 }
 
 }  // namespace
