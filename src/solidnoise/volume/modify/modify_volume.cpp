@@ -155,10 +155,7 @@ ModificationPlan plan_modification(const Modification& modification) {
   }
   ModificationPlan plan;
   plan.modification = modification;
-  GridFile& on = plan.modification.on;
-  plan.file = read_grids(on.file);
-  plan.target = find_float_grid(on.file, plan.file, on.grid);
-  note_digest(on.file, "--on", on.digest);
+  plan.file = read_grids_around(plan.modification.on, "--on", plan.target);
   require_suitable(plan.modification, plan.grid());
   if (auto& mask = plan.modification.mask) {
     plan.mask = read_grid(*mask, "--mask");

@@ -4,11 +4,12 @@
 #include <fstream>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "solidnoise/volume/vdb/vdb_read.h"
+#include "solidnoise/volume/vdb/grid_values.h"
 
 namespace solidnoise {
 namespace {
@@ -70,22 +71,68 @@ void note_digest(const std::string& file, const std::string& flag, std::string& 
   digest = found;
 }
 
-openvdb::GridBase::Ptr read_grid(GridFile& source, const std::string& flag) {
-  const openvdb::GridBase::Ptr grid = read_grid(source.file, source.grid);
+namespace {
+
+// Reads by `read` what is in a file.
+template <typename Read>
+auto read_noted(GridFile& source, const std::string& flag, const Read& read) {
+  const auto grid = read(source.file, source.grid);
   note_digest(source.file, flag, source.digest);
   return grid;
+}
+
+openvdb::GridBase::Ptr copy_memory(GridFile& source, const char* kind, bool suits) {
+  if (!suits) {
+    throw std::runtime_error(fmt::format("{}: is a grid of {}; it must be one of {}", source.file,
+                                         source.memory->valueType(), kind));
+  }
+  source.digest = to_text(checksum(*source.memory));
+  return source.memory->deepCopyGrid();
+}
+
+bool is_float(const openvdb::GridBase& grid) {
+  return grid.isType<openvdb::FloatGrid>();
+}
+
+}  // namespace
+
+GridFile grid_in_memory(openvdb::GridBase::ConstPtr grid) {
+  if (grid == nullptr) throw std::invalid_argument("the grid is null; it must be one");
+  GridFile source{.file = "(memory)", .grid = grid->getName()};
+  source.memory = std::move(grid);
+  return source;
+}
+
+openvdb::GridBase::Ptr read_grid(GridFile& source, const std::string& flag) {
+  if (source.memory) return copy_memory(source, "any", true);
+  return read_noted(source, flag, [](const auto& file, const auto& grid) { return read_grid(file, grid); });
 }
 
 openvdb::FloatGrid::Ptr read_float_grid(GridFile& source, const std::string& flag) {
-  const openvdb::FloatGrid::Ptr grid = read_float_grid(source.file, source.grid);
-  note_digest(source.file, flag, source.digest);
-  return grid;
+  if (source.memory) {
+    return openvdb::gridPtrCast<openvdb::FloatGrid>(copy_memory(source, "float", is_float(*source.memory)));
+  }
+  return read_noted(source, flag,
+                    [](const auto& file, const auto& grid) { return read_float_grid(file, grid); });
 }
 
 openvdb::GridBase::Ptr read_vector_grid(GridFile& source, const std::string& flag) {
-  const openvdb::GridBase::Ptr grid = read_vector_grid(source.file, source.grid);
+  if (source.memory) {
+    const bool is_vector =
+        source.memory->isType<openvdb::Vec3SGrid>() || source.memory->isType<openvdb::Vec3DGrid>();
+    return copy_memory(source, "vec3s or vec3d", is_vector);
+  }
+  return read_noted(source, flag,
+                    [](const auto& file, const auto& grid) { return read_vector_grid(file, grid); });
+}
+
+VdbFile read_grids_around(GridFile& source, const std::string& flag, std::size_t& target) {
+  target = 0;
+  if (source.memory) return {{}, {copy_memory(source, "float", is_float(*source.memory))}};
+  VdbFile file = read_grids(source.file);
+  target = find_float_grid(source.file, file, source.grid);
   note_digest(source.file, flag, source.digest);
-  return grid;
+  return file;
 }
 
 }  // namespace solidnoise

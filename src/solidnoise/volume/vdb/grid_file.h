@@ -9,6 +9,7 @@
 
 #include "solidnoise/core/fields.h"
 #include "solidnoise/volume/vdb/openvdb.h"
+#include "solidnoise/volume/vdb/vdb_read.h"
 
 namespace solidnoise {
 
@@ -20,11 +21,13 @@ std::string digest(std::string_view bytes);
 // Throws std::runtime_error naming the path if it cannot be read.
 std::string file_digest(const std::filesystem::path& path);
 
-// A grid that a recipe takes from a file: whose voxels are filled, where noise is added, a mask, a parameter.
+// A grid that a recipe takes from a file, or from memory (grid_in_memory()): whose voxels are filled, where
+// noise is added, a mask, a parameter.
 struct GridFile {
   std::string file;      // .vdb
   std::string grid{};    // name in the file; empty: the first one that will do
   std::string digest{};  // file_digest() of it, where the volume exists already; empty: any file will do
+  openvdb::GridBase::ConstPtr memory{};  // the grid itself; `file` is then what messages call it. Not in JSON
 
   // Throws std::invalid_argument where there is no file.
   void validate() const;
@@ -39,6 +42,11 @@ constexpr auto fields_of(std::type_identity<GridFile>) {
                          .written_if([](const GridFile& source) { return !source.digest.empty(); }));
 }
 
+// A grid that the program has, for a recipe. It is copied when a volume is planned, and may change after
+// that. What is made names it "(memory)" in its recipe, with a digest of the values. Its voxels' indices must
+// be within +-2^30.
+GridFile grid_in_memory(openvdb::GridBase::ConstPtr grid);
+
 // Parses "FILE.vdb" or "FILE.vdb:GRID", split at the last ".vdb:"; nothing if the text is neither.
 std::optional<GridFile> parse_grid_file(std::string_view text);
 
@@ -52,5 +60,7 @@ void note_digest(const std::string& file, const std::string& flag, std::string& 
 openvdb::GridBase::Ptr read_grid(GridFile& source, const std::string& flag);
 openvdb::FloatGrid::Ptr read_float_grid(GridFile& source, const std::string& flag);
 openvdb::GridBase::Ptr read_vector_grid(GridFile& source, const std::string& flag);  // vec3s or vec3d
+// All of the file's, of which the grid of floats that is meant has the index `target`.
+VdbFile read_grids_around(GridFile& source, const std::string& flag, std::size_t& target);
 
 }  // namespace solidnoise
