@@ -28,7 +28,10 @@ double noise_variance(double density, double energy, const WeightMoments& weight
 }
 
 double noise_excess_kurtosis(double density, const KernelMoments& kernel, const WeightMoments& weights) {
-  return density_for_excess_kurtosis(1.0, kernel, weights) / density;
+  const double variance = weights.second * kernel.second;
+  const double cumulant =
+      weights.fourth * kernel.fourth - 3.0 * weights.second * weights.second * kernel.overlap;
+  return cumulant / (variance * variance) / density;
 }
 
 double density_for_excess_kurtosis(double kurtosis, const KernelMoments& kernel,

@@ -9,6 +9,10 @@ namespace solidnoise {
 // eqs. 14 to 17, for the second). Where the kernel itself is random, as with a random phase, use its mean
 // integrals, and weights of 1.
 
+// Numbers of impulses are those in the ball outside of which a kernel of unlimited support has this relative
+// RMS error: they do not change with the error that is asked for.
+inline constexpr double kNominalError = 0.02;
+
 // Mean impulses per unit volume, for `impulses` mean impulses in a ball of a radius > 0, in n dimensions; and
 // back.
 double impulse_density(int n, double impulses, double radius);
@@ -17,6 +21,10 @@ double impulses_in_ball(int n, double density, double radius);
 // How an impulse of isotropic Gabor noise is weighted. Both have mean 0; `signs` is nearer to a Gaussian
 // field at the same number of impulses, `uniform` is what the papers use.
 enum class ImpulseWeights { signs, uniform };
+
+// How impulses are spread over space: in strata, the same number of them in every cube (Strata), or as a
+// Poisson process, whose numbers of impulses vary at random, as in the papers.
+enum class ImpulseSpread { strata, poisson };
 
 // Moments of an impulse's weight; by default those of weights that are 1 or -1.
 struct WeightMoments {
@@ -33,21 +41,25 @@ WeightMoments turning(const WeightMoments& weights);
 struct KernelMoments {
   double second = 0.0;  // of g^2: energy()
   double fourth = 0.0;  // of g^4: fourth_moment()
+  // Of impulses in strata, (h * E g^2)^2, see CubeAverages: how much less random they are; 0 for a Poisson
+  // process.
+  double overlap = 0.0;
 };
 
 // Variance of the noise. Put |G(f)|^2, or the kernel's autocorrelation, in place of the integral of g^2 and
 // it is the power spectrum, or the covariance.
 double noise_variance(double density, double energy, const WeightMoments& weights = {});
 
-// How far from Gaussian the noise is: E[noise^4] / E[noise^2]^2 - 3. Inversely proportional to the density.
+// How far from Gaussian the noise is: E[noise^4] / E[noise^2]^2 - 3. With the same overlap inversely
+// proportional to the density.
 double noise_excess_kurtosis(double density, const KernelMoments& kernel, const WeightMoments& weights = {});
 
-// The density at which the noise has a given excess kurtosis > 0.
+// The density at which the noise of a Poisson process has a given excess kurtosis > 0.
 double density_for_excess_kurtosis(double kurtosis, const KernelMoments& kernel,
                                    const WeightMoments& weights = {});
 
 // The fewest impulses, a whole number, in a ball of this radius that bring the excess kurtosis to
-// kDefaultKurtosis: from there on the eye takes the noise for Gaussian.
+// kDefaultKurtosis as a Poisson process.
 inline constexpr double kDefaultKurtosis = 0.5;
 double impulses_for_quality(int n, double radius, const KernelMoments& kernel,
                             const WeightMoments& weights = {});

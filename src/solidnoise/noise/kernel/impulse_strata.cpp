@@ -1,0 +1,143 @@
+#include "solidnoise/noise/kernel/impulse_strata.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "solidnoise/core/numerics.h"
+
+namespace solidnoise {
+
+namespace {
+
+// Where squared Gaussians exp(-2 pi a^2 r^2), and their transforms, are below 1e-6: times 1 / a, and a.
+constexpr double kReach = 1.6;
+constexpr double kBand = 3.2;
+
+template <int Dim>
+double highest(const IsotropicGaborKernel<Dim>& kernel) {
+  return 2.0 * kernel.frequency() + kBand * kernel.a();
+}
+template <int Dim>
+double mean_square(const IsotropicGaborKernel<Dim>& kernel, double r) {
+  return std::pow(kernel.value(r), 2);
+}
+
+// The mean over phases; the waves' own squares average out in a cube.
+template <int Dim>
+double highest(const RandomPhaseGaborKernel<Dim>& kernel) {
+  return kBand * kernel.a();
+}
+template <int Dim>
+double mean_square(const RandomPhaseGaborKernel<Dim>& kernel, double r) {
+  return 0.5 * std::pow(kernel.amplitude(), 2) *
+         std::exp(-2.0 * std::numbers::pi * std::pow(kernel.a() * r, 2));
+}
+
+}  // namespace
+
+template <int Dim>
+StrataChoice strata_choice(const IsotropicGaborKernel<Dim>& kernel, const WeightMoments& weights) {
+  auto averages = std::make_shared<RadialAverages>(
+      Dim, [&](double r) { return mean_square(kernel, r); }, kReach / kernel.a(), highest(kernel));
+  return {Dim,
+          {kernel.energy(), kernel.fourth_moment()},
+          weights,
+          averages,
+          kernel.radius_for_error(kNominalError)};
+}
+
+template <int Dim>
+StrataChoice strata_choice(const RandomPhaseGaborKernel<Dim>& kernel) {
+  const double factor = 0.5 * std::pow(kernel.amplitude(), 2);
+  auto averages = std::make_shared<ProductAverages>(
+      Dim, [a = kernel.a()](double d) { return std::exp(-2.0 * std::numbers::pi * a * a * d * d); },
+      kReach / kernel.a(), factor);
+  return {
+      Dim, {kernel.energy(), kernel.fourth_moment()}, {}, averages, kernel.radius_for_error(kNominalError)};
+}
+
+template <typename Kernel>
+StrataChoice layer_strata_choice(const Kernel& in_plane, double half_thickness,
+                                 const std::function<double(double)>& window) {
+  const auto squared = [&](double z) { return std::pow(window(z / half_thickness), 2); };
+  const auto moment = [&](double power) {
+    return 2.0 * integrate([&](double z) { return std::pow(window(z / half_thickness), power); }, 0.0,
+                           half_thickness, 4);
+  };
+  auto averages =
+      std::make_shared<LayerAverages>([&](double r) { return mean_square(in_plane, r); },
+                                      kReach / in_plane.a(), highest(in_plane), squared, half_thickness);
+  return {3,
+          {in_plane.energy() * moment(2.0), in_plane.fourth_moment() * moment(4.0)},
+          {},
+          averages,
+          in_plane.radius_for_error(kNominalError)};
+}
+
+double kurtosis_given_place(double density, const KernelMoments& kernel, const CubeAverages& averages,
+                            double side) {
+  constexpr int kHarmonics = 2;  // further ones are a thousandth of these
+  double sum = 0.0;
+  for (int k = 1; k <= kHarmonics; ++k) sum += 2.0 * std::abs(averages.harmonic(side, k));
+  return 3.0 * sum / (density * kernel.second * kernel.second);
+}
+
+double StrataChoice::balanced_side() const {
+  const auto excess = [&](double side) {
+    return weights.fourth * moments.fourth - 3.0 * weights.second * weights.second * averages->overlap(side);
+  };
+  // The rule of false position (Illinois): the overlap is smooth, and a thousandth is enough.
+  double lower = 0.02 * radius;
+  double upper = 4.0 * radius;
+  double at_lower = excess(lower);
+  double at_upper = excess(upper);
+  if (at_lower > 0.0) return lower;
+  while (upper - lower > 1e-3 * upper) {
+    const double side = std::clamp(lower - at_lower * (upper - lower) / (at_upper - at_lower),
+                                   0.98 * lower + 0.02 * upper, 0.02 * lower + 0.98 * upper);
+    const double found = excess(side);
+    if (found > 0.0) {
+      upper = side;
+      at_upper = found;
+      at_lower *= 0.5;
+    } else {
+      lower = side;
+      at_lower = found;
+      at_upper *= 0.5;
+    }
+  }
+  return 0.5 * (lower + upper);
+}
+
+Strata StrataChoice::fewest(double given_place) const {
+  const double side = balanced_side();
+  const double one_per_cube = std::pow(side, -dimensions);
+  const double count = std::ceil(kurtosis_given_place(one_per_cube, moments, *averages, side) / given_place);
+  const double most = kMostOverPoisson * density_for_excess_kurtosis(kDefaultKurtosis, moments, weights);
+  return of_density(std::min(std::max(1.0, count) * one_per_cube, most));
+}
+
+Strata StrataChoice::of_density(double density) const {
+  constexpr double kMostCubes = 6.0;  // over the radius
+  const double side = std::max(balanced_side(), radius / kMostCubes);
+  Strata strata;
+  strata.count = static_cast<int>(std::clamp(std::round(density * std::pow(side, dimensions)), 1.0, 1e9));
+  strata.side = std::pow(strata.count / density, 1.0 / dimensions);
+  return strata;
+}
+
+template StrataChoice strata_choice(const IsotropicGaborKernel<1>&, const WeightMoments&);
+template StrataChoice strata_choice(const RandomPhaseGaborKernel<1>&);
+template StrataChoice strata_choice(const IsotropicGaborKernel<2>&, const WeightMoments&);
+template StrataChoice strata_choice(const RandomPhaseGaborKernel<2>&);
+template StrataChoice strata_choice(const IsotropicGaborKernel<3>&, const WeightMoments&);
+template StrataChoice strata_choice(const RandomPhaseGaborKernel<3>&);
+template StrataChoice strata_choice(const IsotropicGaborKernel<4>&, const WeightMoments&);
+template StrataChoice strata_choice(const RandomPhaseGaborKernel<4>&);
+template StrataChoice layer_strata_choice(const IsotropicGaborKernel<2>&, double,
+                                          const std::function<double(double)>&);
+template StrataChoice layer_strata_choice(const RandomPhaseGaborKernel<2>&, double,
+                                          const std::function<double(double)>&);
+
+}  // namespace solidnoise

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "solidnoise/noise/kernel/cube_averages.h"
+#include "solidnoise/noise/kernel/gabor_kernel.h"
+#include "solidnoise/noise/kernel/impulse_statistics.h"
+#include "solidnoise/noise/kernel/isotropic_gabor_kernel.h"
+
+namespace solidnoise {
+
+// Impulses in strata. Space is cut into cubes of one side c, each of which holds the same number m of
+// impulses, at independent uniform places; planes, rows and cubes of them are shifted at random
+// (ImpulseProcess), so that the process is stationary. The marks of impulses (weight, phase, direction) are
+// independent and of mean 0. Then the covariance of the noise, and so its spectrum, is that of the Poisson
+// process of the same density, exactly: two different impulses never correlate. The fourth cumulant is not.
+// With M(x) = E g(x)^2 and Q(x) = E g(x)^4, means over the marks, and h the uniform density of a cube around
+// 0,
+//   kappa_4 = density (integral of Q  -  3 integral of (h * M)^2):
+// of the pairs of impulses that a Poisson process has in a cube, m strata have m (m - 1) in place of m^2. The
+// second integral, the overlap, falls as the side grows; where the two terms cancel, the side is balanced.
+// Impulses in the cubes of a wave of random phase, g = E(x) cos: kappa_4 is 1 - 2 T of the Poisson process',
+// T the share of the integral of E^4 that (h * E^2)^2 keeps.
+
+// Cubes with a number of impulses in each.
+struct Strata {
+  double side = 1.0;  // world units
+  int count = 1;
+};
+
+// What strata are chosen by: the kernel of unlimited support, so that an error that is allowed for does not
+// move impulses.
+struct StrataChoice {
+  int dimensions;
+  KernelMoments moments;  // of unlimited support
+  WeightMoments weights;
+  std::shared_ptr<const CubeAverages> averages;
+  double radius;  // that holds nearly all of a kernel, world units: no cube is much smaller
+
+  // Balanced cubes with the fewest impulses in each for which the excess kurtosis given the place is within
+  // `given_place`. But no more than kMostOverPoisson times the impulses of a Poisson process of excess
+  // kurtosis kDefaultKurtosis: the peaks of narrow bands of isotropic kernels only cubes far smaller than a
+  // wave could balance.
+  Strata fewest(double given_place = kPlaceKurtosis) const;
+
+  // Cubes as near to balanced ones as whole numbers allow, of this density.
+  Strata of_density(double density) const;
+
+  static constexpr double kPlaceKurtosis = 0.25;
+  static constexpr double kMostOverPoisson = 2.0;
+
+  // Where the excess kurtosis is 0, whatever the density.
+  double balanced_side() const;
+};
+
+// Of isotropic Gabor kernels, of waves of random phase, and of kernels of one of these two in the plane that
+// are taken from a layer of a half thickness around it, under the square of a window of the distance in half
+// thicknesses.
+template <int Dim>
+StrataChoice strata_choice(const IsotropicGaborKernel<Dim>& kernel, const WeightMoments& weights);
+template <int Dim>
+StrataChoice strata_choice(const RandomPhaseGaborKernel<Dim>& kernel);
+template <typename Kernel>
+StrataChoice layer_strata_choice(const Kernel& in_plane, double half_thickness,
+                                 const std::function<double(double)>& window);
+
+// How far the excess kurtosis at a place in the planes of cubes may be from its mean, a bound: twice the
+// harmonics' sum.
+double kurtosis_given_place(double density, const KernelMoments& kernel, const CubeAverages& averages,
+                            double side);
+
+}  // namespace solidnoise

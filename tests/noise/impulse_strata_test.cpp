@@ -1,0 +1,173 @@
+#include "solidnoise/noise/kernel/impulse_strata.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "solidnoise/core/random.h"
+#include "solidnoise/noise/kernel/gabor_parameters.h"
+#include "support/each_dimension.h"
+
+namespace solidnoise {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+// The share of the integral of a squared Gaussian's square that cubes of side g / a keep along one axis: the
+// mean of sinc^2(f g / a) over frequencies of standard deviation a / sqrt(2 pi), which is
+//   erf(sqrt(pi) g) / g - (1 - exp(-pi g^2)) / (pi g^2).
+double gaussian_share(double g) {
+  return std::erf(std::sqrt(kPi) * g) / g + std::expm1(-kPi * g * g) / (kPi * g * g);
+}
+
+RandomPhaseGaborKernel<3> some_waves() {
+  return {1.0, 0.8, Vec<3>(3.0, 0.0, 0.0)};
+}
+
+TEST(CubeAverages, OfWavesAreTheClosedForm) {
+  const auto kernel = some_waves();
+  const StrataChoice choice = strata_choice(kernel);
+  for (const double g : {0.1, 0.4, 0.73, 1.5}) {
+    const double expected = 2.0 / 3.0 * kernel.fourth_moment() * std::pow(gaussian_share(g), 3);
+    EXPECT_NEAR(choice.averages->overlap(g / kernel.a()), expected, 1e-3 * expected) << g;
+  }
+}
+
+// A Gaussian is radial and a product: the two ways are one.
+TEST(CubeAverages, OfARadialMeanSquareAreThoseOfTheProduct) {
+  const auto square = [](double r) { return std::exp(-2.0 * kPi * r * r); };
+  const auto check = [&]<int Dim>() {
+    const RadialAverages radial(Dim, square, 1.6, 3.2);
+    const ProductAverages product(Dim, square, 1.6, 1.0);
+    for (const double side : {0.2, 0.7, 1.3}) {
+      SCOPED_TRACE(testing::Message() << Dim << "D, side " << side);
+      EXPECT_NEAR(radial.overlap(side), product.overlap(side), 2e-3 * product.overlap(side));
+      for (const int k : {1, 2}) {
+        EXPECT_NEAR(radial.harmonic(side, k), product.harmonic(side, k), 2e-3 * product.overlap(side)) << k;
+      }
+    }
+  };
+  for_each_dimension(check);
+}
+
+// The integrals of peaked kernels, which oscillate, against sums over cubes that lie anywhere.
+TEST(CubeAverages, AgreeWithSumsOverCubes) {
+  const auto kernel = IsotropicGaborKernel<2>::with_unit_peak(2.0, gaussian_parameter(2.0, 1.0));
+  const StrataChoice choice = strata_choice(kernel, {});
+  const double side = 0.4;
+  constexpr int kParts = 40;  // of a cube, along an axis
+  constexpr int kCubes = 4;   // on either side
+  const auto mean_in_cube = [&](double x, double y) {
+    double sum = 0.0;
+    for (int i = 0; i < kParts; ++i) {
+      for (int j = 0; j < kParts; ++j) {
+        sum += std::pow(
+            kernel.value(std::hypot(x + (i + 0.5) * side / kParts, y + (j + 0.5) * side / kParts)), 2);
+      }
+    }
+    return sum / (kParts * kParts);
+  };
+  // Mean over places along the planes; of the place across them, three harmonics.
+  constexpr int kPlaces = 8;
+  std::array<double, kPlaces> at{};
+  for (int p = 0; p < kPlaces; ++p) {
+    for (int q = 0; q < kPlaces; ++q) {
+      for (int i = -kCubes; i < kCubes; ++i) {
+        for (int j = -kCubes; j < kCubes; ++j) {
+          const double mean = mean_in_cube((i + static_cast<double>(p) / kPlaces) * side,
+                                           (j + static_cast<double>(q) / kPlaces) * side);
+          at[static_cast<std::size_t>(p)] += side * side * mean * mean / kPlaces;
+        }
+      }
+    }
+  }
+  double mean = 0.0;
+  for (const double value : at) mean += value / kPlaces;
+  EXPECT_NEAR(choice.averages->overlap(side), mean, 2e-3 * mean);
+  for (const int k : {1, 2}) {
+    double cosine = 0.0;
+    for (int p = 0; p < kPlaces; ++p) {
+      // The cube's middle is half a side further.
+      cosine +=
+          at[static_cast<std::size_t>(p)] * std::cos(2.0 * kPi * k * (p + 0.5 * kPlaces) / kPlaces) / kPlaces;
+    }
+    EXPECT_NEAR(choice.averages->harmonic(side, k), cosine, 3e-3 * mean) << k;
+  }
+}
+
+TEST(StrataChoice, BalancesCubesAtTheKnownSides) {
+  // c a of 0.73 in three dimensions, 0.94 in two.
+  EXPECT_NEAR(strata_choice(some_waves()).balanced_side() * 0.8, 0.727, 0.002);
+  EXPECT_NEAR(strata_choice(RandomPhaseGaborKernel<2>(1.0, 0.8, Vec<2>(1.0))).balanced_side() * 0.8, 0.938,
+              0.002);
+}
+
+TEST(StrataChoice, TakesTheFewestImpulsesOfLittleKurtosisAnywhere) {
+  for_each_dimension([]<int Dim>() {
+    for (const double bandwidth : {0.7, 1.0, 2.0}) {
+      const auto kernel = IsotropicGaborKernel<Dim>::with_unit_peak(1.0, gaussian_parameter(1.0, bandwidth));
+      const StrataChoice choice = strata_choice(kernel, {});
+      const Strata strata = choice.fewest();
+      const double density = strata.count / std::pow(strata.side, Dim);
+      KernelMoments moments = choice.moments;
+      moments.overlap = choice.averages->overlap(strata.side);
+      SCOPED_TRACE(testing::Message() << Dim << "D, bandwidth " << bandwidth << ", " << strata.count);
+      EXPECT_LT(std::abs(noise_excess_kurtosis(density, moments)), 0.02);
+      EXPECT_LE(kurtosis_given_place(density, moments, *choice.averages, strata.side), 0.25);
+      const double one_less = density * (strata.count - 1) / strata.count;
+      if (strata.count > 1) {
+        EXPECT_GT(kurtosis_given_place(one_less, moments, *choice.averages, strata.side), 0.25);
+      }
+    }
+  });
+}
+
+TEST(StrataChoice, OfADensityHasIt) {
+  const StrataChoice choice = strata_choice(some_waves());
+  for (const double density : {0.01, 1.0, 3.7, 200.0}) {
+    const Strata strata = choice.of_density(density);
+    EXPECT_NEAR(strata.count / std::pow(strata.side, 3), density, 1e-12 * density);
+    if (strata.count > 1) {
+      EXPECT_NEAR(strata.side, choice.balanced_side(), 0.2 * choice.balanced_side());
+    }
+  }
+}
+
+// Plain strata on a line, with weights of 1 and -1: what is left of the fourth cumulant.
+TEST(ImpulseStatistics, KurtosisOfStrataAgreesWithASimulation) {
+  const auto kernel = IsotropicGaborKernel<1>::with_unit_peak(1.0, gaussian_parameter(1.0, 1.0));
+  const StrataChoice choice = strata_choice(kernel, {});
+  constexpr double kSide = 0.5;
+  constexpr int kCount = 1;
+  constexpr int kTrials = 200000;
+  RandomStream stream(derive_seed(3, 1));
+  double second = 0.0;
+  double fourth = 0.0;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    const double shift = stream.next_unit();
+    double value = 0.0;
+    for (int cube = -7; cube < 7; ++cube) {
+      for (int i = 0; i < kCount; ++i) {
+        const double weight = stream.next_unit() < 0.5 ? -1.0 : 1.0;
+        value += weight * kernel.value(kSide * (cube + shift + stream.next_unit()));
+      }
+    }
+    second += value * value / kTrials;
+    fourth += std::pow(value, 4) / kTrials;
+  }
+  KernelMoments moments = choice.moments;
+  moments.overlap = choice.averages->overlap(kSide);
+  const double density = kCount / kSide;
+  const double kurtosis = noise_excess_kurtosis(density, moments);
+  // Four standard errors of a Gaussian's; the cumulant here is negative, and tails are shorter.
+  EXPECT_NEAR(second / noise_variance(density, kernel.energy()), 1.0, 4.0 * std::sqrt(2.0 / kTrials));
+  EXPECT_NEAR(fourth / (second * second) - 3.0, kurtosis, 4.0 * std::sqrt(24.0 / kTrials));
+  EXPECT_LT(kurtosis, -0.3);  // far enough from 0 for this to be a test
+}
+
+}  // namespace
+}  // namespace solidnoise
