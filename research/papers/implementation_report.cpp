@@ -28,6 +28,7 @@ namespace fs = std::filesystem;
 OrientedGaborNoiseOptions oriented_options(double anisotropy) {
   OrientedGaborNoiseOptions options;
   options.frequency = kFrequency;
+  options.impulses_process = ImpulseSpread::poisson;  // as the report's
   options.anisotropy = anisotropy;
   options.direction = {std::sqrt(0.5), std::sqrt(0.5), 0.0, 0.0};
   return options;
@@ -36,6 +37,7 @@ OrientedGaborNoiseOptions oriented_options(double anisotropy) {
 GaborNoiseOptions isotropic_options() {
   GaborNoiseOptions options;
   options.frequency = kFrequency;
+  options.impulses_process = ImpulseSpread::poisson;  // as the report's
   return options;
 }
 
@@ -115,9 +117,12 @@ void write_speed(const fs::path& folder) {
       OrientedGaborNoiseOptions along = oriented_options(1.0);
       OrientedGaborNoiseOptions all = oriented_options(0.0);
       GaborNoiseOptions isotropic = isotropic_options();
-      along.impulses = impulses_in_ball(per_cell, OrientedGaborNoise<2>(along).radius());
-      all.impulses = impulses_in_ball(per_cell, OrientedGaborNoise<2>(all).radius());
-      isotropic.impulses = impulses_in_ball(per_cell, GaborNoise<2>(isotropic).radius());
+      along.impulses =
+          impulses_in_ball(per_cell, OrientedGaborNoise<2>(along).kernel().radius_for_error(kNominalError));
+      all.impulses =
+          impulses_in_ball(per_cell, OrientedGaborNoise<2>(all).kernel().radius_for_error(kNominalError));
+      isotropic.impulses =
+          impulses_in_ball(per_cell, GaborNoise<2>(isotropic).kernel().radius_for_error(kNominalError));
       table.rows.push_back({static_cast<double>(side), static_cast<double>(per_cell),
                             seconds_of(OrientedGaborNoise<2>(along), side),
                             seconds_of(OrientedGaborNoise<2>(all), side),

@@ -143,8 +143,9 @@ void write_noise(const fs::path& folder) {
     write_field(stem + "_estimated", centred(sample.estimated));
     write_field(stem + "_expected", centred(sample.expected));
   }
-  // The paper's own quality: 32 impulses, weights uniform on [-1, 1].
+  // The paper's own quality: a Poisson process of 32 impulses, weights uniform on [-1, 1].
   options.impulses = 32.0;
+  options.impulses_process = ImpulseSpread::poisson;
   options.weights = ImpulseWeights::uniform;
   const NoiseSample of_paper = sample_noise<Dim>(options, {Dim == 1 ? 1024 : 256, Dim == 1 ? 512 : 32});
   Json json{{"ours", describe(sample)}, {"paper", describe(of_paper)}};

@@ -68,8 +68,10 @@ KernelSpeed measure_kernel_speed(Comparison comparison) {
   const double oriented_radius = oriented.radius_for_error(kError);
   GaborNoiseOptions isotropic_options;
   isotropic_options.frequency = kFrequency;
+  isotropic_options.impulses_process = ImpulseSpread::poisson;
   OrientedGaborNoiseOptions oriented_options;
   oriented_options.frequency = kFrequency;
+  oriented_options.impulses_process = ImpulseSpread::poisson;
 
   KernelSpeed speed;
   speed.isotropic_impulses = kImpulses;
@@ -77,9 +79,8 @@ KernelSpeed measure_kernel_speed(Comparison comparison) {
   if (comparison == Comparison::same_density) {
     const double density = impulse_density(Dim, kImpulses, isotropic_radius);
     speed.anisotropic_impulses = impulses_in_ball(Dim, density, oriented_radius);
-    isotropic_options.impulses = impulses_in_ball(Dim, density, GaborNoise<Dim>(isotropic_options).radius());
-    oriented_options.impulses =
-        impulses_in_ball(Dim, density, OrientedGaborNoise<Dim>(oriented_options).radius());
+    isotropic_options.impulses = impulses_in_ball(Dim, density, isotropic.radius_for_error(kNominalError));
+    oriented_options.impulses = impulses_in_ball(Dim, density, oriented.radius_for_error(kNominalError));
   } else if (comparison == Comparison::same_number) {
     isotropic_options.impulses = kImpulses;
     oriented_options.impulses = kImpulses;

@@ -95,7 +95,7 @@ std::vector<WeightedImpulse> weighted_impulses(ScaleTransition transition, doubl
   std::vector<WeightedImpulse> result;
   for (const int level : {0, 1}) {
     const double size = level + 1.0;
-    const ImpulseProcess<2> process({CellAxis(size), CellAxis(size)}, density,
+    const ImpulseProcess<2> process({CellAxis(size), CellAxis(size)}, {density, false},
                                     derive_seed(1, static_cast<std::uint64_t>(level)));
     const auto cells = static_cast<std::int64_t>(side / size);
     for (std::int64_t i = 0; i < cells * cells; ++i) {

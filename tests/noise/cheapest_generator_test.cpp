@@ -1,3 +1,4 @@
+#include <cmath>
 #include <stdexcept>
 #include <variant>
 
@@ -14,20 +15,20 @@ template <int Dim>
 void expect_impulses(double bandwidth, double isotropic, double oriented) {
   const GaborNoise<Dim> kernels(GaborNoiseOptions{.bandwidth = bandwidth});
   const OrientedGaborNoise<Dim> directions(OrientedGaborNoiseOptions{.bandwidth = bandwidth});
-  EXPECT_EQ(kernels.impulses_per_kernel(), isotropic) << Dim;
-  EXPECT_EQ(directions.impulses_per_kernel(), oriented) << Dim;
-  EXPECT_LE(kernels.excess_kurtosis(), 0.5);
-  EXPECT_LE(directions.excess_kurtosis(), 0.5);
+  EXPECT_NEAR(kernels.impulses_per_kernel(), isotropic, 0.5) << Dim;
+  EXPECT_NEAR(directions.impulses_per_kernel(), oriented, 0.5) << Dim;
+  EXPECT_LE(std::abs(kernels.excess_kurtosis()), 0.06);
+  EXPECT_LE(std::abs(directions.excess_kurtosis()), 0.02);
 }
 
 // The table in the header.
 TEST(CheapestGenerator, ImpulsesForTheSameLikenessToAGaussianField) {
-  expect_impulses<1>(1.0, 7, 7);
-  expect_impulses<2>(1.0, 28, 12);
-  expect_impulses<3>(1.0, 93, 22);
-  expect_impulses<4>(1.0, 241, 40);
-  expect_impulses<3>(0.3, 446, 22);
-  expect_impulses<3>(4.0, 13, 22);
+  expect_impulses<1>(1.0, 5, 5);
+  expect_impulses<2>(1.0, 23, 9);
+  expect_impulses<3>(1.0, 64, 19);
+  expect_impulses<4>(1.0, 299, 79);
+  expect_impulses<3>(0.3, 879, 19);
+  expect_impulses<3>(4.0, 6, 19);
 }
 
 TEST(CheapestGenerator, IsRandomDirectionsInNarrowBandsAndKernelsInWideOnes) {

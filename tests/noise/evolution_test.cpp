@@ -114,7 +114,8 @@ TEST(Evolution, EachFrameHasTheMomentsOfTheClosedForms) {
 
 TEST(Evolution, TurningWeightsHaveThreeHalvesOfTheExcessKurtosis) {
   for (const ImpulseWeights weights : {ImpulseWeights::signs, ImpulseWeights::uniform}) {
-    const GaborNoise<3> still(GaborNoiseOptions{.impulses = 20.0, .weights = weights});
+    const GaborNoise<3> still(
+        GaborNoiseOptions{.impulses = 20.0, .impulses_process = ImpulseSpread::poisson, .weights = weights});
     const auto moving = evolving(still, {.rate = 1.0});
     EXPECT_NEAR(moving.excess_kurtosis(), 1.5 * still.excess_kurtosis(), 1e-12);
     const auto values = values_of<3>(moving, independent_lattice<3>(moving.radius()));

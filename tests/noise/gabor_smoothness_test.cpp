@@ -54,7 +54,8 @@ TEST(GaborSmoothness, GradientIsTheDerivativeAsFarAsAMillionUnitsFromTheOrigin) 
   for_each_dimension([]<int Dim>() {
     for_each_gabor_noise<Dim>([&](const auto& noise) {
       // Whole steps of 2^-20 of a cell, to which positions are rounded.
-      const double step = 0x1p-9 * support_of(noise);
+      const double cell = noise.impulses().axes()[0].size();
+      const double step = 0x1p-10 * cell * std::round(2.0 * support_of(noise) / cell);
       // Values have rounding errors of 1e-6, of which the differences make 1e-6 / step = 4e-4. Where a
       // kernel ends its curvature jumps by 8 P / R^2, of which they make up to a fifth of that times the
       // step. All that is 1e-3 of the largest slopes of about 30. A seam of 1 % of a kernel would be off by
@@ -140,6 +141,7 @@ TEST(GaborSmoothness, ValueAndGradientVanishAtTheEndOfAnImpulsesSupport) {
       isotropic.frequency = 1.0;
       isotropic.error = error;
       isotropic.impulses = 2e-3;
+      isotropic.impulses_process = ImpulseSpread::poisson;
       const GaborNoise<Dim> noise(isotropic);
       expect_no_seam<Dim>(noise);
 
@@ -147,6 +149,7 @@ TEST(GaborSmoothness, ValueAndGradientVanishAtTheEndOfAnImpulsesSupport) {
       oriented.frequency = 1.0;
       oriented.error = error;
       oriented.impulses = 2e-3;
+      oriented.impulses_process = ImpulseSpread::poisson;
       const OrientedGaborNoise<Dim> waves(oriented);
       expect_no_seam<Dim>(waves);
     }

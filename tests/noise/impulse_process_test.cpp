@@ -1,5 +1,6 @@
 #include "solidnoise/noise/convolution/impulse_process.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -24,7 +25,15 @@ template <int Dim>
 ImpulseProcess<Dim> make_process(double mean, std::uint64_t seed, std::int64_t period = 0) {
   std::array<CellAxis, Dim> axes;
   for (CellAxis& axis : axes) axis = CellAxis(1.0, period);
-  return {axes, mean, derive_seed(seed, 1)};
+  return {axes, {mean, false}, derive_seed(seed, 1)};
+}
+
+// As many impulses in every stratum.
+template <int Dim>
+ImpulseProcess<Dim> make_strata(int count, std::uint64_t seed, std::int64_t period = 0) {
+  std::array<CellAxis, Dim> axes;
+  for (CellAxis& axis : axes) axis = CellAxis(1.0, period);
+  return {axes, {static_cast<double>(count), true}, derive_seed(seed, 1)};
 }
 
 template <int Dim>
@@ -237,6 +246,114 @@ TEST(ImpulseProcess, RepeatsAfterItsPeriodOnly) {
         EXPECT_EQ(marks(other) == marks(cell), step % kPeriod == 0) << "axis " << axis << ", step " << step;
       }
     }
+  });
+}
+
+TEST(Strata, HoldTheirNumberOfImpulsesInACubeThatIsShiftedByUpToACell) {
+  for_each_dimension([]<int Dim>() {
+    const auto process = make_strata<Dim>(3, 9);
+    EXPECT_EQ(process.span(), 2);
+    for (int i = 0; i < cells_of_cube<Dim>() / 10; ++i) {
+      const Index<Dim> stratum = cell_in_cube<Dim>(i, kSide<Dim>, -5);
+      const auto impulses = impulses_of(process, stratum);
+      ASSERT_EQ(impulses.size(), 3u);
+      for (std::size_t axis = 0; axis < Dim; ++axis) {
+        const auto [least, most] =
+            std::minmax({impulses[0].position[axis], impulses[1].position[axis], impulses[2].position[axis]});
+        ASSERT_GE(least, 0);
+        ASSERT_LT(most, 2 * CellAxis::kQuantaPerCell);
+        ASSERT_LT(most - least, CellAxis::kQuantaPerCell);
+      }
+    }
+  });
+}
+
+// Over many rows (in 1D, seeds) a position is that of the shift plus one in the stratum, both uniform: modulo
+// a cell it is uniform, and along a row's other axes too.
+TEST(Strata, AreUniformOverAllSeedsAndRows) {
+  for_each_dimension([]<int Dim>() {
+    constexpr int kParts = 16;
+    for (std::size_t axis = 0; axis < Dim; ++axis) {
+      std::vector<double> found(kParts, 0.0);
+      constexpr int kSeeds = 4000;
+      for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+        const auto impulses = impulses_of(make_strata<Dim>(1, seed), Index<Dim>(-3));
+        found[static_cast<std::size_t>(impulses[0].position[axis] % CellAxis::kQuantaPerCell * kParts /
+                                       CellAxis::kQuantaPerCell)] += 1.0;
+      }
+      expect_chi_square(found, std::vector<double>(kParts, static_cast<double>(kSeeds) / kParts));
+    }
+  });
+}
+
+// Along the first axis all have one shift, along others there is one for each plane or row.
+TEST(Strata, RowsAreShiftedEachByItsOwn) {
+  constexpr int kCount = 4000;  // in a stratum: the least position is then the shift, to 1 in 4000
+  const auto process = make_strata<2>(kCount, 4);
+  const auto shift = [&](const Index<2>& stratum, std::size_t axis) {
+    std::int32_t least = std::numeric_limits<std::int32_t>::max();
+    for (const Impulse<2>& impulse : impulses_of(process, stratum))
+      least = std::min(least, impulse.position[axis]);
+    return static_cast<double>(least) / CellAxis::kQuantaPerCell;
+  };
+  constexpr double kNear = 0.005;  // 20 mean distances: e^-20 of false alarms each
+  double across = 0.0;
+  for (int row = 0; row < 20; ++row) {
+    EXPECT_NEAR(shift({row, 0}, 0), shift({0, 0}, 0), kNear);
+    EXPECT_NEAR(shift({row, 7}, 1), shift({row, 0}, 1), kNear);
+    across += std::abs(shift({row, 0}, 1) - shift({row + 1, 0}, 1)) > 2.0 * kNear ? 1.0 : 0.0;
+  }
+  EXPECT_GE(across, 17.0);  // each with a probability of .98
+}
+
+TEST(Strata, RepeatAfterTheirPeriodOnly) {
+  for_each_dimension([]<int Dim>() {
+    constexpr std::int64_t kPeriod = 5;
+    const auto process = make_strata<Dim>(2, 2, kPeriod);
+    for (int axis = 0; axis < Dim; ++axis) {
+      const Index<Dim> stratum(-2);
+      for (std::int64_t step = -12; step <= 12; ++step) {
+        Index<Dim> other = stratum;
+        other[axis] += step;
+        const auto here = impulses_of(process, stratum);
+        const auto there = impulses_of(process, other);
+        const bool same = here[0].mark == there[0].mark && here[1].position == there[1].position;
+        EXPECT_EQ(same, step % kPeriod == 0) << "axis " << axis << ", step " << step;
+      }
+    }
+  });
+}
+
+// A block has the impulses of all strata that reach it, whatever it is cut from.
+TEST(Strata, ABlockHasThoseOfItsCells) {
+  for_each_dimension([]<int Dim>() {
+    const auto process = make_strata<Dim>(2, 6);
+    typename ImpulseBlock<Dim>::Reach large{Index<Dim>(-3), Index<Dim>(3), {}, {}};
+    typename ImpulseBlock<Dim>::Reach small{Index<Dim>(-1), Index<Dim>(0), {}, {}};
+    large.into_last.fill(1.0f);
+    small.into_last.fill(1.0f);
+    const ImpulseBlock<Dim> around(process, large);
+    const ImpulseBlock<Dim> part(process, small);
+    const auto of_cell = [](const ImpulseBlock<Dim>& block, const Index<Dim>& cell) {
+      std::vector<std::uint64_t> marks;
+      const auto run = block.run(cell, cell[Dim - 1], cell[Dim - 1]);
+      for (std::uint32_t i = run.begin; i < run.end; ++i) {
+        marks.push_back(block.marks()[i]);
+        for (int axis = 0; axis < Dim; ++axis) {
+          EXPECT_EQ(block.position(axis)[i] / ImpulseBlock<Dim>::kQuanta,
+                    cell[axis] - block.first_cell()[axis]);
+        }
+      }
+      return marks;
+    };
+    std::size_t found = 0;
+    for (int i = 0; i < 1 << Dim; ++i) {
+      const Index<Dim> cell = cell_in_cube<Dim>(i, 2, -1);
+      EXPECT_EQ(of_cell(part, cell), of_cell(around, cell));
+      found += of_cell(part, cell).size();
+    }
+    EXPECT_EQ(found, part.size());
+    EXPECT_GT(found, 0u);
   });
 }
 

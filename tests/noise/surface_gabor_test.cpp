@@ -89,9 +89,12 @@ TEST(SurfaceGaborNoise, AgreesWithTheReferenceForEveryInstructionSet) {
       SurfaceGaborOptions options = some_options(waves);
       options.layer = layer;
       const SurfaceGaborNoise noise(options);
-      const reference::VaryingGaborProcedure<3> varying({.impulses = kImpulses, .layer = layer, .seed = 11});
-      const reference::VaryingGaborProcedure<3> stationary(
-          {.transition = reference::Transition::none, .impulses = kImpulses, .layer = layer, .seed = 11});
+      const reference::VaryingGaborProcedure<3> varying(
+          {.impulses = kImpulses, .nominal = family.nominal_share(), .layer = layer, .seed = 11});
+      const reference::VaryingGaborProcedure<3> stationary({.transition = reference::Transition::none,
+                                                            .nominal = family.nominal_share(),
+                                                            .layer = layer,
+                                                            .grid = noise.impulses()});
       std::vector<double> expected_varying, expected_stationary;
       for (std::size_t i = 0; i < scattered.size(); ++i) {
         const double magnitude = scattered.magnitude[i];

@@ -102,8 +102,10 @@ TEST(VaryingGaborNoise, AgreesWithTheReferenceForEveryInstructionSet) {
          {ScaleTransition::fade, ScaleTransition::power, ScaleTransition::paper}) {
       const VaryingGaborNoise<Dim> noise(some_options<Dim>(waves, transition));
       const KernelFamily family(Dim, waves, 1.0, 0.02);
-      const reference::VaryingGaborProcedure<Dim> procedure(
-          {.transition = reference_transition(transition), .impulses = kImpulses, .seed = 7});
+      const reference::VaryingGaborProcedure<Dim> procedure({.transition = reference_transition(transition),
+                                                             .impulses = kImpulses,
+                                                             .nominal = family.nominal_share(),
+                                                             .seed = 7});
       std::vector<double> expected;
       for (std::size_t i = 0; i < scattered.size(); ++i) {
         const double value = reference_value<Dim>(procedure, family, scattered, i, scattered.frequency[i],
@@ -129,8 +131,9 @@ TEST(VaryingGaborNoise, WithoutVaryingParametersAgreesWithTheReferenceOnOneGrid)
     scattered.magnitude.clear();
     const VaryingGaborNoise<Dim> noise(some_options<Dim>(waves));
     const KernelFamily family(Dim, waves, 1.0, 0.02);
-    const reference::VaryingGaborProcedure<Dim> procedure(
-        {.transition = reference::Transition::none, .impulses = kImpulses, .seed = 7});
+    const reference::VaryingGaborProcedure<Dim> procedure({.transition = reference::Transition::none,
+                                                           .nominal = family.nominal_share(),
+                                                           .grid = noise.impulses()});
     const std::vector<float> values = values_of<Dim>(noise, scattered);
     for (std::size_t i = 0; i < values.size(); ++i) {
       const double expected = reference_value<Dim>(procedure, family, scattered, i, 8.0, 1.0);
@@ -145,7 +148,8 @@ TEST(VaryingGaborNoise, NarrowAndWideBandsAgreeWithTheReference) {
     scattered.bandwidth.assign(scattered.size(), static_cast<float>(bandwidth));
     const VaryingGaborNoise<2> noise(some_options<2>(GaborWaves::isotropic));
     const KernelFamily family(2, GaborWaves::isotropic, 1.0, 0.02);
-    const reference::VaryingGaborProcedure<2> procedure({.impulses = kImpulses, .seed = 7});
+    const reference::VaryingGaborProcedure<2> procedure(
+        {.impulses = kImpulses, .nominal = family.nominal_share(), .seed = 7});
     const std::vector<float> values = values_of<2>(noise, scattered);
     for (std::size_t i = 0; i < values.size(); ++i) {
       const double expected =

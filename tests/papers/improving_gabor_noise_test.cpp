@@ -83,6 +83,7 @@ TEST(ImprovingGaborNoise, HasVarianceSpectrumAndKurtosisOfTheClosedFormsInEachDi
     GaborNoiseOptions options;
     options.frequency = kFrequency;
     options.weights = weights;
+    options.impulses_process = ImpulseSpread::poisson;
     if (weights == ImpulseWeights::uniform) options.impulses = 32.0;
     expect_closed_forms<1>(options, {.side = 1024, .seeds = 128});
     expect_closed_forms<2>(options, {.side = 256, .seeds = 16});

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <numbers>
+#include <optional>
 
 #include "reference/gabor_kernels.h"
 #include "solidnoise/core/random.h"
@@ -20,9 +21,11 @@ enum class Transition { none, fade, power, paper };
 template <int Dim>
 struct VaryingSetting {
   Transition transition = Transition::fade;
-  double impulses = 20.0;  // N
-  double layer = 0.0;      // half thickness of a surface's layer, in radii; 0: the kernel is a ball
+  double impulses = 20.0;  // N of a hierarchy of grids
+  double nominal = 1.0;    // the radius that N and a layer's thickness are measured by, in radii
+  double layer = 0.0;      // half thickness of a surface's layer, in nominal radii; 0: the kernel is a ball
   std::uint64_t seed = 0;
+  std::optional<ImpulseProcess<Dim>> grid{};  // Transition::none: of all impulses
 };
 
 template <int Dim>
@@ -80,16 +83,18 @@ class VaryingGaborProcedure {
     double energy = point.energy;
     double reach = 1.0;
     if (setting_.layer > 0.0) {
-      energy *= kWindowPower * setting_.layer * point.radius;
-      reach = std::hypot(1.0, setting_.layer);
+      energy *= kWindowPower * setting_.layer * setting_.nominal * point.radius;
+      reach = std::hypot(1.0, setting_.layer * setting_.nominal);
     }
-    // density_ per cube of the radius.
-    const double scale = 1.0 / std::sqrt(density_ / std::pow(point.radius, Dim) * second_ * energy);
     if (setting_.transition == Transition::none) {
-      return scale * sum_of_grid(point, 0, reach * point.radius, density_ * std::pow(reach, Dim), reach);
+      const double density = setting_.grid->mean_per_cell() / std::pow(setting_.grid->axes()[0].size(), Dim);
+      return sum_of_grid(point, *setting_.grid, reach) / std::sqrt(density * energy);
     }
-    const int level = static_cast<int>(std::floor(std::log2(point.radius)));
-    const double alpha = point.radius / std::exp2(level) - 1.0;
+    // density_ per cube of the nominal radius.
+    const double nominal = setting_.nominal * point.radius;
+    const double scale = 1.0 / std::sqrt(density_ / std::pow(nominal, Dim) * second_ * energy);
+    const int level = static_cast<int>(std::floor(std::log2(nominal)));
+    const double alpha = nominal / std::exp2(level) - 1.0;
     const double growth = std::pow(1.0 + alpha, Dim);
     double fine = 1.0;
     double coarse = 1.0;
@@ -105,7 +110,8 @@ class VaryingGaborProcedure {
     double sum = 0.0;
     for (const int step : {0, 1}) {
       const double size = std::exp2(level + step);
-      sum += (step == 0 ? fine : coarse) * sum_of_grid(point, level + step, size, density_ * band, reach);
+      sum +=
+          (step == 0 ? fine : coarse) * sum_of_grid(point, grid(level + step, size, density_ * band), reach);
     }
     // At radius (1 + alpha) 2^l the finer grid has (1 + alpha)^n times the density asked for, and the weights
     // make up for it; the fading selects it.
@@ -113,18 +119,22 @@ class VaryingGaborProcedure {
   }
 
  private:
-  double sum_of_grid(const VaryingPoint<Dim>& point, int level, double size, double mean,
-                     double reach) const {
+  ImpulseProcess<Dim> grid(int level, double size, double mean) const {
     std::array<CellAxis, Dim> axes;
     axes.fill(CellAxis(size));
     // Keys: stream 1 of the seed, and of that one stream per level from 2^20 on.
     const std::uint64_t key =
         derive_seed(derive_seed(setting_.seed, 1), (1u << 20) + static_cast<std::uint64_t>(level));
-    const ImpulseProcess<Dim> process(axes, mean, key);
+    return ImpulseProcess<Dim>(axes, {mean, false}, key);
+  }
+
+  double sum_of_grid(const VaryingPoint<Dim>& point, const ImpulseProcess<Dim>& process, double reach) const {
+    const double size = process.axes()[0].size();
     Index<Dim> first, last;
     for (int axis = 0; axis < Dim; ++axis) {
       first[axis] =
-          static_cast<std::int64_t>(std::floor((point.position[axis] - reach * point.radius) / size));
+          static_cast<std::int64_t>(std::floor((point.position[axis] - reach * point.radius) / size)) -
+          (process.span() - 1);
       last[axis] =
           static_cast<std::int64_t>(std::floor((point.position[axis] + reach * point.radius) / size));
     }
@@ -153,18 +163,19 @@ class VaryingGaborProcedure {
     double factor = impulse.mark >> 63 ? 1.0 : -1.0;
     if (setting_.layer > 0.0) {
       for (int axis = 0; axis < Dim; ++axis) offset[axis] -= height * point.normal[axis];
-      factor *= window(height / (setting_.layer * point.radius));
+      factor *= window(height / (setting_.layer * setting_.nominal * point.radius));
     }
     if (setting_.transition == Transition::fade) {
       const double share = static_cast<double>(impulse.mark & 0xffffffu) / 0x1p24;
       const double lowest = std::exp2(-Dim);
-      factor *= fade<Dim>(std::pow(point.radius / size, Dim) * (lowest + (1.0 - lowest) * share));
+      factor *= fade<Dim>(std::pow(setting_.nominal * point.radius / size, Dim) *
+                          (lowest + (1.0 - lowest) * share));
     }
     return factor * point.kernel(offset);
   }
 
   VaryingSetting<Dim> setting_;
-  double density_;  // impulses per cube of the kernel's radius
+  double density_;  // impulses per cube of the nominal radius
   double second_;   // integral of fade^2
 };
 

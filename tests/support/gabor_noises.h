@@ -72,8 +72,8 @@ Lattice<Dim> some_lattice(double support) {
   return lattice;
 }
 
-// The impulses of the cells up to `reach` cells away from a sample's, at their offsets from the sample, in
-// world units. The sample's position is rounded to 2^-20 of a cell, as the library documents.
+// At least the impulses of the cells up to `reach` cells away from a sample's, at their offsets from the
+// sample, in world units. The sample's position is rounded to 2^-20 of a cell, as the library documents.
 template <int Dim, typename Draw>
 std::vector<reference::Impulse<Dim>> impulses_near(const ImpulseProcess<Dim>& process,
                                                    const Vec<Dim>& position, int reach, const Draw& draw) {
@@ -86,15 +86,17 @@ std::vector<reference::Impulse<Dim>> impulses_near(const ImpulseProcess<Dim>& pr
     fraction[axis] = cells - std::floor(cells);
   }
 
+  // Strata are shifted by up to a cell.
   std::vector<reference::Impulse<Dim>> impulses;
-  int cells = 1;
-  for (int axis = 0; axis < Dim; ++axis) cells *= 2 * reach + 1;
-  for (int i = 0; i < cells; ++i) {
+  const int across = 2 * reach + process.span();
+  int strata = 1;
+  for (int axis = 0; axis < Dim; ++axis) strata *= across;
+  for (int i = 0; i < strata; ++i) {
     Index<Dim> step;
     int rest = i;
     for (int axis = 0; axis < Dim; ++axis) {
-      step[axis] = rest % (2 * reach + 1) - reach;
-      rest /= 2 * reach + 1;
+      step[axis] = rest % across - reach - process.span() + 1;
+      rest /= across;
     }
     process.generate(home + step, [&](const Impulse<Dim>& found) {
       reference::Impulse<Dim> impulse = draw(found.mark);
@@ -108,24 +110,38 @@ std::vector<reference::Impulse<Dim>> impulses_near(const ImpulseProcess<Dim>& pr
   return impulses;
 }
 
+// `radii` in cells, at least.
+template <typename Noise>
+int reach_in_cells(const Noise& noise, double radii) {
+  double cells = 0.0;
+  for (const CellAxis& axis : noise.impulses().axes()) {
+    cells = std::max(cells, radii * support_of(noise) / axis.size());
+  }
+  return static_cast<int>(std::ceil(cells));
+}
+
+// Of a noise, up to some widths of its kernel away.
 template <int Dim>
-auto impulses_near(const GaborNoise<Dim>& noise, const Vec<Dim>& position, int reach = 1) {
-  return impulses_near<Dim>(noise.impulses(), position, reach, [&](std::uint64_t mark) {
-    reference::Impulse<Dim> impulse;
-    impulse.weight = noise.weight(mark);
-    return impulse;
-  });
+auto impulses_near(const GaborNoise<Dim>& noise, const Vec<Dim>& position, double radii = 1.0) {
+  return impulses_near<Dim>(noise.impulses(), position, reach_in_cells(noise, radii),
+                            [&](std::uint64_t mark) {
+                              reference::Impulse<Dim> impulse;
+                              impulse.weight = noise.weight(mark);
+                              return impulse;
+                            });
 }
 
 template <int Dim>
-auto impulses_near(const OrientedGaborNoise<Dim>& noise, const Vec<Dim>& position, int reach = 1) {
-  return impulses_near<Dim>(noise.impulses(), position, reach, [&](std::uint64_t mark) {
-    const auto wave = noise.wave(mark);
-    reference::Impulse<Dim> impulse;
-    for (int axis = 0; axis < Dim; ++axis) impulse.frequency[axis] = wave.frequency[axis];
-    impulse.phase = wave.phase;
-    return impulse;
-  });
+auto impulses_near(const OrientedGaborNoise<Dim>& noise, const Vec<Dim>& position, double radii = 1.0) {
+  return impulses_near<Dim>(noise.impulses(), position, reach_in_cells(noise, radii),
+                            [&](std::uint64_t mark) {
+                              const auto wave = noise.wave(mark);
+                              reference::Impulse<Dim> impulse;
+                              for (int axis = 0; axis < Dim; ++axis)
+                                impulse.frequency[axis] = wave.frequency[axis];
+                              impulse.phase = wave.phase;
+                              return impulse;
+                            });
 }
 
 template <int Dim>
@@ -214,11 +230,7 @@ ReferenceSample<Dim> reference_sample(const Noise<Dim>& noise, const Vec<Dim>& p
   using Impulse = reference::Impulse<Dim>;
   const auto kernel = kernel_reference(noise);
   std::vector<Impulse> reaching;
-  int reach = 1;
-  for (const CellAxis& axis : noise.impulses().axes()) {
-    reach = std::max(reach, static_cast<int>(std::ceil(support_of(noise) / axis.size())));
-  }
-  for (const Impulse& impulse : impulses_near(noise, position, reach)) {
+  for (const Impulse& impulse : impulses_near(noise, position)) {
     bool inside = true;
     for (const double component : impulse.position)
       inside = inside && std::abs(component) < support_of(noise);

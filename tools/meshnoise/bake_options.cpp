@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <concepts>
 #include <cstdint>
+#include <memory>
 #include <sstream>
 #include <stdexcept>
 
@@ -172,7 +173,8 @@ void declare_noise(FlagSet& flags, BakeRecipe& recipe) {
   for_each_field(recipe, [&]<typename Owner>(const auto& field, Owner& owner) {
     if constexpr (std::same_as<ValueOf<decltype(field), Owner>, ParameterRange>) {
       if (field.name == "detail") return;
-      const std::string standard = fmt::format("{}", field.get(Owner{}).from);
+      const auto defaults = std::make_unique<Owner>();
+      const std::string standard = fmt::format("{}", field.get(*defaults).from);
       declare_range(flags, flag_of(field.name), "A[..B]",
                     help_of(field.help, field.unit, field.allowed, standard),
                     [field, &owner](const ParameterRange& range) { field.set(owner, range); });

@@ -113,6 +113,7 @@ VaryingGaborOptions varying_options(const NoiseRecipe& octave, const KernelField
     if (!fields.bandwidth) varying.bandwidth = options.bandwidth;
     varying.error = options.error;
     varying.impulses = options.impulses;
+    varying.impulses_process = options.impulses_process;
     varying.seed = options.seed;
   };
   if (const auto* const oriented = std::get_if<OrientedGaborNoiseOptions>(&octave.noise)) {

@@ -5,6 +5,7 @@
 
 #include "solidnoise/core/fields.h"
 #include "solidnoise/mesh/bake_recipe.h"
+#include "solidnoise/noise/gabor/gabor_entries.h"
 #include "solidnoise/noise/noise_entry.h"
 
 namespace solidnoise {

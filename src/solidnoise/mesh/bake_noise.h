@@ -12,6 +12,7 @@
 #include "solidnoise/field/layer.h"
 #include "solidnoise/noise/fractal_noise.h"
 #include "solidnoise/noise/gabor/gabor_spectrum.h"
+#include "solidnoise/noise/kernel/impulse_statistics.h"
 
 namespace solidnoise {
 
@@ -30,8 +31,9 @@ enum class SurfaceNoiseKind {
 struct SurfaceNoiseRecipe {
   SurfaceNoiseKind kind = SurfaceNoiseKind::surface;
   double error = 0.02;    // relative RMS error of Gabor kernels; 1e-4 to 0.5
-  double impulses = 0.0;  // mean impulses under a Gabor kernel; 0: the fewest with excess kurtosis below 0.5
-  double layer = 0.5;     // of surface and oriented: half the layer's thickness, in kernel radii; 0.1 to 1
+  double impulses = 0.0;  // mean impulses under a Gabor kernel; 0: the fewest that look Gaussian
+  ImpulseSpread impulses_process = ImpulseSpread::strata;
+  double layer = 0.5;  // of surface and oriented: half the layer's thickness, in kernel radii; 0.1 to 1
   FractalOptions fractal{};
   std::uint64_t seed = 0;
   ExemplarModel exemplar{};  // of spectrum

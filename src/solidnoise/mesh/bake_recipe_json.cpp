@@ -89,6 +89,7 @@ Json describe_kernel(const SurfaceNoiseRecipe& recipe, const VertexParameters& p
   options.bandwidth = parameters.bandwidth.constant;
   options.error = recipe.error;
   options.impulses = recipe.impulses;
+  options.impulses_process = recipe.impulses_process;
   options.layer = recipe.layer;
   if (recipe.kind == SurfaceNoiseKind::oriented) options.waves = GaborWaves::oriented;
   const SurfaceGaborNoise noise(options);

@@ -117,6 +117,7 @@ Options common_options(const SurfaceNoiseRecipe& recipe, double frequency) {
   if constexpr (requires { options.error; }) {
     options.error = recipe.error;
     options.impulses = recipe.impulses;
+    options.impulses_process = recipe.impulses_process;
   }
   return options;
 }

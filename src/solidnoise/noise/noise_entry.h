@@ -76,14 +76,4 @@ constexpr auto fields_of_place() {
                            "Length along each axis after which the noise repeats"));
 }
 
-// Those of noises that are sums over random impulses.
-template <typename Options>
-constexpr auto fields_of_impulses() {
-  return list_fields(field("error", &Options::error, between(1e-4, 0.5), "relative RMS error",
-                           "Accuracy that may be given up to save time"),
-                     field("impulses", &Options::impulses, between(0.0, kImpulses.most),
-                           "mean impulses per kernel; 0 chooses",
-                           "How dense impulses are; by default as few as look Gaussian"));
-}
-
 }  // namespace solidnoise

@@ -3,6 +3,7 @@
 #include <concepts>
 #include <cstddef>
 #include <iterator>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -170,7 +171,8 @@ Json schema_of_value(const Interval& allowed = {}) {
 template <HasFields Struct>
 Json schema_of() {
   Json properties = Json::object();
-  for_each_field(Struct{}, [&](const auto& field, const auto& owner) {
+  const auto defaults = std::make_unique<Struct>();  // of a large one g++ 12 says that it is not initialised
+  for_each_field(*defaults, [&](const auto& field, const auto& owner) {
     const auto& value = field.get(owner);
     using Value = std::remove_cvref_t<decltype(value)>;
     Json& schema = properties[std::string(field.name)];

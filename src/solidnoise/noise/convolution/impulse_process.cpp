@@ -1,5 +1,6 @@
 #include "solidnoise/noise/convolution/impulse_process.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -24,10 +25,12 @@ std::vector<std::uint64_t> cumulative_poisson(double mean) {
 }  // namespace
 
 template <int Dim>
-ImpulseProcess<Dim>::ImpulseProcess(const std::array<CellAxis, Dim>& axes, double mean_per_cell,
+ImpulseProcess<Dim>::ImpulseProcess(const std::array<CellAxis, Dim>& axes, const ImpulseCount& count,
                                     std::uint64_t key)
-    : axes_(axes), mean_per_cell_(mean_per_cell), key_(key), cumulative_(cumulative_poisson(mean_per_cell)) {
-  guide_ = static_cast<int>(mean_per_cell);
+    : axes_(axes), count_(count), key_(key) {
+  if (count.is_fixed) return;
+  cumulative_ = cumulative_poisson(count.mean);
+  guide_ = static_cast<int>(count.mean);
 }
 
 template <int Dim>
@@ -92,31 +95,47 @@ ImpulseBlock<Dim>::ImpulseBlock(const ImpulseProcess<Dim>& process, const Reach&
     extent_[axis] = static_cast<std::size_t>(reach.last[axis] - reach.first[axis] + 1);
     lowest[axis] = static_cast<std::int32_t>(reach.from_first[axis] * kQuanta);
     highest[axis] = static_cast<std::int32_t>(extent_[axis] - 1) * kQuanta +
-                    static_cast<std::int32_t>(reach.into_last[axis] * kQuanta);
+                    std::min(static_cast<std::int32_t>(reach.into_last[axis] * kQuanta), kQuanta - 1);
   }
+  // As they are made, stratum by stratum; then in the order of their cells.
   const auto cells = static_cast<std::size_t>(reach.cells());
   const auto expected =
       static_cast<std::size_t>(process.mean_per_cell() * static_cast<double>(cells)) + kPadding;
-  for (auto& positions : positions_) positions.reserve(expected);
-  marks_.reserve(expected);
-  starts_.reserve(cells + 1);
-
-  Index<Dim> cell = reach.first;
+  std::array<std::vector<std::int32_t>, Dim> positions;
+  std::vector<std::uint64_t> marks;
+  std::vector<std::uint32_t> cell_of;
+  for (auto& of_axis : positions) of_axis.reserve(expected);
+  marks.reserve(expected);
+  cell_of.reserve(expected);
+  starts_.assign(cells + 1, 0);
+  const Index<Dim> first = reach.first - Index<Dim>(process.span() - 1);
+  Index<Dim> stratum = first;
   do {
-    starts_.push_back(static_cast<std::uint32_t>(marks_.size()));
-    process.generate(cell, [&](const Impulse<Dim>& impulse) {
+    process.generate(stratum, [&](const Impulse<Dim>& impulse) {
       std::array<std::int32_t, Dim> position;
+      std::size_t cell = 0;
       for (int axis = 0; axis < Dim; ++axis) {
         position[axis] =
-            static_cast<std::int32_t>(cell[axis] - first_[axis]) * kQuanta + impulse.position[axis];
+            static_cast<std::int32_t>(stratum[axis] - first_[axis]) * kQuanta + impulse.position[axis];
         if (position[axis] < lowest[axis] || position[axis] > highest[axis]) return;
+        cell = cell * extent_[axis] + static_cast<std::size_t>(position[axis] / kQuanta);
       }
-      for (int axis = 0; axis < Dim; ++axis) positions_[axis].push_back(position[axis]);
-      marks_.push_back(impulse.mark);
+      for (int axis = 0; axis < Dim; ++axis) positions[axis].push_back(position[axis]);
+      marks.push_back(impulse.mark);
+      cell_of.push_back(static_cast<std::uint32_t>(cell));
+      ++starts_[cell + 1];
     });
-  } while (advance<Dim>(cell, reach.first, reach.last));
-  starts_.push_back(static_cast<std::uint32_t>(marks_.size()));
-  for (auto& positions : positions_) positions.resize(marks_.size() + kPadding, 0);
+  } while (advance<Dim>(stratum, first, reach.last));
+  for (std::size_t cell = 0; cell < cells; ++cell) starts_[cell + 1] += starts_[cell];
+
+  for (auto& of_axis : positions_) of_axis.assign(marks.size() + kPadding, 0);
+  marks_.resize(marks.size());
+  std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    const std::uint32_t to = next[cell_of[i]]++;
+    for (int axis = 0; axis < Dim; ++axis) positions_[axis][to] = positions[axis][i];
+    marks_[to] = marks[i];
+  }
 }
 
 template class ImpulseBlock<1>;

@@ -12,23 +12,33 @@
 
 namespace solidnoise {
 
-// One impulse of sparse white noise: where it is in its cell, and the key of its own random stream, from
+// One impulse of sparse white noise: where it is, and the key of its own random stream, from
 // which the noise draws what else it needs (weight, phase, direction).
 template <int Dim>
 struct Impulse {
-  std::array<std::int32_t, Dim> position;  // in 2^-20 of a cell, 0 to 2^20 - 1
+  std::array<std::int32_t, Dim> position;  // in 2^-20 of a cell
   std::uint64_t mark;
 };
 
-// A marked Poisson process in Dim dimensions, cell by cell: the number of impulses in a cell is Poisson
-// distributed, their positions are uniform, and different cells are independent. A cell's impulses are a
-// function of the cell's coordinates and the key alone (Lagae et al. 2009, section 4; we use an exact Poisson
-// count and a hash that does not repeat).
+// How many impulses there are in a cell.
+struct ImpulseCount {
+  double mean = 1.0;      // > 0; whole if it is fixed
+  bool is_fixed = false;  // the same in every stratum; else Poisson distributed
+};
+
+// A marked point process in Dim dimensions, cell by cell: strata, which hold a fixed number of impulses each,
+// or a Poisson process. Positions are independent and uniform, and a cell's impulses are a function of its
+// coordinates and the key alone (Lagae et al. 2009, section 4; we use an exact Poisson count and a hash that
+// does not repeat).
+//
+// Strata are as large as cells but not where cells are: along the first axis all are shifted by one random
+// number, along the second by one for each plane of strata, along the third by one for each row, and so on.
+// So over the seeds the process is stationary, and in one noise no two axes show a grid.
 template <int Dim>
 class ImpulseProcess {
  public:
-  // `mean_per_cell` > 0; `key` from derive_seed.
-  ImpulseProcess(const std::array<CellAxis, Dim>& axes, double mean_per_cell, std::uint64_t key);
+  // `key` from derive_seed.
+  ImpulseProcess(const std::array<CellAxis, Dim>& axes, const ImpulseCount& count, std::uint64_t key);
 
   // A process of as many impulses per cell in other cells and with another key; quicker to make than anew.
   ImpulseProcess with(const std::array<CellAxis, Dim>& axes, std::uint64_t key) const {
@@ -39,22 +49,32 @@ class ImpulseProcess {
   }
 
   const std::array<CellAxis, Dim>& axes() const { return axes_; }
-  double mean_per_cell() const { return mean_per_cell_; }
+  double mean_per_cell() const { return count_.mean; }
+  // Cells along an axis that the impulses of a stratum may lie in: its own, and, where it is shifted, the
+  // next.
+  int span() const { return count_.is_fixed ? 2 : 1; }
 
-  // Calls sink(impulse) for each impulse of the cell, in a fixed order.
+  // Calls sink(impulse) for each impulse of a stratum, in a fixed order, at positions relative to the corner
+  // of the cell of the same coordinates: 0 to span() cells. The strata of a Poisson process are its cells.
   template <typename Sink>
-  void generate(const Index<Dim>& cell, Sink&& sink) const {
-    Index<Dim> source;
-    for (int axis = 0; axis < Dim; ++axis) source[axis] = axes_[axis].wrap(cell[axis]);
-    RandomStream stream(hash_cell<Dim>(source, key_));
-    const int count = draw_count(stream.next());
+  void generate(const Index<Dim>& stratum, Sink&& sink) const {
+    std::array<std::int32_t, Dim> shift{};
+    std::uint64_t hash = key_;  // as hash_cell()
+    for (int axis = 0; axis < Dim; ++axis) {
+      if (count_.is_fixed) shift[axis] = static_cast<std::int32_t>(hash >> (64 - CellAxis::kFractionBits));
+      hash = hash_coordinate(hash, axes_[axis].wrap(stratum[axis]));
+    }
+    RandomStream stream(hash);
+    const int count = count_.is_fixed ? static_cast<int>(count_.mean) : draw_count(stream.next());
     for (int i = 0; i < count; ++i) {
       Impulse<Dim> impulse;
       for (int axis = 0; axis < Dim; axis += 2) {
         const std::uint64_t pair = stream.next();
-        impulse.position[axis] = static_cast<std::int32_t>(pair >> (64 - CellAxis::kFractionBits));
+        impulse.position[axis] =
+            shift[axis] + static_cast<std::int32_t>(pair >> (64 - CellAxis::kFractionBits));
         if (axis + 1 < Dim) {
           impulse.position[axis + 1] =
+              shift[axis + 1] +
               static_cast<std::int32_t>((pair & 0xffffffffULL) >> (32 - CellAxis::kFractionBits));
         }
       }
@@ -68,7 +88,7 @@ class ImpulseProcess {
   int draw_count(std::uint64_t uniform) const;
 
   std::array<CellAxis, Dim> axes_;
-  double mean_per_cell_;
+  ImpulseCount count_;
   std::uint64_t key_;
   std::vector<std::uint64_t> cumulative_;  // of counts 0, 1, ... in 2^-64
   int guide_ = 0;                          // where the search starts
@@ -137,13 +157,13 @@ extern template class ImpulseBlock<2>;
 extern template class ImpulseBlock<3>;
 extern template class ImpulseBlock<4>;
 
-// The impulses of the cells that were asked for last, so that cells near each other are not made again and
+// The impulses of the strata that were asked for last, so that strata near each other are not made again and
 // again.
 template <int Dim>
 class ImpulseCells {
  public:
   struct Item {
-    std::array<float, Dim> position;  // in the cell, 0 to 1, exact
+    std::array<float, Dim> position;  // in cells, from the corner of the stratum's cell, exact
     float weight;                     // 1 or -1
     float share;                      // uniform on [0, 1)
   };
@@ -151,6 +171,7 @@ class ImpulseCells {
   explicit ImpulseCells(ImpulseProcess<Dim> process) : process_(std::move(process)), slots_(kSlots) {}
 
   const CellAxis& axis() const { return process_.axes()[0]; }
+  int span() const { return process_.span(); }
 
   // Valid until the next call.
   std::span<const Item> at(const Index<Dim>& cell) {
@@ -164,7 +185,7 @@ class ImpulseCells {
   }
 
  private:
-  static constexpr int kSlotBits = Dim == 4 ? 13 : 11;
+  static constexpr int kSlotBits = Dim == 4 ? 15 : 13;
   static constexpr std::size_t kSlots = std::size_t{1} << kSlotBits;
   static constexpr std::size_t kMostItems = 16 * kSlots;
 

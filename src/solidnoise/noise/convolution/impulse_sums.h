@@ -97,6 +97,7 @@ struct CullBox {
 // Of points with kernels of their own, impulses in a ball.
 struct PointCull : CullBox {
   float reach = 1.0f;  // the largest distance of an impulse from a point, in cells
+  float span = 1.0f;   // ImpulseProcess::span()
   // The layer around a surface: normal . position from `below` to `above`. Normal 0: no layer.
   std::array<float, 3> normal{};
   float below = 0.0f;

@@ -1,5 +1,6 @@
 #include "solidnoise/noise/convolution/kernel_cells.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
@@ -38,12 +39,14 @@ std::optional<FactoredPolynomial> factored(const CompactKernel& kernel, const Fa
 
 }  // namespace
 
+namespace {
+
 template <int Dim>
-KernelCells<Dim> make_kernel_cells(double radius, const Vec<4>& period) {
+std::array<CellAxis, Dim> make_cells(double side, double radius, const Vec<4>& period) {
   constexpr std::array<const char*, 4> kAxisNames = {"x", "y", "z", "t"};
-  KernelCells<Dim> cells;
+  std::array<CellAxis, Dim> axes;
   for (int axis = 0; axis < Dim; ++axis) {
-    double size = radius;
+    double size = side;
     std::int64_t period_cells = 0;
     if (period[axis] > 0.0) {
       if (period[axis] < 2.0 * radius) {
@@ -51,20 +54,52 @@ KernelCells<Dim> make_kernel_cells(double radius, const Vec<4>& period) {
             "period is {} along {}; it must be at least {:.6g} (twice the kernel's radius), or 0 for none",
             period[axis], kAxisNames[axis], 2.0 * radius));
       }
-      const double most = CellAxis::kMostCells * radius;
+      const double most = CellAxis::kMostCells * side;
       if (period[axis] > most) {
-        throw std::invalid_argument(
-            fmt::format("period is {} along {}; it must be at most {:.6g} (2^40 of the kernel's radius)",
-                        period[axis], kAxisNames[axis], most));
+        throw std::invalid_argument(fmt::format(
+            "period is {} along {}; it must be at most {:.6g} (2^40 of the cells that impulses are in)",
+            period[axis], kAxisNames[axis], most));
       }
-      period_cells = static_cast<std::int64_t>(std::floor(period[axis] / radius));
+      period_cells = std::max<std::int64_t>(1, std::llround(period[axis] / side));
       size = period[axis] / static_cast<double>(period_cells);
     }
-    cells.axes[axis] = CellAxis(size, period_cells);
-    cells.radius[axis] = radius / size;
-    cells.volume *= size;
+    axes[axis] = CellAxis(size, period_cells);
   }
-  return cells;
+  return axes;
+}
+
+template <int Dim>
+double volume_of(const std::array<CellAxis, Dim>& axes) {
+  double volume = 1.0;
+  for (const CellAxis& axis : axes) volume *= axis.size();
+  return volume;
+}
+
+}  // namespace
+
+template <int Dim>
+ImpulseLayout<Dim> make_layout(const Strata& strata, double radius, const Vec<4>& period) {
+  const auto axes = make_cells<Dim>(strata.side, radius, period);
+  const double count = strata.count;
+  return {axes, {count, true}, count / volume_of<Dim>(axes)};
+}
+
+template <int Dim>
+ImpulseLayout<Dim> make_poisson_layout(double density, double side, double radius, const Vec<4>& period) {
+  const auto axes = make_cells<Dim>(side, radius, period);
+  return {axes, {density * volume_of<Dim>(axes), false}, density};
+}
+
+template <int Dim>
+ImpulseLayout<Dim> choose_layout(const StrataChoice& choice, double impulses, ImpulseSpread spread,
+                                 double radius, const Vec<4>& period) {
+  const double density = impulse_density(Dim, impulses, choice.radius);
+  if (spread == ImpulseSpread::strata) {
+    return make_layout<Dim>(impulses > 0.0 ? choice.of_density(density) : choice.fewest(), radius, period);
+  }
+  const double fewest = impulses_for_quality(Dim, choice.radius, choice.moments, choice.weights);
+  return make_poisson_layout<Dim>(impulses > 0.0 ? density : impulse_density(Dim, fewest, choice.radius),
+                                  choice.radius, radius, period);
 }
 
 RadialPolynomial to_single_precision(const CompactKernel& kernel, const FactoredLimits& limits) {
@@ -84,9 +119,17 @@ RadialPolynomial to_single_precision(const CompactKernel& kernel, const Factored
   return polynomial;
 }
 
-template KernelCells<1> make_kernel_cells<1>(double, const Vec<4>&);
-template KernelCells<2> make_kernel_cells<2>(double, const Vec<4>&);
-template KernelCells<3> make_kernel_cells<3>(double, const Vec<4>&);
-template KernelCells<4> make_kernel_cells<4>(double, const Vec<4>&);
+template ImpulseLayout<1> make_layout<1>(const Strata&, double, const Vec<4>&);
+template ImpulseLayout<1> make_poisson_layout<1>(double, double, double, const Vec<4>&);
+template ImpulseLayout<1> choose_layout<1>(const StrataChoice&, double, ImpulseSpread, double, const Vec<4>&);
+template ImpulseLayout<2> make_layout<2>(const Strata&, double, const Vec<4>&);
+template ImpulseLayout<2> make_poisson_layout<2>(double, double, double, const Vec<4>&);
+template ImpulseLayout<2> choose_layout<2>(const StrataChoice&, double, ImpulseSpread, double, const Vec<4>&);
+template ImpulseLayout<3> make_layout<3>(const Strata&, double, const Vec<4>&);
+template ImpulseLayout<3> make_poisson_layout<3>(double, double, double, const Vec<4>&);
+template ImpulseLayout<3> choose_layout<3>(const StrataChoice&, double, ImpulseSpread, double, const Vec<4>&);
+template ImpulseLayout<4> make_layout<4>(const Strata&, double, const Vec<4>&);
+template ImpulseLayout<4> make_poisson_layout<4>(double, double, double, const Vec<4>&);
+template ImpulseLayout<4> choose_layout<4>(const StrataChoice&, double, ImpulseSpread, double, const Vec<4>&);
 
 }  // namespace solidnoise

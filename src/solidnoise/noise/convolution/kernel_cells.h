@@ -1,37 +1,50 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 #include "solidnoise/core/cell_grid.h"
 #include "solidnoise/core/vec.h"
+#include "solidnoise/noise/convolution/impulse_process.h"
 #include "solidnoise/noise/convolution/impulse_sums.h"
 #include "solidnoise/noise/kernel/compact_kernel.h"
+#include "solidnoise/noise/kernel/impulse_strata.h"
 
 namespace solidnoise {
 
-// The grid of cells that a kernel of a given radius is evaluated on.
+// Where a noise's impulses are: the grid of their cells, and how many there are in each.
 template <int Dim>
-struct KernelCells {
+struct ImpulseLayout {
   std::array<CellAxis, Dim> axes;
-  std::array<double, Dim>
-      radius{};         // of the kernel, in cells per axis: 1, or less where a period stretches the cells
-  double volume = 1.0;  // of a cell, in world units^Dim
+  ImpulseCount count;
+  double density = 1.0;  // impulses per world unit^Dim
 
-  // Another radius in cells, per axis.
-  std::array<double, Dim> in_cells(double other_radius) const {
+  // A kernel's radius in cells, per axis.
+  std::array<double, Dim> in_cells(double radius) const {
     std::array<double, Dim> cells{};
-    for (int axis = 0; axis < Dim; ++axis) cells[axis] = other_radius / axes[axis].size();
+    for (int axis = 0; axis < Dim; ++axis) cells[axis] = radius / axes[axis].size();
     return cells;
   }
+  // Of a cube as large as a cell.
+  double side() const { return std::pow(count.mean / density, 1.0 / Dim); }
 };
 
-// Cells as large as the radius; along an axis with a period, larger by the least that makes the period a
-// whole number of cells (so that it holds exactly, in world units). Throws std::invalid_argument for a period
-// below two radii: the noise would then overlap itself, and its variance would not be the one that is
-// promised.
+// The layout of strata, or of a Poisson process of a density in cells of a side. Along an axis with a period
+// cells are stretched or shrunk by the least that makes the period a whole number of them, so that it holds
+// exactly; strata keep their number of impulses, a Poisson process its density. Throws std::invalid_argument
+// for a period below two radii of the kernel: the noise would overlap itself, and its variance would not be
+// the one that is promised.
 template <int Dim>
-KernelCells<Dim> make_kernel_cells(double radius, const Vec<4>& period);
+ImpulseLayout<Dim> make_layout(const Strata& strata, double radius, const Vec<4>& period);
+template <int Dim>
+ImpulseLayout<Dim> make_poisson_layout(double density, double side, double radius, const Vec<4>& period);
+
+// The layout that options ask for: `impulses` in the ball of choice.radius, 0 for the fewest that look
+// Gaussian (StrataChoice::fewest, impulses_for_quality).
+template <int Dim>
+ImpulseLayout<Dim> choose_layout(const StrataChoice& choice, double impulses, ImpulseSpread spread,
+                                 double radius, const Vec<4>& period);
 
 // The kernel's polynomial as the vectorised loops take it: factored, which is quickest, within the limits
 // (rounding is measured, and must be below a hundredth of the kernel's own error too; nearly all kernels of
@@ -41,9 +54,21 @@ RadialPolynomial to_single_precision(const CompactKernel& kernel, const Factored
 // Streams of random numbers that a noise derives from its seed.
 enum SeedStream : std::uint64_t { kImpulseStream = 1, kOctaveStream = 1000, kChannelStream = 2000 };
 
-extern template KernelCells<1> make_kernel_cells<1>(double, const Vec<4>&);
-extern template KernelCells<2> make_kernel_cells<2>(double, const Vec<4>&);
-extern template KernelCells<3> make_kernel_cells<3>(double, const Vec<4>&);
-extern template KernelCells<4> make_kernel_cells<4>(double, const Vec<4>&);
+extern template ImpulseLayout<1> make_layout<1>(const Strata&, double, const Vec<4>&);
+extern template ImpulseLayout<1> make_poisson_layout<1>(double, double, double, const Vec<4>&);
+extern template ImpulseLayout<1> choose_layout<1>(const StrataChoice&, double, ImpulseSpread, double,
+                                                  const Vec<4>&);
+extern template ImpulseLayout<2> make_layout<2>(const Strata&, double, const Vec<4>&);
+extern template ImpulseLayout<2> make_poisson_layout<2>(double, double, double, const Vec<4>&);
+extern template ImpulseLayout<2> choose_layout<2>(const StrataChoice&, double, ImpulseSpread, double,
+                                                  const Vec<4>&);
+extern template ImpulseLayout<3> make_layout<3>(const Strata&, double, const Vec<4>&);
+extern template ImpulseLayout<3> make_poisson_layout<3>(double, double, double, const Vec<4>&);
+extern template ImpulseLayout<3> choose_layout<3>(const StrataChoice&, double, ImpulseSpread, double,
+                                                  const Vec<4>&);
+extern template ImpulseLayout<4> make_layout<4>(const Strata&, double, const Vec<4>&);
+extern template ImpulseLayout<4> make_poisson_layout<4>(double, double, double, const Vec<4>&);
+extern template ImpulseLayout<4> choose_layout<4>(const StrataChoice&, double, ImpulseSpread, double,
+                                                  const Vec<4>&);
 
 }  // namespace solidnoise

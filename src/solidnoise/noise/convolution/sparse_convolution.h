@@ -34,7 +34,7 @@ class ImpulseKernel {
                    ClusterSums& sums) const = 0;
 };
 
-// Sparse convolution: the sum of a kernel over the impulses of a Poisson process, times an amplitude. Makes
+// Sparse convolution: the sum of a kernel over the impulses of a process, times an amplitude. Makes
 // the impulses once per block, culls them per brick of up to 8^3 samples, and leaves the sums to the kernel.
 template <int Dim>
 class SparseConvolution {

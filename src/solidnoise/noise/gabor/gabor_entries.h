@@ -21,6 +21,23 @@ inline constexpr Choices<ImpulseWeights, 2> kImpulseWeightChoices{{
     {ImpulseWeights::uniform, "uniform"},
 }};
 
+inline constexpr Choices<ImpulseSpread, 2> kImpulseSpreadChoices{{
+    {ImpulseSpread::strata, "strata"},
+    {ImpulseSpread::poisson, "poisson"},
+}};
+
+// Those of noises that are sums over random impulses.
+template <typename Options>
+constexpr auto fields_of_impulses() {
+  return list_fields(field("error", &Options::error, between(1e-4, 0.5), "relative RMS error",
+                           "Accuracy that may be given up to save time"),
+                     field("impulses", &Options::impulses, between(0.0, kImpulses.most),
+                           "mean impulses per kernel; 0 chooses",
+                           "How dense impulses are; by default as few as look Gaussian"),
+                     field("impulses_process", &Options::impulses_process, kImpulseSpreadChoices,
+                           "Impulses are spread evenly, so that fewer look Gaussian, or as in the papers"));
+}
+
 // What both kinds of Gabor noise have.
 template <typename Options>
 constexpr auto fields_of_band() {
@@ -39,6 +56,7 @@ template <typename Noise>
 void describe_impulses(const Noise& noise, const auto& of_noise) {
   of_noise("impulses_per_kernel", noise.impulses_per_kernel());
   of_noise("impulse_density", noise.impulse_density());
+  of_noise("kurtosis_given_place", noise.kurtosis_given_place());
   of_noise("filter", noise.options().filter);
 }
 

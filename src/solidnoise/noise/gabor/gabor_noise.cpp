@@ -14,6 +14,7 @@
 #include "solidnoise/noise/convolution/kernel_cells.h"
 #include "solidnoise/noise/kernel/gabor_parameters.h"
 #include "solidnoise/noise/kernel/impulse_statistics.h"
+#include "solidnoise/noise/kernel/impulse_strata.h"
 
 namespace solidnoise {
 namespace {
@@ -90,27 +91,35 @@ GaborNoise<Dim>::GaborNoise(const GaborNoiseOptions& options)
       compact_(solidnoise::compact_kernel(kernel_, options.error)) {
   const WeightMoments at_rest = weight_moments(options.weights);
   const WeightMoments weights = options.evolution.moves() ? turning(at_rest) : at_rest;
-  const KernelMoments moments{compact_.energy(), compact_.fourth_moment()};
-  impulses_ = options.impulses > 0.0 ? options.impulses
-                                     : impulses_for_quality(Dim, compact_.radius(), moments, weights);
-  density_ = solidnoise::impulse_density(Dim, impulses_, compact_.radius());
   unfiltered_energy_ = compact_.energy();
-
-  // Impulses and amplitude are those of the noise before it is filtered.
-  const auto cells = make_kernel_cells<Dim>(compact_.radius(), options.period);
+  // Impulses and amplitude are those of the noise before it is filtered, impulses those of unlimited kernels.
+  const StrataChoice choice = strata_choice(kernel_, weights);
+  const ImpulseLayout<Dim> layout = choose_layout<Dim>(choice, options.impulses, options.impulses_process,
+                                                       compact_.radius(), options.period);
+  density_ = layout.density;
+  impulses_ = impulses_in_ball(Dim, density_, choice.radius);
   const double amplitude = 1.0 / std::sqrt(noise_variance(density_, unfiltered_energy_, weights));
   std::shared_ptr<const ImpulseKernel> kernel;
   if (options.filter == 0.0 || filter_kernel()) {
     variance_ = compact_.energy() / unfiltered_energy_;
-    excess_kurtosis_ =
-        noise_excess_kurtosis(density_, {compact_.energy(), compact_.fourth_moment()}, weights);
-    kernel = std::make_shared<WeightedKernel>(RadialSum{support_scale<Dim>(cells.in_cells(compact_.radius())),
-                                                        to_single_precision(compact_, RadialSum::kFactored)},
-                                              WeightDraw(options.weights, options.evolution));
+    KernelMoments moments{compact_.energy(), compact_.fourth_moment()};
+    if (layout.count.is_fixed) {
+      // A compact kernel is about as steep as it is smooth at its end: it has no more than this.
+      const RadialAverages cubes(
+          Dim, [this](double r) { return std::pow(compact_.value(r), 2); }, compact_.radius(),
+          2.0 * kernel_.frequency() + 3.2 * kernel_.a());
+      moments.overlap = cubes.overlap(layout.side());
+      kurtosis_given_place_ = solidnoise::kurtosis_given_place(density_, moments, cubes, layout.side());
+    }
+    excess_kurtosis_ = noise_excess_kurtosis(density_, moments, weights);
+    kernel =
+        std::make_shared<WeightedKernel>(RadialSum{support_scale<Dim>(layout.in_cells(compact_.radius())),
+                                                   to_single_precision(compact_, RadialSum::kFactored)},
+                                         WeightDraw(options.weights, options.evolution));
   }
   convolution_ = std::make_shared<SparseConvolution<Dim>>(
-      ImpulseProcess<Dim>(cells.axes, density_ * cells.volume, derive_seed(options.seed, kImpulseStream)),
-      kernel, cells.in_cells(compact_.radius()), amplitude);
+      ImpulseProcess<Dim>(layout.axes, layout.count, derive_seed(options.seed, kImpulseStream)), kernel,
+      layout.in_cells(compact_.radius()), amplitude);
 }
 
 // Puts the filtered kernel in the place of the kernel; false, and no change, if nothing is left of it.
@@ -149,7 +158,7 @@ WaveMixture<Dim> GaborNoise<Dim>::waves() const {
   WaveMixture<Dim> mixture;
   if (variance_ == 0.0) return mixture;
   mixture.symmetry = WaveMixture<Dim>::Symmetry::mirror;
-  mixture.impulses = impulses_;
+  mixture.impulses = impulses_in_ball(Dim, density_, compact_.radius());
   mixture.radius = compact_.radius();
   mixture.truncation = variance_ * std::pow(compact_.relative_error(), 2);
   const auto directions = mirrored_directions<Dim>();

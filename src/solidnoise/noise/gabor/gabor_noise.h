@@ -12,15 +12,16 @@
 
 namespace solidnoise {
 
-// Isotropic Gabor noise in Dim dimensions, 1 to 4: the sum of isotropic Gabor kernels at the impulses of a
-// Poisson process, each with a random weight (Lagae et al. 2011, eq. 15), scaled to unit variance by the
-// closed form.
+// Isotropic Gabor noise in Dim dimensions, 1 to 4: the sum of isotropic Gabor kernels at random impulses,
+// each with a random weight (Lagae et al. 2011, eq. 15), scaled to unit variance by the closed form.
 //
-// Differences from the paper: the kernel is made compact by a least-squares fit (CompactKernel) in place of
-// being cut off, so that value and gradient have no seam, and its variance and spectrum are those of what is
-// evaluated, exactly; counts are Poisson to the last digit; the hash does not repeat. The variance is 1 for
-// every number of impulses; with few of them the values are not Gaussian, and excess_kurtosis() says by how
-// much.
+// Differences from the paper: impulses are in strata (Strata), which leaves the spectrum as it is and takes
+// the excess kurtosis away; by default there are the fewest for which its mean is 0, and within 1/4 given the
+// place (options().impulses_process has Poisson's too); the kernel is made compact by a least-squares fit
+// (CompactKernel) in place of being cut off, so that value and gradient have no seam, and its variance and
+// spectrum are those of what is evaluated, exactly; the hash does not repeat. Impulses do not depend on
+// options().error. The variance is 1 for every number of impulses; with few of them the values are not
+// Gaussian, and excess_kurtosis() says by how much.
 //
 // With options().filter it is that noise convolved with a Gaussian (gaussian_filter.h): the same impulses
 // with the filtered kernel, off by at most options().error of the unfiltered standard deviation, and 0 where
@@ -55,6 +56,8 @@ class GaborNoise final : public Noise<Dim> {
   Vec<Dim> gradient_variance() const override;
   double power_spectrum(const Vec<Dim>& frequency) const override;
   double excess_kurtosis() const override { return excess_kurtosis_; }
+  // How far from that it is, at most, at a given place in the planes of strata; 0 for a Poisson process.
+  double kurtosis_given_place() const { return kurtosis_given_place_; }
   typename Noise<Dim>::Band band() const override;
   WaveMixture<Dim> waves() const override;
 
@@ -74,6 +77,7 @@ class GaborNoise final : public Noise<Dim> {
   double unfiltered_energy_ = 0.0;  // of the compact kernel
   double variance_ = 0.0;
   double excess_kurtosis_ = 0.0;
+  double kurtosis_given_place_ = 0.0;
   std::shared_ptr<const SparseConvolution<Dim>> convolution_;
 };
 

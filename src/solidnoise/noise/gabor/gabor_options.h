@@ -13,7 +13,9 @@ struct GaborNoiseOptions {
   double frequency = 8.0;  // principal frequency F0, cycles per world unit; > 0
   double bandwidth = 1.0;  // width of the band at half amplitude, octaves; 0.05 to 4
   double error = 0.02;     // relative RMS error against the kernel of infinite support; 1e-4 to 0.5
-  double impulses = 0.0;   // mean impulses under one kernel, N; 0: the fewest with excess kurtosis below 0.5
+  double impulses =
+      0.0;  // mean impulses under one kernel, N; 0: the fewest that look Gaussian, see the noise
+  ImpulseSpread impulses_process = ImpulseSpread::strata;
   ImpulseWeights weights = ImpulseWeights::signs;
   std::uint64_t seed = 0;
   Vec<4> period{0.0};     // world units per axis (x, y, z, t); 0: none; else at least 2 kernel radii
@@ -28,10 +30,12 @@ struct GaborNoiseOptions {
 
 // Parameters of Gabor noise made of oriented kernels with random phase.
 struct OrientedGaborNoiseOptions {
-  double frequency = 8.0;   // principal frequency F0, cycles per world unit; > 0
-  double bandwidth = 1.0;   // width of the band at half amplitude, octaves; 0.05 to 4
-  double error = 0.02;      // relative RMS error against the kernel of infinite support; 1e-4 to 0.5
-  double impulses = 0.0;    // mean impulses under one kernel, N; 0: the fewest with excess kurtosis below 0.5
+  double frequency = 8.0;  // principal frequency F0, cycles per world unit; > 0
+  double bandwidth = 1.0;  // width of the band at half amplitude, octaves; 0.05 to 4
+  double error = 0.02;     // relative RMS error against the kernel of infinite support; 1e-4 to 0.5
+  double impulses =
+      0.0;  // mean impulses under one kernel, N; 0: the fewest that look Gaussian, see the noise
+  ImpulseSpread impulses_process = ImpulseSpread::strata;
   double anisotropy = 0.0;  // 0: directions uniform on the sphere; 1: all along `direction`; 0 to 1
   Vec<4> direction{1.0, 0.0, 0.0, 0.0};  // along which the waves travel; any length but 0
   std::uint64_t seed = 0;

@@ -98,25 +98,31 @@ OrientedGaborNoise<Dim>::OrientedGaborNoise(const OrientedGaborNoiseOptions& opt
       envelope_(compact_envelope(kernel_.a(), Dim, options.error)),
       radius_(kernel_.radius_for_error(options.error)) {
   const KernelMoments moments = wave_moments(envelope_, Dim);
-  impulses_ = options.impulses > 0.0 ? options.impulses : impulses_for_quality(Dim, radius_, moments);
-  density_ = solidnoise::impulse_density(Dim, impulses_, radius_);
-
-  // Impulses and amplitude are those of the noise before it is filtered.
-  const auto cells = make_kernel_cells<Dim>(envelope_.radius(), options.period);
+  // Impulses and amplitude are those of the noise before it is filtered, impulses those of unlimited kernels.
+  const StrataChoice choice = strata_choice(kernel_);
+  const ImpulseLayout<Dim> layout = choose_layout<Dim>(choice, options.impulses, options.impulses_process,
+                                                       envelope_.radius(), options.period);
+  density_ = layout.density;
+  impulses_ = impulses_in_ball(Dim, density_, choice.radius);
   const double amplitude = 1.0 / std::sqrt(noise_variance(density_, moments.second));
   std::shared_ptr<const ImpulseKernel> kernel;
   if (options.filter == 0.0 || filter_kernel()) {
-    const KernelMoments filtered = wave_moments(envelope_, Dim);
+    KernelMoments filtered = wave_moments(envelope_, Dim);
     variance_ = std::pow(kernel_.amplitude(), 2) * filtered.second / moments.second;
+    if (layout.count.is_fixed) {
+      const ProductAverages cubes = wave_averages(envelope_, Dim);
+      filtered.overlap = cubes.overlap(layout.side());
+      kurtosis_given_place_ = solidnoise::kurtosis_given_place(density_, filtered, cubes, layout.side());
+    }
     excess_kurtosis_ = noise_excess_kurtosis(density_, filtered);
     kernel = std::make_shared<WaveKernel<Dim, WaveDraw<Dim>>>(
-        OrientedSum{support_scale<Dim>(cells.in_cells(envelope_.radius())),
+        OrientedSum{support_scale<Dim>(layout.in_cells(envelope_.radius())),
                     to_single_precision(envelope_, OrientedSum::kFactored)},
-        WaveDraw<Dim>(directions_, frequency_, options.evolution, phase_shift), cells.axes);
+        WaveDraw<Dim>(directions_, frequency_, options.evolution, phase_shift), layout.axes);
   }
   convolution_ = std::make_shared<SparseConvolution<Dim>>(
-      ImpulseProcess<Dim>(cells.axes, density_ * cells.volume, derive_seed(options.seed, kImpulseStream)),
-      kernel, cells.in_cells(envelope_.radius()), kernel_.amplitude() * amplitude);
+      ImpulseProcess<Dim>(layout.axes, layout.count, derive_seed(options.seed, kImpulseStream)), kernel,
+      layout.in_cells(envelope_.radius()), kernel_.amplitude() * amplitude);
 }
 
 // Puts the filtered kernel in the place of the kernel; false, and no change, if nothing is left of it.
@@ -187,7 +193,7 @@ WaveMixture<Dim> OrientedGaborNoise<Dim>::waves() const {
   WaveMixture<Dim> mixture;
   if (variance_ == 0.0) return mixture;
   mixture.a = kernel_.a();
-  mixture.impulses = impulses_;
+  mixture.impulses = impulses_in_ball(Dim, density_, radius_);
   mixture.radius = envelope_.radius();
   mixture.truncation = variance_ * (1.0 - std::pow(1.0 - std::pow(envelope_.relative_error(), 2), Dim));
   if (Dim > 1 && options_.anisotropy == 0.0) mixture.symmetry = WaveMixture<Dim>::Symmetry::mirror;

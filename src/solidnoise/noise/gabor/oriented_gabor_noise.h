@@ -14,6 +14,7 @@
 #include "solidnoise/noise/gabor/directions.h"
 #include "solidnoise/noise/gabor/gabor_options.h"
 #include "solidnoise/noise/kernel/compact_kernel.h"
+#include "solidnoise/noise/kernel/cube_averages.h"
 #include "solidnoise/noise/kernel/gabor_kernel.h"
 #include "solidnoise/noise/kernel/impulse_statistics.h"
 #include "solidnoise/noise/noise.h"
@@ -73,17 +74,24 @@ inline KernelMoments wave_moments(const CompactKernel& envelope, int dimensions)
           0.375 * std::pow(envelope.fourth_moment(), dimensions)};
 }
 
+// What cubes make of its mean square.
+inline ProductAverages wave_averages(const CompactKernel& envelope, int dimensions) {
+  return {dimensions, [envelope](double d) { return std::pow(envelope.value(d), 2); }, envelope.radius(),
+          0.5};
+}
+
 // Gabor noise of oriented kernels with random phase in Dim dimensions, 1 to 4: the sum of
 //   envelope(d) cos(2 pi w.d + phase)
-// at the impulses of a Poisson process, each with a random phase and a wave vector w of length F0 whose
+// at random impulses, each with a random phase and a wave vector w of length F0 whose
 // direction is drawn from a cone, from the whole sphere (isotropic noise) to a single axis. Scaled to unit
 // variance by the closed form. (Galerne et al. 2012, eq. 1; isotropic as in Lagae et al. 2011, eq. 5.)
 //
-// Differences from the papers: the Gaussian envelope exp(-pi a^2 d^2) is a product of one compact factor per
-// axis (compact_envelope), so that value and gradient have no seam and a lattice costs two multiply-adds per
-// sample and impulse; its support is a cube in place of a ball. `radius()` is that of the ball whose
-// truncation would give the same error, so that impulses_per_kernel() means what it means in the papers. It
-// needs far fewer impulses than the isotropic kernel for the same excess kurtosis.
+// Differences from the papers: impulses are in strata, as those of GaborNoise; the Gaussian envelope exp(-pi
+// a^2 d^2) is a product of one compact factor per axis (compact_envelope), so that value and gradient have no
+// seam and a lattice costs two multiply-adds per sample and impulse; its support is a cube in place of a
+// ball. `radius()` is that of the ball whose truncation would give the same error, so that
+// impulses_per_kernel() means what it means in the papers. It needs far fewer impulses than the isotropic
+// kernel for the same excess kurtosis.
 //
 // With options().filter it is that noise convolved with a Gaussian, as GaborNoise is, for any anisotropy.
 template <int Dim>
@@ -121,6 +129,8 @@ class OrientedGaborNoise final : public Noise<Dim> {
   // options().error of the total.
   double power_spectrum(const Vec<Dim>& frequency) const override;
   double excess_kurtosis() const override { return excess_kurtosis_; }
+  // How far from that it is, at most, at a given place in the planes of strata; 0 for a Poisson process.
+  double kurtosis_given_place() const { return kurtosis_given_place_; }
   typename Noise<Dim>::Band band() const override;
   WaveMixture<Dim> waves() const override;
 
@@ -142,6 +152,7 @@ class OrientedGaborNoise final : public Noise<Dim> {
   double density_ = 0.0;
   double variance_ = 0.0;
   double excess_kurtosis_ = 0.0;
+  double kurtosis_given_place_ = 0.0;
   std::shared_ptr<const SparseConvolution<Dim>> convolution_;
 };
 

@@ -8,23 +8,43 @@
 
 namespace solidnoise {
 
-ImpulseBudget share_impulses(std::span<const BandShare> bands, double impulses) {
-  // At amplitude 1.
+namespace {
+
+// The fewest impulses, in the bands' supports together, that look Gaussian; of kernels of one amplitude.
+double fewest_impulses(std::span<const BandShare> bands, ImpulseSpread spread) {
+  // At amplitude 1: impulses, and excess kurtosis or how far it is from 0 given the place.
   double count = 0.0;
   double kurtosis = 0.0;
-  for (const BandShare& band : bands) {
-    count += band.variance / band.moments.second * band.support;
-    kurtosis += band.variance * band.moments.fourth / band.moments.second;
+  for (const auto& [variance, support, choice] : bands) {
+    const KernelMoments& moments = choice.moments;
+    const double density = variance / moments.second;
+    count += density * support;
+    if (spread == ImpulseSpread::poisson) {
+      kurtosis += variance * moments.fourth / moments.second;
+    } else {
+      kurtosis += density * std::pow(moments.second, 2) *
+                  kurtosis_given_place(1.0, choice.moments, *choice.averages, choice.balanced_side());
+    }
   }
-  const double wanted = impulses > 0.0 ? impulses : std::ceil(count * kurtosis / kExampleKurtosis);
+  const double wanted = spread == ImpulseSpread::poisson ? kExampleKurtosis : kExamplePlaceKurtosis;
+  return std::ceil(count * kurtosis / wanted);
+}
+
+}  // namespace
+
+ImpulseBudget share_impulses(std::span<const BandShare> bands, double impulses, ImpulseSpread spread) {
+  double count = 0.0;  // at amplitude 1
+  for (const BandShare& band : bands) count += band.variance / band.choice.moments.second * band.support;
+  const double wanted = impulses > 0.0 ? impulses : fewest_impulses(bands, spread);
   ImpulseBudget budget;
   for (const BandShare& band : bands) {
-    const double shared = wanted / count * band.variance / band.moments.second;
-    const double density = std::max(shared, kLeastImpulses / band.support);
-    const double power = band.variance / (density * band.moments.second);
-    budget.bands.push_back({density, std::sqrt(power)});
+    const double shared = wanted / count * band.variance / band.choice.moments.second;
+    const double least = spread == ImpulseSpread::poisson
+                             ? kLeastImpulses / band.support
+                             : std::pow(band.choice.balanced_side(), -band.choice.dimensions);
+    const double density = std::max(shared, least);
+    budget.densities.push_back(density);
     budget.impulses += density * band.support;
-    budget.excess_kurtosis += density * power * power * band.moments.fourth;
   }
   return budget;
 }

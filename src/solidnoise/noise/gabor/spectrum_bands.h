@@ -10,6 +10,7 @@
 #include "solidnoise/noise/gabor/directions.h"
 #include "solidnoise/noise/gabor/gabor_spectrum.h"
 #include "solidnoise/noise/kernel/impulse_statistics.h"
+#include "solidnoise/noise/kernel/impulse_strata.h"
 #include "solidnoise/noise/noise.h"
 
 namespace solidnoise {
@@ -17,39 +18,37 @@ namespace solidnoise {
 // What the noises of a spectrum share: how impulses are shared out between its bands, and how an impulse gets
 // its frequency (Galerne et al. 2012, section 4.2).
 
-// A band as far as its impulses go.
+// A band as far as its impulses go. Its kernels are of unit amplitude.
 struct BandShare {
   double variance = 0.0;
-  KernelMoments moments;  // of a kernel of unit amplitude
-  double support = 1.0;   // the volume in which impulses are counted
+  double support = 1.0;  // the volume in which impulses are counted
+  StrataChoice choice;   // of the kernels of unlimited support
 };
 
 // With kernels of one amplitude A in all bands the density of a band is variance / (A^2 M), M the kernel's
 // second moment: the number of impulses goes with 1 / A^2, the excess kurtosis with A^2. Weak bands would
 // then have less than one impulse within reach, whose kernels, as strong as all others, are seen one by one:
-// they get kLeastImpulses, of a smaller amplitude. (The paper has one amplitude for all bands.)
+// they get one in each balanced cube (of a Poisson process, kLeastImpulses in the support), of a smaller
+// amplitude. (The paper has one amplitude for all bands.)
 struct ImpulseBudget {
-  struct Band {
-    double density = 0.0;  // impulses per world unit^Dim
-    double amplitude = 0.0;
-  };
-
-  std::vector<Band> bands;
-  double impulses = 0.0;  // in the supports of all bands together, N
-  double excess_kurtosis = 0.0;
+  std::vector<double> densities;  // of the bands, impulses per world unit^Dim
+  double impulses = 0.0;          // in the supports of all bands together, N
 };
 
 inline constexpr double kLeastImpulses = 4.0;  // in a band's support
 
-// Where the eye takes a noise by example for Gaussian: well below kDefaultKurtosis, for its kernels reach
-// over many waves, and while their histogram is Gaussian, a few of them are still seen as gratings that
-// cross. (Found by eye on photographs of moss and soil; the paper takes 1024 impulses, this some 500 in two
-// dimensions.)
+// Where the eye takes a noise by example for Gaussian: well below kDefaultKurtosis and kPlaceKurtosis, for
+// its kernels reach over many waves, each of one frequency of the spectrum, and while their histogram is
+// Gaussian, a few of them are still seen as gratings that cross. Of a Poisson process that is an excess
+// kurtosis; strata have none, but given the place. (Found by eye on photographs of moss and soil; the paper
+// takes 1024 impulses, a Poisson process of ours some 500 in two dimensions and 1000 in three, strata a half
+// and a quarter of that.)
 inline constexpr double kExampleKurtosis = 1.0 / 64.0;
+inline constexpr double kExamplePlaceKurtosis = 1.0 / 160.0;
 
-// For N impulses, or for N = 0 the fewest with an excess kurtosis below kExampleKurtosis; weak bands may make
-// it more. The bands' variances add up to 1.
-ImpulseBudget share_impulses(std::span<const BandShare> bands, double impulses);
+// For N impulses, or for N = 0 the fewest of an excess kurtosis, given the place, as above; weak bands may
+// make it more. The bands' variances add up to 1.
+ImpulseBudget share_impulses(std::span<const BandShare> bands, double impulses, ImpulseSpread spread);
 
 double variance_of(const SpectrumBand& band);
 

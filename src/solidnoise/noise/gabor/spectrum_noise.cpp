@@ -50,23 +50,21 @@ class SpectrumWaveDraw {
 template <int Dim>
 class BandNoise final : public Noise<Dim> {
  public:
-  // Kernels of an `amplitude`, `density` of them per world unit^Dim.
-  BandNoise(const GaborSpectrum& spectrum, const CompactKernel& envelope, double amplitude, double density,
+  BandNoise(const GaborSpectrum& spectrum, const CompactKernel& envelope, const ImpulseLayout<Dim>& layout,
             const SpectrumNoiseOptions& options, std::uint64_t seed)
-      : spectrum_(spectrum),
-        envelope_(envelope),
-        variance_(spectrum.variance()),
-        density_(density),
-        excess_kurtosis_(noise_excess_kurtosis(density, wave_moments(envelope, Dim))) {
+      : spectrum_(spectrum), envelope_(envelope), variance_(spectrum.variance()), density_(layout.density) {
+    KernelMoments moments = wave_moments(envelope, Dim);
+    if (layout.count.is_fixed) moments.overlap = wave_averages(envelope, Dim).overlap(layout.side());
+    excess_kurtosis_ = noise_excess_kurtosis(density_, moments);
+    const double amplitude = std::sqrt(variance_ / noise_variance(density_, moments.second));
     const double reach = envelope.radius();
-    const auto cells = make_kernel_cells<Dim>(reach, options.period);
     auto kernel = std::make_shared<WaveKernel<Dim, SpectrumWaveDraw<Dim>>>(
-        OrientedSum{support_scale<Dim>(cells.in_cells(reach)),
+        OrientedSum{support_scale<Dim>(layout.in_cells(reach)),
                     to_single_precision(envelope, OrientedSum::kFactored)},
-        SpectrumWaveDraw<Dim>(spectrum_.bands.front(), spectrum_.isotropic, options.evolution), cells.axes);
+        SpectrumWaveDraw<Dim>(spectrum_.bands.front(), spectrum_.isotropic, options.evolution), layout.axes);
     convolution_ = std::make_unique<SparseConvolution<Dim>>(
-        ImpulseProcess<Dim>(cells.axes, density * cells.volume, derive_seed(seed, kImpulseStream)), kernel,
-        cells.in_cells(reach), amplitude);
+        ImpulseProcess<Dim>(layout.axes, layout.count, derive_seed(seed, kImpulseStream)), kernel,
+        layout.in_cells(reach), amplitude);
   }
 
   using Noise<Dim>::evaluate;
@@ -165,20 +163,23 @@ SpectrumNoise<Dim>::SpectrumNoise(const SpectrumNoiseOptions& options) {
   std::vector<BandShare> shares;
   for (const SpectrumBand& band : spectrum_.bands) {
     envelopes.push_back(compact_envelope(band.a, Dim, options.error));
-    const double radius =
-        RandomPhaseGaborKernel<Dim>(1.0, band.a, Vec<Dim>(0.0)).radius_for_error(options.error);
-    shares.push_back(
-        {variance_of(band), wave_moments(envelopes.back(), Dim), impulses_in_ball(Dim, 1.0, radius)});
+    const StrataChoice choice = strata_choice(RandomPhaseGaborKernel<Dim>(1.0, band.a, Vec<Dim>(0.0)));
+    shares.push_back({variance_of(band), impulses_in_ball(Dim, 1.0, choice.radius), choice});
   }
-  const ImpulseBudget budget = share_impulses(shares, options.impulses);
+  const ImpulseBudget budget = share_impulses(shares, options.impulses, options.impulses_process);
   impulses_ = budget.impulses;
   least_density_ = HUGE_VAL;
   std::vector<typename FractalNoise<Dim>::Octave> bands;
   for (std::size_t b = 0; b < shares.size(); ++b) {
-    const auto [density, amplitude] = budget.bands[b];
-    least_density_ = std::min(least_density_, density);
-    bands.push_back({std::make_unique<BandNoise<Dim>>(band_of(spectrum_, b), envelopes[b], amplitude, density,
-                                                      options, derive_seed(options.seed, kBandStream + b)),
+    const double density = budget.densities[b];
+    const StrataChoice& choice = shares[b].choice;
+    const double reach = envelopes[b].radius();
+    const auto layout = options.impulses_process == ImpulseSpread::strata
+                            ? make_layout<Dim>(choice.of_density(density), reach, options.period)
+                            : make_poisson_layout<Dim>(density, choice.radius, reach, options.period);
+    least_density_ = std::min(least_density_, layout.density);
+    bands.push_back({std::make_unique<BandNoise<Dim>>(band_of(spectrum_, b), envelopes[b], layout, options,
+                                                      derive_seed(options.seed, kBandStream + b)),
                      1.0});
   }
   bands_ = std::make_unique<FractalNoise<Dim>>(std::move(bands));

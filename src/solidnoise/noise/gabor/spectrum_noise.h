@@ -6,6 +6,7 @@
 #include "solidnoise/noise/fractal_noise.h"
 #include "solidnoise/noise/gabor/evolution.h"
 #include "solidnoise/noise/gabor/gabor_spectrum.h"
+#include "solidnoise/noise/kernel/impulse_statistics.h"
 #include "solidnoise/noise/noise.h"
 
 namespace solidnoise {
@@ -16,8 +17,8 @@ struct SpectrumNoiseOptions {
   int channel = 0;         // of the model, from 0
   double frequency = 8.0;  // where the model's principal_frequency() comes to lie, cycles per world unit; > 0
   double error = 0.02;     // relative RMS error against kernels of infinite support; 1e-4 to 0.5
-  double impulses = 0.0;   // mean impulses under the kernels of all bands, N; 0: the fewest with excess
-                           // kurtosis below 1/64
+  double impulses = 0.0;  // mean impulses under the kernels of all bands, N; 0: the fewest that look Gaussian
+  ImpulseSpread impulses_process = ImpulseSpread::strata;
   std::uint64_t seed = 0;
   Vec<4> period{0.0};     // world units per axis; 0: none; else at least 2 radii of the largest kernel
   Evolution evolution{};  // how it changes with time; by default it does not
@@ -33,13 +34,13 @@ struct SpectrumNoiseOptions {
 
 // Bandwidth-quantized Gabor noise in Dim dimensions, 2 or 3: the noise whose power spectrum is a sparse sum
 // of Gaussians (Galerne et al. 2012, sections 3 and 4), scaled to unit variance. Each band is a sum of
-// oriented kernels of one envelope at the impulses of a Poisson process of its own, with random phases and
+// oriented kernels of one envelope at random impulses of its own, with random phases and
 // with frequencies drawn from the band's components in proportion to their variances (section 4.2).
 //
 // Impulses are shared out between the bands by variance, N_b = (variance_b / variance) N, so that every
-// kernel has the same amplitude, but for weak bands, see ImpulseBudget. Unlike the paper, the Gaussians are
-// compact (as in OrientedGaborNoise), counts are exactly Poisson distributed and cells are hashed without a
-// period.
+// kernel has the same amplitude, but for weak bands, see ImpulseBudget. Unlike the paper, impulses
+// are in strata (GaborNoise), the Gaussians are compact (as in OrientedGaborNoise), and cells are hashed
+// without a period.
 template <int Dim>
 class SpectrumNoise final : public Noise<Dim> {
  public:

@@ -7,8 +7,10 @@
 #include <glm/geometric.hpp>
 
 #include "solidnoise/core/check.h"
+#include "solidnoise/noise/convolution/kernel_cells.h"
 #include "solidnoise/noise/kernel/gabor_parameters.h"
 #include "solidnoise/noise/kernel/impulse_statistics.h"
+#include "solidnoise/noise/kernel/impulse_strata.h"
 
 namespace solidnoise {
 
@@ -30,6 +32,15 @@ SurfaceGaborOptions validated(const SurfaceGaborOptions& options) {
   return options;
 }
 
+StrataChoice surface_choice(const SurfaceGaborOptions& options, double half_thickness) {
+  const double a = gaussian_parameter(options.frequency, options.bandwidth);
+  if (options.waves == GaborWaves::oriented) {
+    return layer_strata_choice(RandomPhaseGaborKernel<2>(1.0, a, Vec<2>(0.0)), half_thickness, layer_window);
+  }
+  return layer_strata_choice(IsotropicGaborKernel<2>::with_unit_peak(options.frequency, a), half_thickness,
+                             layer_window);
+}
+
 }  // namespace
 
 SurfaceGaborNoise::SurfaceGaborNoise(const SurfaceGaborOptions& options)
@@ -37,23 +48,37 @@ SurfaceGaborNoise::SurfaceGaborNoise(const SurfaceGaborOptions& options)
       family_(std::make_shared<KernelFamily>(2, options.waves, options.bandwidth, options.error)),
       kernel_(family_->at(options.bandwidth)),
       compact_(family_->compact(kernel_)) {
-  // Moments of kernel and window, in units of the kernel's radius.
+  const double r = radius();
+  const double nominal = family_->nominal_share() * r;
+  const StrataChoice choice = surface_choice(options, options.layer * nominal);
+  const double support = 2.0 * std::numbers::pi * options.layer * std::pow(nominal, 3);
+  // Of the kernels as they are evaluated, and their window.
   const KernelMoments plane = family_->moments(kernel_);
-  const KernelMoments moments{plane.second * layer_window_moment(2) * options.layer,
-                              plane.fourth * layer_window_moment(4) * options.layer};
-  const double support = 2.0 * std::numbers::pi * options.layer;
-  impulses_ = options.impulses > 0.0
-                  ? options.impulses
-                  : std::ceil(support * density_for_excess_kurtosis(kDefaultKurtosis, moments));
-  excess_kurtosis_ = noise_excess_kurtosis(impulses_ / support, moments);
+  KernelMoments moments{plane.second * r * r * layer_window_moment(2) * options.layer * nominal,
+                        plane.fourth * r * r * layer_window_moment(4) * options.layer * nominal};
+  const bool strata = options.impulses_process == ImpulseSpread::strata;
+  const double for_quality = density_for_excess_kurtosis(kDefaultKurtosis, choice.moments);
+  const double wanted = options.impulses / support;
+  const double varying_density = options.impulses > 0.0 ? wanted : for_quality;
+  varying_excess_kurtosis_ = noise_excess_kurtosis(varying_density, moments);
+  const Strata cubes = options.impulses > 0.0 ? choice.of_density(wanted) : choice.fewest();
+  const ImpulseLayout<3> layout = strata ? make_layout<3>(cubes, r, Vec<4>(0.0))
+                                         : make_poisson_layout<3>(varying_density, nominal, r, Vec<4>(0.0));
+  impulses_ = layout.density * support;
+  if (strata) {
+    moments.overlap =
+        choice.averages->overlap(layout.side()) * std::pow(moments.second / choice.moments.second, 2);
+  }
+  excess_kurtosis_ = noise_excess_kurtosis(layout.density, moments);
 
   PointConvolution<3>::Settings settings{.waves = options.waves,
-                                         .layer = options.layer,
+                                         .layer = options.layer * family_->nominal_share(),
                                          .transition = options.transition,
-                                         .impulses = impulses_,
+                                         .count = {varying_density * std::pow(nominal, 3), false},
                                          .seed = options.seed};
   varying_ = std::make_shared<PointConvolution<3>>(settings);
-  settings.radius = radius();
+  settings.side = layout.side();
+  settings.count = layout.count;
   stationary_ = std::make_shared<PointConvolution<3>>(settings);
 }
 
@@ -70,8 +95,9 @@ void SurfaceGaborNoise::evaluate(const SurfacePoints& points, const VaryingParam
   points.validate();
   parameters.validate(points.positions.size());
 
-  const PointConvolution<3>& convolution = parameters.radius_varies() ? *varying_ : *stationary_;
-  const double unit_power = convolution.power() * layer_window_moment(2) * options_.layer;
+  const bool varies = parameters.radius_varies();
+  const PointConvolution<3>& convolution = varies ? *varying_ : *stationary_;
+  const double thickness = layer_window_moment(2) * options_.layer * family_->nominal_share();  // in radii
   const auto prepare = [&](std::span<const std::size_t> batch, std::span<KernelPoint<3>> kernels) {
     PickedParameters<3> picked(parameters, batch);
     const auto normals = pick(points.normal, batch);
@@ -80,7 +106,10 @@ void SurfaceGaborNoise::evaluate(const SurfacePoints& points, const VaryingParam
       const double frequency = picked.frequency(i, options_.frequency);
       point.kernel = picked.varies_bandwidth() ? family_->at(picked.bandwidth(i, 0.0)) : kernel_;
       point.radius = point.kernel.cycles / frequency;
-      point.amplitude = picked.magnitude(i, 1.0) / std::sqrt(unit_power * point.kernel.energy);
+      point.scale = family_->nominal_share() * point.radius;
+      const double extent = varies ? point.radius / point.scale : point.radius;
+      const double power = convolution.power() * thickness * std::pow(extent, 3);
+      point.amplitude = picked.magnitude(i, 1.0) / std::sqrt(power * point.kernel.energy);
       const Vec<3> normal = glm::normalize(Vec<3>(normals[0][i], normals[1][i], normals[2][i]));
       for (int axis = 0; axis < 3; ++axis) point.normal[static_cast<std::size_t>(axis)] = normal[axis];
       if (options_.waves == GaborWaves::isotropic) continue;

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "solidnoise/core/vec.h"
+#include "solidnoise/noise/kernel/impulse_statistics.h"
 #include "solidnoise/noise/kernel/kernel_family.h"
 #include "solidnoise/noise/noise.h"
 #include "solidnoise/noise/point/point_convolution.h"
@@ -18,12 +19,13 @@ struct SurfaceGaborOptions {
   double frequency = 8.0;  // principal frequency F0, cycles per world unit; > 0
   double bandwidth = 1.0;  // width of the band at half amplitude, octaves; 0.1 to 4
   double error = 0.02;     // relative RMS error against the kernel of infinite support; 1e-4 to 0.5
-  double impulses = 0.0;   // mean impulses under one kernel, N; 0: the fewest with excess kurtosis below 0.5
+  double impulses = 0.0;   // mean impulses under one kernel, N; 0: the fewest that look Gaussian
+  ImpulseSpread impulses_process = ImpulseSpread::strata;  // where neither frequency nor bandwidth vary
   GaborWaves waves = GaborWaves::isotropic;
   Vec<3> direction{1.0, 0.0, 0.0};  // of oriented waves, laid into the tangent plane; any length but 0
-  // Half the thickness of the layer that impulses are taken from, in kernel radii; 0.1 to 1. A pattern is
-  // distorted by curvature in proportion to the layer's thickness over the radius of curvature, and impulses
-  // are made in inverse proportion to it.
+  // Half the thickness of the layer that impulses are taken from, in kernel radii at an error of 0.02; 0.1
+  // to 1. A pattern is distorted by curvature in proportion to the layer's thickness over the radius of
+  // curvature, and impulses are made in inverse proportion to it.
   double layer = 0.5;
   ScaleTransition transition = ScaleTransition::fade;  // where the frequency or bandwidth varies
   std::uint64_t seed = 0;
@@ -34,7 +36,7 @@ struct SurfaceGaborOptions {
   friend bool operator==(const SurfaceGaborOptions&, const SurfaceGaborOptions&) = default;
 };
 
-// Gabor noise on surfaces, without a parametrisation. With X_i the points of a Poisson process in space and
+// Gabor noise on surfaces, without a parametrisation. With X_i random points in space and
 // W_i weights of 1 or -1, at a point x with unit normal n,
 //   noise(x, n) = sum of W_i h(o_i / H) g(p_i),   o_i = (x - X_i).n,   p_i = (x - X_i) - o_i n:
 // impulses are taken from a layer of half thickness H around the tangent plane and projected on it. g is a
@@ -82,6 +84,10 @@ class SurfaceGaborNoise {
   double power_spectrum(const Vec<2>& f) const;
   // E[value^4] / E[value^2]^2 - 3, of the options' kernel.
   double excess_kurtosis() const { return excess_kurtosis_; }
+  // The impulses where neither frequency nor bandwidth vary: for whoever sums them in another way.
+  ImpulseProcess<3> impulses() const { return stationary_->impulses(); }
+  // The excess kurtosis where frequency or bandwidth vary: impulses of the hierarchy are a Poisson process.
+  double varying_excess_kurtosis() const { return varying_excess_kurtosis_; }
   // The frequencies that hold all but a thousandth of the variance.
   Noise<2>::Band band() const;
 
@@ -92,6 +98,7 @@ class SurfaceGaborNoise {
   CompactKernel compact_;        // the same, on the unit ball
   double impulses_ = 0.0;
   double excess_kurtosis_ = 0.0;
+  double varying_excess_kurtosis_ = 0.0;
   std::shared_ptr<const PointConvolution<3>> stationary_;
   std::shared_ptr<const PointConvolution<3>> varying_;
 };

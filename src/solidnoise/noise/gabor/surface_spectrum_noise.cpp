@@ -22,7 +22,7 @@
 namespace solidnoise {
 namespace {
 
-// Moments of a kernel in the layer, of a wave of random sign whose cosine squared is 1/2 on average.
+// The window's integrals, times half the layer's thickness.
 KernelMoments layer_moments(const CompactKernel& envelope, double half_thickness) {
   return {0.5 * envelope.energy() * half_thickness * layer_window_moment(2),
           0.375 * envelope.fourth_moment() * half_thickness * layer_window_moment(4)};
@@ -33,16 +33,16 @@ KernelMoments layer_moments(const CompactKernel& envelope, double half_thickness
 // The kernels of one band, and the grid of their impulses.
 class SurfaceSpectrumNoise::Band {
  public:
-  Band(const SpectrumBand& band, bool isotropic, const CompactKernel& envelope, double layer,
-       double amplitude, double density, std::uint64_t seed)
+  // `half_thickness` of the layer, world units.
+  Band(const SpectrumBand& band, bool isotropic, const CompactKernel& envelope, double half_thickness,
+       double amplitude, const ImpulseLayout<3>& layout, std::uint64_t seed)
       : frequencies_(band, isotropic),
         sharpness_(2.0 * std::numbers::pi / (band.a * band.a)),
-        axis_(envelope.radius() * std::hypot(1.0, layer)),
+        axis_(layout.axes[0]),
         radius_(static_cast<float>(envelope.radius() / axis_.size())),
-        layer_(layer),
+        layer_(half_thickness / envelope.radius()),
         amplitude_(amplitude),
-        process_({axis_, axis_, axis_}, density * std::pow(axis_.size(), 3),
-                 derive_seed(seed, kImpulseStream)) {
+        process_(layout.axes, layout.count, derive_seed(seed, kImpulseStream)) {
     for (const double c : envelope.chebyshev_coefficients())
       kernel_.envelope.push_back(static_cast<float>(c));
   }
@@ -50,8 +50,9 @@ class SurfaceSpectrumNoise::Band {
   const CellAxis& axis() const { return axis_; }
   float radius() const { return radius_; }  // in cells
   double layer() const { return layer_; }
+  int span() const { return process_.span(); }
 
-  // Appends the impulses of a cell relative to the anchor.
+  // Appends the impulses of a stratum relative to the anchor.
   void append(const Index<3>& anchor, const Index<3>& cell, ImpulseList& impulses) const {
     process_.generate(anchor + cell, [&](const Impulse<3>& impulse) {
       const std::size_t end = impulses.size();
@@ -99,20 +100,29 @@ SurfaceSpectrumNoise::SurfaceSpectrumNoise(const SpectrumNoiseOptions& options, 
     throw std::invalid_argument(
         fmt::format("the spectrum is of {} dimensions; it must be of 2", spectrum_.dimensions));
   }
-  std::vector<CompactKernel> envelopes;
   std::vector<BandShare> shares;
   for (const SpectrumBand& band : spectrum_.bands) {
-    const CompactKernel& envelope = envelopes.emplace_back(compact_gaussian(band.a, 2, options.error));
-    const double radius = envelope.radius();
-    shares.push_back({variance_of(band), layer_moments(envelope, layer * radius),
-                      2.0 * std::numbers::pi * layer * std::pow(radius, 3)});
+    const RandomPhaseGaborKernel<2> kernel(1.0, band.a, Vec<2>(0.0));
+    const double radius = kernel.radius_for_error(kNominalError);
+    shares.push_back({variance_of(band), 2.0 * std::numbers::pi * layer * std::pow(radius, 3),
+                      layer_strata_choice(kernel, layer * radius, layer_window)});
   }
-  const ImpulseBudget budget = share_impulses(shares, options.impulses);
+  const ImpulseBudget budget = share_impulses(shares, options.impulses, options.impulses_process);
   impulses_ = budget.impulses;
-  excess_kurtosis_ = budget.excess_kurtosis;
   for (std::size_t b = 0; b < shares.size(); ++b) {
-    const auto [density, amplitude] = budget.bands[b];
-    bands_.emplace_back(spectrum_.bands[b], spectrum_.isotropic, envelopes[b], layer, amplitude, density,
+    const auto& [variance, support, choice] = shares[b];
+    const double half_thickness = layer * choice.radius;
+    const CompactKernel envelope = compact_gaussian(spectrum_.bands[b].a, 2, options.error);
+    KernelMoments moments = layer_moments(envelope, half_thickness);
+    const double density = budget.densities[b];
+    const bool strata = options.impulses_process == ImpulseSpread::strata;
+    const ImpulseLayout<3> layout =
+        strata ? make_layout<3>(choice.of_density(density), envelope.radius(), Vec<4>(0.0))
+               : make_poisson_layout<3>(density, choice.radius, envelope.radius(), Vec<4>(0.0));
+    if (strata) moments.overlap = choice.averages->overlap(layout.side());
+    excess_kurtosis_ += variance * variance * noise_excess_kurtosis(layout.density, moments);
+    const double amplitude = std::sqrt(variance / noise_variance(layout.density, moments.second));
+    bands_.emplace_back(spectrum_.bands[b], spectrum_.isotropic, envelope, half_thickness, amplitude, layout,
                         derive_seed(options.seed, kBandStream + b));
   }
 }

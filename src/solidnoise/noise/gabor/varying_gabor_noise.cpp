@@ -6,7 +6,10 @@
 
 #include "solidnoise/core/check.h"
 #include "solidnoise/core/special_functions.h"
+#include "solidnoise/noise/convolution/kernel_cells.h"
+#include "solidnoise/noise/kernel/gabor_parameters.h"
 #include "solidnoise/noise/kernel/impulse_statistics.h"
+#include "solidnoise/noise/kernel/impulse_strata.h"
 #include "solidnoise/noise/noise.h"
 
 namespace solidnoise {
@@ -44,6 +47,15 @@ Vec<Dim> first_axes(const Vec<4>& direction) {
   return result;
 }
 
+template <int Dim>
+StrataChoice varying_choice(const VaryingGaborOptions& options) {
+  const double a = gaussian_parameter(options.frequency, options.bandwidth);
+  if (options.waves == GaborWaves::oriented) {
+    return strata_choice(RandomPhaseGaborKernel<Dim>(1.0, a, Vec<Dim>(0.0)));
+  }
+  return strata_choice(IsotropicGaborKernel<Dim>::with_unit_peak(options.frequency, a), {});
+}
+
 }  // namespace
 
 template <int Dim>
@@ -52,17 +64,32 @@ VaryingGaborNoise<Dim>::VaryingGaborNoise(const VaryingGaborOptions& options)
       family_(std::make_shared<KernelFamily>(Dim, options.waves, options.bandwidth, options.error)),
       kernel_(family_->at(options.bandwidth)),
       compact_(family_->compact(kernel_)) {
-  const KernelMoments moments = family_->moments(kernel_);  // in units of the kernel's radius
-  impulses_ = options.impulses > 0.0 ? options.impulses : impulses_for_quality(Dim, 1.0, moments);
-  excess_kurtosis_ = noise_excess_kurtosis(impulse_density(Dim, impulses_, 1.0), moments);
+  const double r = radius(options.frequency, options.bandwidth);
+  const StrataChoice choice = varying_choice<Dim>(options);
+  const ImpulseLayout<Dim> layout =
+      choose_layout<Dim>(choice, options.impulses, options.impulses_process, r, Vec<4>(0.0));
+  impulses_ = impulses_in_ball(Dim, layout.density, choice.radius);
+  KernelMoments moments = family_->moments(kernel_);
+  moments.second *= std::pow(r, Dim);
+  moments.fourth *= std::pow(r, Dim);
+  varying_impulses_ = options.impulses > 0.0
+                          ? options.impulses
+                          : impulses_for_quality(Dim, choice.radius, choice.moments, choice.weights);
+  varying_excess_kurtosis_ =
+      noise_excess_kurtosis(impulse_density(Dim, varying_impulses_, choice.radius), moments);
+  if (layout.count.is_fixed)
+    moments.overlap =
+        choice.averages->overlap(layout.side()) * std::pow(moments.second / choice.moments.second, 2);
+  excess_kurtosis_ = noise_excess_kurtosis(layout.density, moments);
 
   typename PointConvolution<Dim>::Settings settings;
   settings.waves = options.waves;
   settings.transition = options.transition;
-  settings.impulses = impulses_;
   settings.seed = options.seed;
+  settings.count = {impulse_density(Dim, varying_impulses_, 1.0), false};
   varying_ = std::make_shared<PointConvolution<Dim>>(settings);
-  settings.radius = radius(options.frequency, options.bandwidth);
+  settings.side = layout.side();
+  settings.count = layout.count;
   stationary_ = std::make_shared<PointConvolution<Dim>>(settings);
 }
 
@@ -77,7 +104,8 @@ void VaryingGaborNoise<Dim>::evaluate(const Points<Dim>& points, const VaryingPa
   require_finite_positions(points);
   parameters.validate(points.size());
 
-  const PointConvolution<Dim>& convolution = parameters.radius_varies() ? *varying_ : *stationary_;
+  const bool varies = parameters.radius_varies();
+  const PointConvolution<Dim>& convolution = varies ? *varying_ : *stationary_;
   const Vec<Dim> constant_direction = first_axes<Dim>(options_.direction);
   const auto prepare = [&](std::span<const std::size_t> batch, std::span<KernelPoint<Dim>> kernels) {
     const PickedParameters<Dim> picked(parameters, batch);
@@ -86,7 +114,10 @@ void VaryingGaborNoise<Dim>::evaluate(const Points<Dim>& points, const VaryingPa
       const double frequency = picked.frequency(i, options_.frequency);
       point.kernel = picked.varies_bandwidth() ? family_->at(picked.bandwidth(i, 0.0)) : kernel_;
       point.radius = point.kernel.cycles / frequency;
-      point.amplitude = picked.magnitude(i, 1.0) / std::sqrt(convolution.power() * point.kernel.energy);
+      point.scale = family_->nominal_share() * point.radius;
+      const double extent = varies ? point.radius / point.scale : point.radius;
+      const double power = convolution.power() * std::pow(extent, Dim);
+      point.amplitude = picked.magnitude(i, 1.0) / std::sqrt(power * point.kernel.energy);
       if (options_.waves == GaborWaves::isotropic) continue;
       const Vec<Dim> direction = unit_direction<Dim>(picked.direction(i, constant_direction));
       for (int axis = 0; axis < Dim; ++axis) {

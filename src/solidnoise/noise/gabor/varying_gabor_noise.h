@@ -6,6 +6,7 @@
 
 #include "solidnoise/core/points.h"
 #include "solidnoise/core/vec.h"
+#include "solidnoise/noise/kernel/impulse_statistics.h"
 #include "solidnoise/noise/kernel/kernel_family.h"
 #include "solidnoise/noise/point/point_convolution.h"
 #include "solidnoise/noise/point/point_parameters.h"
@@ -19,7 +20,8 @@ struct VaryingGaborOptions {
   double frequency = 8.0;  // principal frequency F0, cycles per world unit; > 0
   double bandwidth = 1.0;  // width of the band at half amplitude, octaves; 0.1 to 4
   double error = 0.02;     // relative RMS error against the kernel of infinite support; 1e-4 to 0.5
-  double impulses = 0.0;   // mean impulses under one kernel, N; 0: the fewest with excess kurtosis below 0.5
+  double impulses = 0.0;   // mean impulses under one kernel, N; 0: the fewest that look Gaussian
+  ImpulseSpread impulses_process = ImpulseSpread::strata;  // where neither frequency nor bandwidth vary
   GaborWaves waves = GaborWaves::isotropic;
   Vec<4> direction{1.0, 0.0, 0.0, 0.0};                // of oriented waves, the first axes of it; any length
   ScaleTransition transition = ScaleTransition::fade;  // where the frequency or bandwidth varies
@@ -32,7 +34,7 @@ struct VaryingGaborOptions {
 };
 
 // Gabor noise in Dim dimensions, 2 to 4, with a frequency, bandwidth, magnitude and direction of its own at
-// each point (Lagae et al. 2011, section V). With X_i the points of a Poisson process and W_i weights of 1 or
+// each point (Lagae et al. 2011, section V). With X_i random points and W_i weights of 1 or
 // -1,
 //   noise(x) = sum of W_i g(x - X_i; parameters at x),
 // g a Gabor kernel scaled so that the sum of its squares is right: the variance at x is the square of the
@@ -68,6 +70,10 @@ class VaryingGaborNoise {
   // per world unit), its integral is 1; and E[value^4] / E[value^2]^2 - 3.
   double power_spectrum(const Vec<Dim>& frequency) const;
   double excess_kurtosis() const { return excess_kurtosis_; }
+  // The impulses where neither frequency nor bandwidth vary: for whoever sums them in another way.
+  ImpulseProcess<Dim> impulses() const { return stationary_->impulses(); }
+  // The excess kurtosis where frequency or bandwidth vary: impulses of the hierarchy are a Poisson process.
+  double varying_excess_kurtosis() const { return varying_excess_kurtosis_; }
 
  private:
   VaryingGaborOptions options_;
@@ -76,6 +82,8 @@ class VaryingGaborNoise {
   CompactKernel compact_;        // the same, on the unit ball
   double impulses_ = 0.0;
   double excess_kurtosis_ = 0.0;
+  double varying_impulses_ = 0.0;
+  double varying_excess_kurtosis_ = 0.0;
   std::shared_ptr<const PointConvolution<Dim>> stationary_;
   std::shared_ptr<const PointConvolution<Dim>> varying_;
 };

@@ -62,6 +62,7 @@ class LatticePoints {
   const CellAxis& axis() const { return axis_; }
   float radius() const { return radius_; }
   double layer() const { return 1.0 / radius_; }
+  int span() const { return 1; }
 
   void append(const Index<3>& anchor, const Index<3>& cell, ImpulseList& points) const {
     const auto& gradient = gradients_[lattice_.gradient_index(anchor + cell)];

@@ -8,7 +8,9 @@
 #include "solidnoise/core/check.h"
 #include "solidnoise/core/numerics.h"
 #include "solidnoise/core/special_functions.h"
+#include "solidnoise/noise/kernel/gabor_kernel.h"
 #include "solidnoise/noise/kernel/gabor_parameters.h"
+#include "solidnoise/noise/kernel/isotropic_gabor_kernel.h"
 
 namespace solidnoise {
 namespace {
@@ -63,6 +65,27 @@ CompactKernel fit_isotropic(int dimensions, double a, double radius, double erro
   }
 }
 
+template <int Dim>
+double nominal_radius(GaborWaves waves, double a) {
+  if (waves == GaborWaves::oriented) {
+    return RandomPhaseGaborKernel<Dim>(1.0, a, Vec<Dim>(0.0)).radius_for_error(kNominalError);
+  }
+  return IsotropicGaborKernel<Dim>::with_unit_peak(1.0, a).radius_for_error(kNominalError);
+}
+
+double nominal_radius(int dimensions, GaborWaves waves, double a) {
+  switch (dimensions) {
+    case 1:
+      return nominal_radius<1>(waves, a);
+    case 2:
+      return nominal_radius<2>(waves, a);
+    case 3:
+      return nominal_radius<3>(waves, a);
+    default:
+      return nominal_radius<4>(waves, a);
+  }
+}
+
 }  // namespace
 
 int KernelFamily::Member::degree() const {
@@ -84,6 +107,7 @@ KernelFamily::KernelFamily(int dimensions, GaborWaves waves, double bandwidth, d
     radius_times_a_ = kernel.radius() * a;
     reference_.emplace(on_unit_ball(kernel));
   }
+  nominal_share_ = nominal_radius(dimensions, waves, a) * a / radius_times_a_;
   reference_cycles_ = radius_times_a_ / a;
   const auto steps_to = [&](double octaves) { return (cycles(octaves) - reference_cycles_) / kStep; };
   first_ = static_cast<int>(std::floor(steps_to(kMostBandwidth)));

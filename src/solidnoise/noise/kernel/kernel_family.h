@@ -42,6 +42,8 @@ class KernelFamily {
 
   int dimensions() const { return dimensions_; }
   GaborWaves waves() const { return waves_; }
+  // The radius of a kernel at kNominalError over its radius here, the same for all.
+  double nominal_share() const { return nominal_share_; }
 
   // A tabulated kernel, and its polynomial in single precision as the sums take it: coefficients in
   // powers of v, or in Chebyshev polynomials of 2 v.
@@ -91,6 +93,7 @@ class KernelFamily {
   double bandwidth_;
   double error_;
   double radius_times_a_ = 0.0;
+  double nominal_share_ = 1.0;
   double reference_cycles_ = 0.0;
   std::optional<CompactKernel> reference_;
   int first_ = 0;  // step of the first node; step 0 is the reference

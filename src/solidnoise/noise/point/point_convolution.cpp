@@ -4,11 +4,9 @@
 #include <cmath>
 #include <map>
 #include <memory>
-#include <numbers>
 #include <vector>
 
 #include "solidnoise/core/points.h"
-#include "solidnoise/core/special_functions.h"
 #include "solidnoise/noise/convolution/impulse_process.h"
 #include "solidnoise/noise/convolution/kernel_cells.h"
 #include "solidnoise/noise/point/lane_polynomials.h"
@@ -40,22 +38,17 @@ double layer_window_moment(int power) {
 
 template <int Dim>
 PointConvolution<Dim>::PointConvolution(const Settings& settings) : settings_(settings) {
-  const double support =
-      settings.layer > 0.0 ? 2.0 * std::numbers::pi * settings.layer : unit_ball_volume(Dim);
-  // Mean impulses in a cube whose side is a kernel radius, and in a cell of a grid.
-  double density = settings.impulses / support;
-  power_ = density;
-  double mean_per_cell = density;
-  if (settings.radius > 0.0) {
-    // A cell's side is as long as the kernel reaches.
-    mean_per_cell = density * std::pow(std::hypot(1.0, settings.layer), Dim);
+  ImpulseCount count = settings.count;
+  power_ = count.mean;
+  if (settings.side > 0.0) {
+    power_ /= std::pow(settings.side, Dim);
   } else if (settings.transition == ScaleTransition::fade) {
     const ScaleFade fade(Dim);
-    density *= fade.impulses_per_effective_one;
+    const double density = count.mean * fade.impulses_per_effective_one;
     power_ = density * fade.second_moment;
-    mean_per_cell = density * (1.0 - fade.lowest);
+    count.mean = density * (1.0 - fade.lowest);
   }
-  process_.emplace(std::array<CellAxis, Dim>{}, mean_per_cell, 0);
+  process_.emplace(std::array<CellAxis, Dim>{}, count, 0);
 }
 
 template <int Dim>
@@ -74,7 +67,8 @@ class PointConvolution<Dim>::Evaluation {
              std::span<float> values)
       : noise_(noise), points_(points), prepare_(prepare), values_(values), extent_(noise.settings_.layer) {
     const Settings& settings = noise.settings_;
-    fixed_ = settings.radius > 0.0;
+    fixed_ = settings.side > 0.0;
+    extent_.span = noise.process_->span();
     kernel_.dimensions = Dim;
     kernel_.layer = settings.layer > 0.0;
     kernel_.oriented = settings.waves == GaborWaves::oriented;
@@ -132,37 +126,35 @@ class PointConvolution<Dim>::Evaluation {
   }
 
   void add_to_levels(std::uint32_t point) {
-    const double radius = prepared_[point].radius;
     if (fixed_) {
-      const double size = radius * std::hypot(1.0, noise_.settings_.layer);
-      if (!fine_) fine_ = &level(0, size);
-      return add(*fine_, point, radius / size, 1.0);
+      if (!fine_) fine_ = &level(0, noise_.settings_.side);
+      return add(*fine_, point, 1.0);
     }
     // Most often the levels are those of the point before.
-    if (!(radius >= size_ && radius < 2.0 * size_)) {
-      const int l = std::ilogb(radius);
+    const double scale = prepared_[point].scale;
+    if (!(scale >= size_ && scale < 2.0 * size_)) {
+      const int l = std::ilogb(scale);
       size_ = std::ldexp(1.0, l);
       fine_ = &level(l, size_);
       coarse_ = extent_.fade ? nullptr : &level(l + 1, 2.0 * size_);
     }
-    if (extent_.fade) return add(*fine_, point, radius / size_, 1.0);
-    const ScaleWeights weights = scale_weights(noise_.settings_.transition, Dim, radius / size_ - 1.0);
-    if (weights.fine != 0.0) add(*fine_, point, radius / size_, weights.fine);
-    if (weights.coarse != 0.0) add(*coarse_, point, 0.5 * radius / size_, weights.coarse);
+    if (extent_.fade) return add(*fine_, point, 1.0);
+    const ScaleWeights weights = scale_weights(noise_.settings_.transition, Dim, scale / size_ - 1.0);
+    if (weights.fine != 0.0) add(*fine_, point, weights.fine);
+    if (weights.coarse != 0.0) add(*coarse_, point, weights.coarse);
   }
 
-  void add(Level& level, std::uint32_t point, double radius, double weight) {
+  void add(Level& level, std::uint32_t point, double weight) {
     Located located;
+    const double size = level.cells->axis().size();
     for (int axis = 0; axis < Dim; ++axis) {
       const auto a = static_cast<std::size_t>(axis);
       const CellPosition position = locate_point(level.cells->axis(), positions_[a][point], batch_[point]);
       located.cell[axis] = position.cell;
       located.fraction[a] = position.fraction;
     }
-    located.radius = static_cast<float>(radius);
-    double density = radius;
-    for (int axis = 1; axis < Dim; ++axis) density *= radius;
-    located.density = static_cast<float>(density);
+    located.radius = static_cast<float>(prepared_[point].radius / size);
+    located.density = static_cast<float>(std::pow(prepared_[point].scale / size, Dim));
     located.weight = static_cast<float>(weight * prepared_[point].amplitude);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       located.normal[axis] = static_cast<float>(prepared_[point].normal[axis]);

@@ -17,7 +17,9 @@ namespace solidnoise {
 // A point with the kernel that the noise has there.
 template <int Dim>
 struct KernelPoint {
-  double radius = 1.0;     // of the kernel, world units
+  double radius = 1.0;  // of the kernel, world units
+  double scale = 1.0;   // that the impulses of a hierarchy of grids follow, world units: the kernel's radius,
+                        // but for what depends on its error
   double amplitude = 1.0;  // that makes the standard deviation of the value what it should be
   KernelFamily::Member kernel;
   std::array<double, Dim> wave{};  // of an oriented kernel, cycles per world unit
@@ -36,16 +38,21 @@ class PointConvolution {
     // layer, the kernel is a ball. In 3D only.
     double layer = 0.0;
     ScaleTransition transition = ScaleTransition::fade;
-    double impulses =
-        32.0;  // in the kernel's support (ball, or cylinder), effective: the kurtosis is that of as many
-    double radius = 0.0;  // > 0: of all kernels; then there is one grid, and no transition
+    // Of one grid, for kernels of one radius (world units): cells' side and impulses in each. Else side 0: a
+    // hierarchy of grids, with `count` impulses on average in a cube whose side is a kernel's scale,
+    // effective (the kurtosis is that of as many).
+    double side = 0.0;
+    ImpulseCount count{};
     std::uint64_t seed = 0;
   };
   explicit PointConvolution(const Settings& settings);
 
-  // Mean square of the sum at amplitude 1, per unit of `energy`, the integral of the kernel's square over its
-  // unit support (the integral over the layer's window included).
+  // Mean square of the sum at amplitude 1, per unit of the integral of the kernel's square over space, in
+  // units of world units^Dim of one grid, of the scale^Dim of a hierarchy.
   double power() const { return power_; }
+
+  // The impulses of one grid.
+  ImpulseProcess<Dim> impulses() const { return grid(0, settings_.side); }
 
   // Says what the kernels at some points are: those with the numbers `points`, one kernel for each.
   using Prepare =

@@ -45,13 +45,13 @@ void refuse_point(const CellAxis& axis, double coordinate, std::size_t point) {
 
 CellRange::CellRange(const PointCull& cull, Role role) {
   const auto a = static_cast<std::size_t>(role);
-  first = static_cast<int>(std::floor(cull.lower[a] - cull.reach));
+  first = static_cast<int>(std::floor(cull.lower[a] - cull.reach)) - (static_cast<int>(cull.span) - 1);
   count = std::min(static_cast<int>(std::floor(cull.upper[a] + cull.reach)) - first + 1, kMost);
   for (int i = 0; i < count; ++i) {
     const auto lower = static_cast<float>(first + i);
-    const float excess = std::max({lower - cull.upper[a], cull.lower[a] - lower - 1.0f, 0.0f});
+    const float excess = std::max({lower - cull.upper[a], cull.lower[a] - lower - cull.span, 0.0f});
     square[static_cast<std::size_t>(i)] = excess * excess;
-    along[static_cast<std::size_t>(i)] = role != kT ? cull.normal[a] * (lower + 0.5f) : 0.0f;
+    along[static_cast<std::size_t>(i)] = role != kT ? cull.normal[a] * (lower + 0.5f * cull.span) : 0.0f;
   }
 }
 
@@ -114,6 +114,7 @@ PointCull bounds(std::span<const LocatedPoint<Dim>> points, const KernelExtent& 
     most_density = std::max(most_density, point.density);
   }
   cull.reach = largest * extent.reach;
+  cull.span = static_cast<float>(extent.span);
   if (extent.fade) {
     // fade(y) is 0 outside of 2^-n < y < 1; a small margin for rounding.
     cull.least_turn = 0.9999f / static_cast<float>(1 << Dim) / most_density;

@@ -58,6 +58,7 @@ struct KernelExtent {
   // Half the thickness of the layer around a surface, in kernel radii; 0: no layer, the kernel is a ball.
   float layer = 0.0f;
   float reach = 1.0f;  // farthest impulse, in kernel radii
+  int span = 1;        // ImpulseProcess::span()
   bool fade = false;   // whether impulses are of interest in their turn only (ScaleTransition::fade)
 
   explicit KernelExtent(double layer_) : layer(static_cast<float>(layer_)), reach(std::hypot(1.0f, layer)) {}
@@ -74,29 +75,30 @@ PointCull joined(const PointCull& a, const PointCull& b);
 // corner in that cell, in cells of the smaller size, 0 or 1 per role. Turns are not changed.
 PointCull coarsened(const PointCull& cull, const std::array<float, kRoles>& offset);
 
-// The cells along one role that may hold impulses of interest.
+// The strata along one role that may hold impulses of interest.
 struct CellRange {
-  static constexpr int kMost = 24;
+  static constexpr int kMost = 40;
 
   int first = 0;
   int count = 0;
   std::array<float, kMost> square;  // squared distance from the points' box, along the role
-  std::array<float, kMost> along;   // of a cell's middle, along the normal
+  std::array<float, kMost> along;   // of a stratum's middle, along the normal
 
   CellRange(const PointCull& cull, Role role);
 
-  // The first and the last of the cells whose `along` is between two numbers, or one more on either side.
+  // The first and the last of the strata whose `along` is between two numbers, or one more on either side.
   std::pair<int, int> between(float lower, float upper) const;
 };
 
-// Calls visit(cell) for each cell that may hold impulses that are not culled, relative to the anchor, in
-// lexicographic order.
+// Calls visit(stratum) for each stratum that may hold impulses that are not culled, relative to the anchor,
+// in lexicographic order.
 template <int Dim, typename Visit>
 void for_each_reaching_cell(const PointCull& cull, const Visit& visit) {
   const CellRange last(cull, role_of_axis<Dim>(Dim - 1));
   const float most = cull.reach * cull.reach * 1.0001f;
   const float half =
-      0.5f * (std::abs(cull.normal[0]) + std::abs(cull.normal[1]) + std::abs(cull.normal[2])) + 1e-4f;
+      0.5f * cull.span * (std::abs(cull.normal[0]) + std::abs(cull.normal[1]) + std::abs(cull.normal[2])) +
+      1e-4f;
   const float below = cull.below - half;
   const float above = cull.above + half;
   Index<Dim> cell;

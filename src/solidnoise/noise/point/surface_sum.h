@@ -31,7 +31,9 @@ struct SurfaceBatch {
 template <typename Source>
 class SurfaceSum {
  public:
-  explicit SurfaceSum(const Source& source) : source_(source), extent_(source.layer()) {}
+  explicit SurfaceSum(const Source& source) : source_(source), extent_(source.layer()) {
+    extent_.span = source.span();
+  }
 
   // Adds to the values of the batch's points.
   void add(const SurfaceBatch& batch, std::span<float> values) {
@@ -79,7 +81,8 @@ class SurfaceSum {
 //   const CellAxis& axis() const;  the cells, along each axis
 //   float radius() const;          of the kernel along the surface, in cells
 //   double layer() const;          half the layer's thickness, in radii
-//   void append(anchor, cell, ImpulseList&) const;  the impulses of a cell relative to the anchor
+//   int span() const;              cells along an axis that the impulses of a stratum may lie in
+//   void append(anchor, stratum, ImpulseList&) const;  the impulses of a stratum relative to the anchor
 //   void sum(const PointCluster&, const ImpulseList&, ClusterSums&) const;
 // `tangent` is all empty for kernels that need none. A value depends on its point only.
 template <typename Source>

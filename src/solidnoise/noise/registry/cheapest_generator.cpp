@@ -21,6 +21,7 @@ To convert(const From& from) {
   to.bandwidth = from.bandwidth;
   to.error = from.error;
   to.impulses = from.impulses;
+  to.impulses_process = from.impulses_process;
   to.seed = from.seed;
   to.period = from.period;
   to.evolution = from.evolution;

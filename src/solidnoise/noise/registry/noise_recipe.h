@@ -28,7 +28,7 @@ struct NoiseRecipe {
 std::uint64_t seed_of(const NoiseRecipe& recipe);
 
 // Changes whenever any noise's values do, for the same recipe; stored in every file that is written.
-inline constexpr int kAlgorithmVersion = 5;
+inline constexpr int kAlgorithmVersion = 6;
 
 // The error that a recipe allows against the noise of kernels of infinite support, relative to its standard
 // deviation: the `error` of its options, which ErrorBudget splits; 0 for noises without kernels to truncate.
@@ -78,13 +78,13 @@ std::unique_ptr<Noise<Dim>> make_quadrature(const NoiseRecipe& recipe);
 // spectra are rings of the same place and width that differ a little in shape (|G|^2 is I_nu(x)^2 for one and
 // I_nu(2 x) for the other, times Gaussians). An isotropic kernel gathers its energy in a central spike, the
 // more so the more dimensions there are and the narrower the band, and needs more impulses for the same
-// likeness to a Gaussian field. For an excess kurtosis of 0.5 at an error of 2 %, isotropic kernels and
-// random directions:
+// likeness to a Gaussian field. By default, without excess kurtosis (less so in the first line from three
+// dimensions on), isotropic kernels and random directions:
 //   dimensions        1         2          3            4
-//   0.3 octaves     7,  7    47, 12    446, 22    2921, 40
-//   1 octave        7,  7    28, 12     93, 22     241, 40
-//   2 octaves       7,  7    21, 12     43, 22      74, 40
-//   4 octaves       8,  7    16, 12     13, 22      25, 40
+//   0.3 octaves     5,  5    45,  9    879, 19    5748, 79
+//   1 octave        5,  5    23,  9     64, 19     299, 79
+//   2 octaves       4,  5    17,  9     20, 19      68, 79
+//   4 octaves       5,  5    12,  9      6, 19      23, 79
 //
 // There is a choice for isotropic Gabor noise, but for weights in [-1, 1], which random phases have no use
 // for, and for oriented Gabor noise without anisotropy.
