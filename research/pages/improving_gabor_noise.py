@@ -215,7 +215,7 @@ through the same window. The third column is the transform of the one picture, i
     page.write("""
 The paper's numbers of impulses (32, weights uniform on [-1, 1]) do in one and two dimensions. In three and four its isotropic kernel gathers
 its energy in a central spike: at 32 impulses values are far from Gaussian, and the distribution that the paper shows needs more of them.
-Our default takes weights of ±1 and as many impulses as bring the excess kurtosis to 0.5. Variance and spectrum are right for any number.
+Our default takes weights of ±1, and impulses in strata, which bring the excess kurtosis to 0. Variance and spectrum are right for any number.
 """)
 
 

@@ -7,7 +7,7 @@ namespace solidnoise::papers {
 enum class Comparison {
   same_density,  // 32 for the isotropic kernel, as many per area for the other: the paper's
   same_number,   // 32 under each kernel
-  same_quality,  // as many as bring the excess kurtosis to 0.5
+  same_quality,  // as many as bring the excess kurtosis of a Poisson process to 0.5
 };
 
 // Nanoseconds of processor time per value, one thread.
