@@ -63,7 +63,10 @@ void require_near(const openvdb::CoordBBox& voxels) {
   }
 }
 
+// Whose transform can be inverted, too; OpenVDB throws where it cannot.
 openvdb::GridBase::Ptr require_near(openvdb::GridBase::Ptr grid) {
+  const auto map = grid->transform().baseMap();
+  if (map->isLinear()) map->getAffineMap();
   if (!grid->empty()) require_near(grid->evalActiveVoxelBoundingBox());
   return grid;
 }
