@@ -33,9 +33,9 @@ void make(VolumeRecipe recipe) {
   const Cost cost = volume_cost(recipe, plan, 1);
   if (!(cost.bytes < kMostBytes && cost.seconds < kMostSeconds)) return;
   const Volume volume = make_volume(recipe, plan, "fuzzer");
-  // Densities may be scaled beyond what floats hold, which is refused when they are written.
+  // Densities and velocities may be scaled beyond what floats hold, which is refused when they are written.
   for (const VolumeRecipe& grid : recipes_of_grids(recipe)) {
-    if (measures_density(grid) || grid.density.factor) return;
+    if (measures_density(grid) || grid.density.factor || grid.speed != 1.0) return;
   }
   for (const MeasuredGrid& grid : volume.grids) {
     for (const Moments& moments : grid.moments) {

@@ -146,8 +146,9 @@ void VdbReader::check_grid(const openvdb::io::GridDescriptor& descriptor) {
   if (!descriptor.isInstance()) {
     // The transform has no size of its own: OpenVDB must read it to come to the tree.
     stream_.seekg(start);
-    read_grid_header(descriptor);
-    check_vdb_tree(stream_, size_, {descriptor.gridType(), descriptor.saveFloatAsHalf(), compression});
+    const openvdb::GridBase::Ptr header = read_grid_header(descriptor);
+    // Its metadata say whether values are halves: OpenVDB goes by them, not by the descriptor.
+    check_vdb_tree(stream_, size_, {descriptor.gridType(), header->saveFloatAsHalf(), compression});
   }
   stream_.seekg(start);
 }

@@ -56,8 +56,9 @@ class TreeWalk {
       walk_node(0);
     }
     if (value_.bits_in_leaves) return;
-    for (const std::uint64_t active : active_in_leaf_) {
-      skip(kValuesOfNode[kLevels - 1] / 8);  // its mask, again
+    for (std::uint64_t leaf = 0; leaf < leaves_; ++leaf) {
+      // Its mask again, by which OpenVDB then reads its values.
+      const std::uint64_t active = count(take_mask(kValuesOfNode[kLevels - 1]));
       walk_values(kValuesOfNode[kLevels - 1], active);
     }
   }
@@ -68,7 +69,8 @@ class TreeWalk {
   void walk_node(int level) {
     const std::uint64_t values = kValuesOfNode[static_cast<std::size_t>(level)];
     if (level == kLevels - 1) {
-      active_in_leaf_.push_back(count(take_mask(values)));
+      skip(values / 8);  // its mask
+      ++leaves_;
       return;
     }
     const std::uint64_t children = count(take_mask(values));
@@ -139,7 +141,7 @@ class TreeWalk {
   const std::uint32_t compression_;
   const ValueFormat value_;
   const bool half_;
-  std::vector<std::uint64_t> active_in_leaf_;
+  std::uint64_t leaves_ = 0;
 };
 
 }  // namespace
