@@ -37,6 +37,13 @@ TEST(Json, MessagesAreOfOneLine) {
   }
 }
 
+TEST(Json, IgnoresCommentsAndCountsTheirLines) {
+  const std::string text = "// {\n{\"a\": /* [\n\" */ [1, // }\n 2], \"b\": 3}";
+  EXPECT_EQ(parse_json(text)["a"].size(), 2U);
+  EXPECT_EQ(with_line(text, "b is 3"), "line 4: b is 3");
+  EXPECT_NE(message_of("{\"a\": 1 /* }"), "accepted");
+}
+
 TEST(Json, RefusesAKeyGivenTwice) {
   EXPECT_EQ(message_of(R"({"a": {"b": 1, "b": 2}})"), "the key \"b\" is given twice");
   EXPECT_EQ(message_of(R"({"a": {"b": 1}, "c": {"b": 2}})"), "accepted");

@@ -112,7 +112,20 @@ class Walker {
 
  private:
   char here() const { return at_ < text_.size() ? text_[at_] : '\0'; }
-  void skip_space() { at_ = std::min(text_.find_first_not_of(" \t\r\n", at_), text_.size()); }
+  // And comments.
+  void skip_space() {
+    for (;;) {
+      at_ = std::min(text_.find_first_not_of(" \t\r\n", at_), text_.size());
+      const std::string_view begin = text_.substr(at_, 2);
+      if (begin == "//") {
+        at_ = std::min(text_.find('\n', at_), text_.size());
+      } else if (begin == "/*") {
+        at_ = std::min(text_.find("*/", at_ + 2), text_.size() - 2) + 2;
+      } else {
+        return;
+      }
+    }
+  }
 
   bool open(char bracket) {
     skip_space();
@@ -135,6 +148,7 @@ class Walker {
   void skip_value() {
     int depth = 0;
     do {
+      skip_space();
       const char c = here();
       if (c == '"') {
         quoted();
@@ -216,9 +230,10 @@ std::string plain_message(std::string message) {
 
 Json parse_json(std::string_view text) {
   KeyCheck check;
-  Json::sax_parse(text, &check);
+  constexpr bool kIgnoreComments = true;
+  Json::sax_parse(text, &check, Json::input_format_t::json, /*strict=*/true, kIgnoreComments);
   try {
-    return Json::parse(text);
+    return Json::parse(text, nullptr, /*allow_exceptions=*/true, kIgnoreComments);
   } catch (const Json::exception& error) {
     throw std::invalid_argument(plain_message(error.what()));
   }
