@@ -51,6 +51,8 @@ void GridFile::validate() const {
 }
 
 std::optional<GridFile> parse_grid_file(std::string_view text) {
+  if (text == "-") return GridFile{"-"};
+  if (text.starts_with("-:") && text.size() > 2) return GridFile{"-", std::string(text.substr(2))};
   constexpr std::string_view kExtension = ".vdb";
   if (text.size() > kExtension.size() && text.ends_with(kExtension)) return GridFile{std::string(text)};
   const std::size_t extension = text.rfind(".vdb:");

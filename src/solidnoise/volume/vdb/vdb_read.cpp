@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
+#include <cstdio>
 #include <fstream>
 #include <ios>
 #include <memory>
 #include <new>
 #include <stdexcept>
 #include <system_error>
+#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -71,10 +73,35 @@ openvdb::GridBase::Ptr require_near(openvdb::GridBase::Ptr grid) {
   return grid;
 }
 
+struct CloseFile {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
+// What comes from the standard input, in a file without a name that goes with the process: a .vdb is not read
+// from its beginning to its end. It may be read several times.
+std::filesystem::path standard_input() {
+  static std::unique_ptr<std::FILE, CloseFile> file;
+  if (!file) {
+    file.reset(std::tmpfile());
+    std::vector<char> bytes(std::size_t{1} << 20);
+    while (file) {
+      const std::size_t count = std::fread(bytes.data(), 1, bytes.size(), stdin);
+      if (count == 0) break;
+      if (std::fwrite(bytes.data(), 1, count, file.get()) != count) file.reset();
+    }
+    if (!file || std::fflush(file.get()) != 0) {
+      throw std::runtime_error("-: the standard input cannot be kept in a file: " +
+                               std::generic_category().message(errno));
+    }
+  }
+  return fmt::format("/proc/self/fd/{}", fileno(file.get()));
+}
+
 // Opens a .vdb that has grids.
 std::unique_ptr<VdbReader> open_vdb(const std::filesystem::path& path) {
-  require_readable(path);
-  auto reader = guarded(path, [&] { return std::make_unique<VdbReader>(path); });
+  const std::filesystem::path file = path == "-" ? standard_input() : path;
+  require_readable(file);
+  auto reader = guarded(path, [&] { return std::make_unique<VdbReader>(file); });
   if (reader->grid_count() == 0) throw std::runtime_error(fmt::format("{}: holds no grids", path.string()));
   return reader;
 }
@@ -138,6 +165,9 @@ std::string listed(const std::string& name, const openvdb::GridBase& grid) {
 bool is_float(const openvdb::GridBase& grid) {
   return grid.isType<openvdb::FloatGrid>();
 }
+bool is_vector(const openvdb::GridBase& grid) {
+  return grid.isType<openvdb::Vec3SGrid>() || grid.isType<openvdb::Vec3DGrid>();
+}
 constexpr char kGridOfFloats[] = "grid of floats";
 
 // Reads the first grid that has the name, or any name if it is empty, and whose header `suits`. `kind` says
@@ -177,9 +207,13 @@ openvdb::FloatGrid::Ptr read_float_grid(const std::filesystem::path& path, const
 }
 
 openvdb::GridBase::Ptr read_vector_grid(const std::filesystem::path& path, const std::string& name) {
-  return read_matching(path, name, "grid of vectors", [](const openvdb::GridBase& grid) {
-    return grid.isType<openvdb::Vec3SGrid>() || grid.isType<openvdb::Vec3DGrid>();
-  });
+  return read_matching(path, name, "grid of vectors", is_vector);
+}
+
+openvdb::GridBase::Ptr read_float_or_vector_grid(const std::filesystem::path& path,
+                                                 const std::string& name) {
+  return read_matching(path, name, "grid of floats or vectors",
+                       [](const openvdb::GridBase& grid) { return is_float(grid) || is_vector(grid); });
 }
 
 VdbFile read_grids(const std::filesystem::path& path) {

@@ -30,7 +30,7 @@ struct VdbSummary {
   std::vector<GridSummary> grids;               // in the file's order, at least one
 };
 
-// Each function throws std::runtime_error naming the path if the file cannot be read, is no .vdb, is damaged
+// A path of "-" is the standard input. Each function throws std::runtime_error naming the path if the file cannot be read, is no .vdb, is damaged
 // as far as that shows (values have no checksums), has voxels of indices beyond +-2^30, or holds no grids.
 
 VdbSummary read_vdb_summary(const std::filesystem::path& path);
@@ -45,6 +45,10 @@ openvdb::FloatGrid::Ptr read_float_grid(const std::filesystem::path& path, const
 
 // The same for a grid of vectors, vec3s or vec3d.
 openvdb::GridBase::Ptr read_vector_grid(const std::filesystem::path& path, const std::string& name = {});
+
+// The same for a grid of either.
+openvdb::GridBase::Ptr read_float_or_vector_grid(const std::filesystem::path& path,
+                                                 const std::string& name = {});
 
 // All grids of a file, in its order, and the file's own metadata. Grids that share a tree in the file share
 // it here. What the file says of a grid's place in it (bounds, sizes, compression) is left out: the next file
