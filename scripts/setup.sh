@@ -6,7 +6,7 @@ packages=(
   cmake ninja-build g++ pkg-config
   libopenvdb-dev libboost-iostreams-dev zlib1g-dev libtbb-dev libopenimageio-dev libpng-dev libopenmesh-dev
   libglm-dev libeigen3-dev libembree-dev libhwy-dev libkissfft-dev
-  libfmt-dev nlohmann-json3-dev libcli11-dev fonts-dejavu-core
+  libfmt-dev nlohmann-json3-dev fonts-dejavu-core
   "$@"
 )
 

@@ -75,7 +75,7 @@ const Refusal kUsage[] = {
     {"RangeOfWords", 2, {"--out", "x.ply", "--size", "1..b"}, {"--size is 1..b;", "4..32"}},
     {"FrequencyNegative", 2, {"--out", "x.ply", "--frequency", "-1"}, {"--frequency is -1", "between"}},
     {"FrequencyZero", 2, {"--out", "x.ply", "--frequency", "4..0"}, {"--frequency is 0", "between"}},
-    {"SizeZero", 2, {"--out", "x.ply", "--size", "0"}, {"--size is 0", "greater than 0"}},
+    {"SizeZero", 2, {"--out", "x.ply", "--size", "0"}, {"--size is 0", "between"}},
     {"Detail", 2, {"--out", "x.ply", "--detail", "1e9"}, {"--detail is 1000000000", "between"}},
     {"Bandwidth", 2, {"--out", "x.ply", "--bandwidth", "0..1"}, {"--bandwidth is 0", "between 0.1 and 4"}},
     {"Magnitude", 2, {"--out", "x.ply", "--magnitude", "-1"}, {"--magnitude is -1", "between 0 and"}},

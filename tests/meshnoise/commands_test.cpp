@@ -161,7 +161,7 @@ TEST(Meshnoise, InfoPrintsTheMeshAndItsRecipe) {
 }
 
 TEST(Meshnoise, HelpListsTheFlags) {
-  const ToolResult result = run_meshnoise({"bake", "--help"});
+  const ToolResult result = run_meshnoise({"bake", "--help-all"});
   ASSERT_EQ(result.status, 0);
   for (const char* flag : {"--out", "--noise", "--frequency", "--by", "--ramp", "--refine", "--displace",
                            "--follow", "--preview", "--recipe", "--describe", "--threads"}) {

@@ -12,7 +12,7 @@ namespace solidnoise {
 namespace {
 
 const std::vector<Refusal> kRefusals = {
-    {"NoArguments", 2, {}, {"an exemplar or a command is missing"}},
+    {"NoArguments", 2, {}, {"IN is missing"}},
     {"NoOutput", 2, {"in.png"}, {"--out is missing"}},
     {"Memory", 1, {"in.png", "--max-memory", "10M", "--out", "x.json"}, {"--max-memory allows 10.0 MiB"}},
     {"Time",

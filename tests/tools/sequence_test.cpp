@@ -247,7 +247,7 @@ TEST(Sequence, RefusesWhatIsNoSequence) {
       {with(evolving, {"--out", "s.##########.vdb"}), "at most 9 digits"},
       {with(evolving, {"--out", "s.#.vdb", "--preview", "s.png"}), "--preview is s.png; of several frames"},
       {with(evolving, {"--out", "-"}), "--out is -"},
-      {with(evolving, {"--out", "s.#.vdb", "--fps", "0"}), "--fps is 0; it must be greater than 0"},
+      {with(evolving, {"--out", "s.#.vdb", "--fps", "0"}), "--fps is 0; it must be between"},
       {with(evolving, {"--out", "s.#.vdb", "--loop", "0.3"}),
        "--loop is 0.3, which at 24 frames per unit of time is 7.2"},
       {with(kEvolving, {"--out", "s.#.vdb"}),

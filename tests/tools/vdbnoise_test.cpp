@@ -345,7 +345,7 @@ TEST(Vdbnoise, PreviewIsAPicture) {
 }
 
 TEST(Vdbnoise, HelpListsTheFlags) {
-  const ToolResult result = run_vdbnoise({"--help"});
+  const ToolResult result = run_vdbnoise({"--help-all"});
   ASSERT_EQ(result.status, 0);
   for (const char* flag : {"--out", "--noise", "--voxel", "--optical-depth", "--recipe", "--max-memory"}) {
     EXPECT_NE(result.out.find(flag), std::string::npos);

@@ -51,7 +51,7 @@ TEST(LayerJson, MessagesGiveThePathInTheTree) {
             "layers[0].warp.noise.frequency is 0; it must be between 1e-12 and 1000000000000 (cycles per "
             "world unit)");
   EXPECT_EQ(refusal_of(R"([{"warp": {"amount": -2}}])"),
-            "layers[0].warp.amount is -2; it must be at least 0 (world units)");
+            "layers[0].warp.amount is -2; it must be between 0 and 1000000000 (world units)");
   EXPECT_EQ(refusal_of(R"([{"warp": {"size": 1}}])"),
             "layers[0].warp.size is unknown; the keys here are amount, noise");
   EXPECT_EQ(refusal_of(R"([{"weight": "much"}])"), "layers[0].weight is \"much\"; it must be a number");

@@ -183,7 +183,8 @@ TEST(VolumeRecipeJson, MessagesGiveThePathInTheTree) {
             "shape.file is unknown; the keys here are type");
   EXPECT_EQ(with(R"("voxel": 0)"), "voxel is 0; it must be greater than 0 (world units)");
   EXPECT_EQ(with(R"("dims": 5)"), "dims is 5; it must be between 3 and 4");
-  EXPECT_EQ(with(R"("time": 1)"), "time is 1; it must be 0 where dims is 3 and the noise does not evolve");
+  EXPECT_EQ(with(R"("time": 1)"),
+            "time is 1; it must be 0 where dims is 3, there is no wind and the noise does not evolve");
   EXPECT_EQ(with(R"("box": [0, 0, 0, 1, 1])"), "box is [0,0,0,1,1]; it must be an array of 6 numbers");
   EXPECT_EQ(with(R"("grid": "")"), "grid is empty; it must be a name");
   EXPECT_EQ(with(R"("output": "curl", "speed": -1)"),

@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <cctype>
-#include <sstream>
+#include <stdexcept>
+#include <utility>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "common/frame_curve.h"
 #include "common/parse_value.h"
-#include "common/run_tool.h"
-#include "solidnoise/core/choices.h"
 #include "solidnoise/core/printable.h"
 
 namespace solidnoise {
@@ -18,245 +17,262 @@ namespace {
 
 using Values = std::vector<std::string>;
 
-// --help in two columns: flags with what their values stand for, and what they do.
-class HelpFormatter : public CLI::Formatter {
- public:
-  std::string make_option_opts(const CLI::Option* option) const override {
-    return option->get_type_name().empty() ? std::string() : " " + option->get_type_name();
-  }
-  std::string make_usage(const CLI::App* app, std::string) const override {
-    std::string usage = "Usage: " + app->get_name();
-    for (const CLI::Option* option : app->get_options()) {
-      if (!option->get_positional()) continue;
-      usage += option->get_required() ? " " + option->get_name() : " [" + option->get_name() + "]";
-    }
-    return usage + " [FLAG...]\n";
-  }
-};
-
-std::vector<std::string> words_of(const std::string& text) {
-  std::istringstream stream(text);
-  std::vector<std::string> words;
-  for (std::string word; stream >> word;) words.push_back(word);
-  return words;
+bool is_digit(char letter) {
+  return std::isdigit(static_cast<unsigned char>(letter)) != 0;
 }
 
-// The parsing library takes "-.5" for a flag, though not "-0.5".
-std::string with_leading_digit(const std::string& argument) {
-  const bool is_number = argument.size() > 2 && argument.starts_with("-.") &&
-                         std::isdigit(static_cast<unsigned char>(argument[2])) != 0;
-  return is_number ? "-0" + argument.substr(1) : argument;
+// "-" and "-:GRID" are files, and -1 and -.5 are numbers.
+bool is_flag(const std::string& word) {
+  return word.size() > 1 && word[0] == '-' && word[1] != '.' && word[1] != ':' && !is_digit(word[1]);
+}
+
+// What a value that may be left out has to begin like, so that it is not taken for one when it is a file.
+bool is_like_number(const std::string& word) {
+  const std::size_t first = word.find_first_not_of("+-.");
+  return first != std::string::npos && is_digit(word[first]);
+}
+
+// How many values the names stand for: at least, at most. Those from the first bracket on may be left out.
+std::pair<std::size_t, std::size_t> counts_of(const std::string& value_names) {
+  if (value_names.empty()) return {0, 0};
+  const auto first_optional =
+      value_names.begin() + static_cast<std::ptrdiff_t>(std::min(value_names.find(" ["), value_names.size()));
+  const auto fewest = std::count(value_names.begin(), first_optional, ' ') + 1;
+  const auto optional = std::count(first_optional, value_names.end(), ' ');
+  return {static_cast<std::size_t>(fewest), static_cast<std::size_t>(fewest + optional)};
 }
 
 }  // namespace
 
-struct FlagSet::Parser {
-  struct Flag {
-    std::string name;
-    CLI::Option* option = nullptr;
-    std::shared_ptr<Values> values;
-    std::function<void(const Values&)> action;
-  };
-
-  CLI::App app;
-  std::string group;
-  std::vector<Flag> flags;
-  std::vector<std::vector<std::string>> exclusions;
-
-  Parser(const std::string& command, const std::string& description) : app(description, command) {
-    app.formatter(std::make_shared<HelpFormatter>());
-    constexpr std::size_t kFlagColumn = 36;  // characters
-    app.get_formatter()->column_width(kFlagColumn);
-    app.set_help_flag("--help,-h", "Print this and exit")->group("General");
-  }
-
-  void add(const std::string& name, const std::string& value_names, std::size_t fewest,
-           const std::string& help, std::function<void(const Values&)> action) {
-    Flag flag{name, nullptr, std::make_shared<Values>(), std::move(action)};
-    const int most = static_cast<int>(words_of(value_names).size());
-    flag.option = app.add_option(name, *flag.values, help)
-                      ->expected(static_cast<int>(fewest), most)
-                      ->type_name(value_names)
-                      ->group(group);
-    flags.push_back(std::move(flag));
-  }
-
-  const Flag* find(const std::string& name) const {
-    const auto found =
-        std::find_if(flags.begin(), flags.end(), [&](const Flag& f) { return f.name == name; });
-    return found == flags.end() ? nullptr : &*found;
-  }
-
-  // The flag that a message of the parsing library is about.
-  const Flag* find_in(const std::string& message) const {
-    const Flag* longest = nullptr;
-    for (const Flag& flag : flags) {
-      if (message.find(flag.name.substr(2)) == std::string::npos) continue;
-      if (!longest || flag.name.size() > longest->name.size()) longest = &flag;
-    }
-    return longest;
-  }
-
-  UsageError unexpected(const std::string& argument) const {
-    if (!argument.starts_with("-")) {
-      return UsageError(fmt::format("{} is not expected here: it follows no flag", printable(argument)));
-    }
-    const std::string name = argument.substr(0, argument.find('='));
-    std::vector<std::string_view> names;
-    for (const Flag& flag : flags) names.push_back(flag.name);
-    const std::string_view nearest = nearest_word(name, names);
-    const std::string hint = nearest.empty() ? std::string() : fmt::format("; did you mean {}?", nearest);
-    return UsageError(fmt::format("{} is not a flag of {}{}", printable(name), app.get_name(), hint));
-  }
-
-  UsageError wrong_count(const std::string& message) const {
-    const Flag* const flag = find_in(message);
-    if (!flag) return UsageError(message);
-    const std::string value_names = flag->option->get_type_name();
-    const Values given = flag->option->results();
-    if (value_names.empty()) return UsageError(flag->name + " is given a value; it takes none");
-    if (given.size() <= words_of(value_names).size()) {
-      return UsageError(fmt::format("{} lacks a value; it takes {}", flag->name, value_names));
-    }
-    return UsageError(fmt::format("{} is given {} values ({}); it takes {}", flag->name, given.size(),
-                                  printable(fmt::format("{}", fmt::join(given, " "))), value_names));
-  }
-
-  // A flag is no value: the one before it lacks its own.
-  void refuse_flags_as_values() const {
-    for (const Flag& flag : flags) {
-      if (!flag.values) continue;
-      for (const std::string& value : *flag.values) {
-        if (value.starts_with("--")) {
-          throw UsageError(
-              fmt::format("{} lacks a value; it takes {}", flag.name, flag.option->get_type_name()));
-        }
-      }
-    }
-  }
-
-  void refuse_contradictions() const {
-    for (const auto& names : exclusions) {
-      std::vector<std::string> present;
-      for (const std::string& name : names) {
-        if (find(name)->option->count() > 0) present.push_back(name);
-      }
-      if (present.size() > 1) {
-        throw UsageError(
-            fmt::format("{} contradict each other; give one of them", fmt::join(present, " and ")));
-      }
-    }
-  }
-};
-
-FlagSet::FlagSet(std::string command, std::string description)
-    : parser_(std::make_unique<Parser>(command, description)) {}
-
-FlagSet::~FlagSet() = default;
-
-void FlagSet::group(const std::string& name) {
-  parser_->group = name;
+FlagSet::FlagSet(std::string command, std::string description) {
+  page_.command = std::move(command);
+  page_.description = std::move(description);
 }
 
-void FlagSet::toggle(const std::string& flag, const std::string& help, std::function<void()> action) {
-  Parser::Flag toggle{flag, nullptr, nullptr, [action](const Values&) { action(); }};
-  toggle.option = parser_->app.add_flag(flag, help)->disable_flag_override()->group(parser_->group);
-  toggle.option->type_name("");
-  parser_->flags.push_back(std::move(toggle));
+Flag& FlagSet::add(Flag flag) {
+  flag.group = group_;
+  flag.may_vary = may_vary_ && flag.numbers != Flag::Numbers::none;
+  return flags_.emplace_back(std::move(flag));
 }
 
-void FlagSet::text(const std::string& flag, const std::string& value_name, const std::string& help,
-                   std::function<void(const std::string&)> action) {
-  parser_->add(flag, value_name, 1, help, [action](const Values& values) { action(values[0]); });
+Flag& FlagSet::toggle(const std::string& flag, const std::string& help, const std::function<void()>& action) {
+  return add({flag, {}, help, [action](const Values&) { action(); }});
 }
 
-void FlagSet::number(const std::string& flag, const std::string& value_name, const std::string& help,
-                     std::function<void(double)> action) {
-  text(flag, value_name, help, [flag, action](const std::string& text) { action(parse_number(flag, text)); });
+Flag& FlagSet::text(const std::string& flag, const std::string& value_name, const std::string& help,
+                    const std::function<void(const std::string&)>& action) {
+  return add({flag, value_name, help, [action](const Values& values) { action(values[0]); }});
 }
 
-void FlagSet::integer(const std::string& flag, const std::string& value_name, const std::string& help,
-                      std::function<void(int)> action) {
-  text(flag, value_name, help,
-       [flag, action](const std::string& text) { action(parse_integer(flag, text)); });
+Flag& FlagSet::number(const std::string& flag, const std::string& value_name, const std::string& help,
+                      const std::function<void(double)>& action) {
+  return numbers(flag, value_name, help, [action](const std::vector<double>& v) { action(v[0]); });
 }
 
-void FlagSet::numbers(const std::string& flag, const std::string& value_names, std::size_t fewest,
-                      const std::string& help, std::function<void(const std::vector<double>&)> action) {
-  parser_->add(flag, value_names, fewest, help, [flag, action](const Values& values) {
-    std::vector<double> numbers;
-    for (const std::string& value : values) numbers.push_back(parse_number(flag, value));
-    action(numbers);
+Flag& FlagSet::integer(const std::string& flag, const std::string& value_name, const std::string& help,
+                       const std::function<void(int)>& action) {
+  const auto read = [flag, action](const Values& values) { action(parse_integer(flag, values[0])); };
+  return add({flag, value_name, help, read, Flag::Numbers::whole});
+}
+
+Flag& FlagSet::numbers(const std::string& flag, const std::string& value_names, const std::string& help,
+                       const std::function<void(const std::vector<double>&)>& action) {
+  const auto read = [flag, action](const Values& values) { action(parse_numbers(flag, values)); };
+  return add({flag, value_names, help, read, Flag::Numbers::any});
+}
+
+Flag& FlagSet::choice(const std::string& flag, const std::vector<std::string_view>& words,
+                      const std::string& help, const std::function<void(std::size_t)>& action) {
+  return text(flag, fmt::format("{}", fmt::join(words, "|")), help,
+              [flag, words, action](const std::string& text) { action(parse_word(flag, text, words)); });
+}
+
+Flag& FlagSet::keep(const std::string& flag, const std::string& value_name, const std::string& help,
+                    std::string& target) {
+  return text(flag, value_name, help, [flag, &target](const std::string& text) {
+    if (text.empty()) throw UsageError(flag + " is empty; it must be a name");
+    target = text;
   });
 }
 
-void FlagSet::choice(const std::string& flag, const std::vector<std::string_view>& words,
-                     const std::string& help, std::function<void(std::size_t)> action) {
-  const auto pick = [flag, words, action](const std::string& text) {
-    const auto found = std::find(words.begin(), words.end(), text);
-    if (found == words.end()) {
-      throw UsageError(fmt::format("{} is {}; it must be one of {}", flag,
-                                   text.empty() ? "empty" : printable(text), fmt::join(words, ", ")));
-    }
-    action(static_cast<std::size_t>(found - words.begin()));
-  };
-  text(flag, fmt::format("{}", fmt::join(words, "|")), help, pick);
-}
-
 void FlagSet::argument(const std::string& name, const std::string& help, std::string& value) {
-  parser_->app.add_option(name, value, help)->required()->type_name("");
-}
-
-void FlagSet::arguments(const std::string& name, const std::string& help, std::vector<std::string>& values) {
-  parser_->app.add_option(name, values, help)->required()->type_name("");
+  arguments_.push_back({name, help, 1, 1, [&value](const std::string& text) { value = text; }});
 }
 
 void FlagSet::optional_argument(const std::string& name, const std::string& help, std::string& value) {
-  parser_->app.add_option(name, value, help)->type_name("");
+  argument(name, help, value);
+  arguments_.back().fewest = 0;
 }
 
-void FlagSet::exclude(std::vector<std::string> flags) {
-  parser_->exclusions.push_back(std::move(flags));
-}
-
-void FlagSet::footer(const std::string& text) {
-  parser_->app.footer(text);
+void FlagSet::arguments(const std::string& name, const std::string& help, std::vector<std::string>& values) {
+  const auto add = [&values](const std::string& text) { values.push_back(text); };
+  arguments_.push_back({name, help, 1, std::string::npos, add});
 }
 
 void FlagSet::version(const std::string& text) {
-  parser_->app.set_version_flag("--version", text, "Print the version and exit")->group("General");
+  toggle("--version", "Print the version and exit", [text] { throw TextRequested{text + '\n'}; });
 }
 
 void FlagSet::parse(const std::vector<std::string>& arguments) {
-  CLI::App& app = parser_->app;
-  std::vector<std::string> reversed;  // as the parsing library wants them
-  for (auto i = arguments.rbegin(); i != arguments.rend(); ++i) reversed.push_back(with_leading_digit(*i));
-  try {
-    app.parse(std::move(reversed));
-  } catch (const CLI::CallForHelp&) {
-    throw TextRequested{app.help()};
-  } catch (const CLI::CallForVersion& version) {
-    throw TextRequested{std::string(version.what()) + '\n'};
-  } catch (const CLI::ExtrasError&) {
-    throw parser_->unexpected(app.remaining().front());
-  } catch (const CLI::ArgumentMismatch& error) {
-    throw parser_->wrong_count(error.what());
-  } catch (const CLI::ParseError& error) {
-    throw parser_->wrong_count(error.what());
+  std::vector<std::string> words = arguments;
+  take_help_request(words);
+  if (page_.asked == HelpPage::Asked::nothing) {
+    read(words);
+    if (given("--version")) find("--version")->action({});
+    return check();
   }
-  parser_->refuse_flags_as_values();
-  parser_->refuse_contradictions();
+  try {
+    read(words);  // as far as it goes: a preset has its own defaults
+  } catch (const UsageError&) {
+  }
 }
 
-void FlagSet::apply() const {
-  for (const Parser::Flag& flag : parser_->flags) {
-    if (flag.option->count() > 0) flag.action(flag.values ? *flag.values : Values());
+void FlagSet::take_help_request(std::vector<std::string>& words) {
+  using Asked = HelpPage::Asked;
+  for (auto word = words.begin(); word != words.end(); ++word) {
+    if (*word == "--") return;
+    if (*word != "--help" && *word != "-h" && *word != "--help-all") continue;
+    page_.asked = *word == "--help-all" ? Asked::all : Asked::first;
+    auto end = word + 1;
+    if (page_.asked == Asked::first && end != words.end() && !is_flag(*end)) {
+      page_.asked = Asked::word;
+      page_.word = *end++;
+    }
+    words.erase(word, end);
+    return;
+  }
+}
+
+const Flag* FlagSet::find(std::string_view name) const {
+  const auto found =
+      std::find_if(flags_.begin(), flags_.end(), [&](const Flag& flag) { return flag.name == name; });
+  return found == flags_.end() ? nullptr : &*found;
+}
+
+// The flag that a word of the command line begins with.
+Flag* FlagSet::find_given(const std::string& word) {
+  const std::string name = word.substr(0, word.find('='));
+  for (Flag& flag : flags_) {
+    if (flag.name != name) continue;
+    if (flag.given) throw UsageError(name + " is given twice");
+    return &flag;
+  }
+  std::vector<std::string_view> names;
+  for (const Flag& flag : flags_) names.push_back(flag.name);
+  const std::string_view nearest = nearest_word(name, names);
+  const std::string hint = nearest.empty() ? std::string() : fmt::format("; did you mean {}?", nearest);
+  throw UsageError(fmt::format("{} is not a flag of {}{}", printable(name), page_.command, hint));
+}
+
+void FlagSet::read(const std::vector<std::string>& words) {
+  Values without_flag;
+  bool has_flags = true;  // until --
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (has_flags && words[i] == "--") {
+      has_flags = false;
+      continue;
+    }
+    if (!has_flags || !is_flag(words[i])) {
+      without_flag.push_back(words[i]);
+      continue;
+    }
+    Flag* const flag = find_given(words[i]);
+    const auto [fewest, most] = counts_of(flag->value_names);
+    Values& values = flag->given.emplace();
+    if (const std::size_t equals = words[i].find('='); equals != std::string::npos) {
+      if (most == 0) throw UsageError(flag->name + " is given a value; it takes none");
+      values.push_back(words[i].substr(equals + 1));
+    }
+    while (values.size() < most && i + 1 < words.size() && !is_flag(words[i + 1])) {
+      if (values.size() >= fewest && !is_like_number(words[i + 1])) break;
+      values.push_back(words[++i]);
+    }
+    if (values.size() < fewest) {
+      throw UsageError(fmt::format("{} lacks a value; it takes {}", flag->name, flag->value_names));
+    }
+  }
+  take_arguments(without_flag);
+}
+
+void FlagSet::take_arguments(const std::vector<std::string>& values) {
+  std::size_t next = 0;
+  for (const Argument& argument : arguments_) {
+    const std::size_t count = std::min(argument.most, values.size() - next);
+    for (std::size_t i = 0; i < count; ++i) argument.action(values[next++]);
+    if (count < argument.fewest && page_.asked == HelpPage::Asked::nothing && !given("--version")) {
+      throw UsageError(fmt::format("{} is missing: {}", argument.name, argument.help));
+    }
+  }
+  if (next == values.size()) return;
+  throw UsageError(fmt::format("{} is not expected here: it follows no flag", printable(values[next])));
+}
+
+void FlagSet::check() const {
+  for (const std::vector<std::string>& names : exclusions_) {
+    std::vector<std::string> present;
+    for (const std::string& name : names) {
+      if (given(name)) present.push_back(name);
+    }
+    if (present.size() < 2) continue;
+    throw UsageError(fmt::format("{} contradict each other; give one of them", fmt::join(present, " and ")));
+  }
+}
+
+void FlagSet::apply(int frame) const {
+  if (page_.asked != HelpPage::Asked::nothing) throw TextRequested{help_text(page_, arguments_, flags_)};
+  for (const Flag& flag : flags_) {
+    if (!flag.given || !flag.action) continue;
+    Values values = *flag.given;
+    for (std::string& value : values) {
+      if (!flag.may_vary || !is_curve(value)) continue;
+      const FrameCurve curve(flag.name, value);
+      value = flag.numbers == Flag::Numbers::whole ? fmt::format("{:.0f}", curve.at(frame))
+                                                   : fmt::format("{}", curve.at(frame));
+    }
+    try {
+      flag.action(values);
+    } catch (const std::invalid_argument& error) {
+      const std::string message = name_flag(error.what());
+      throw UsageError(message.find(flag.name) == std::string::npos ? flag.name + ": " + message : message);
+    }
+  }
+}
+
+std::vector<int> FlagSet::curve_frames() const {
+  std::vector<int> frames;
+  for (const Flag& flag : flags_) {
+    if (!flag.given || !flag.may_vary) continue;
+    for (const std::string& value : *flag.given) {
+      if (!is_curve(value)) continue;
+      const std::vector<int> of_curve = FrameCurve(flag.name, value).frames();
+      frames.insert(frames.end(), of_curve.begin(), of_curve.end());
+    }
+  }
+  return frames;
+}
+
+void FlagSet::refuse_curves(const std::string& why) const {
+  for (const Flag& flag : flags_) {
+    if (!flag.given || !flag.may_vary) continue;
+    const auto curve = std::find_if(flag.given->begin(), flag.given->end(), is_curve);
+    if (curve == flag.given->end()) continue;
+    throw UsageError(fmt::format("{} is {}, a curve over frames; {}", flag.name, printable(*curve), why));
   }
 }
 
 bool FlagSet::given(const std::string& flag) const {
-  const Parser::Flag* const found = parser_->find(flag);
-  return found && found->option->count() > 0;
+  const Flag* const found = find(flag);
+  return found && found->given;
+}
+
+std::optional<std::string> FlagSet::value_of(const std::string& flag) const {
+  return given(flag) ? std::optional(find(flag)->given->front()) : std::nullopt;
+}
+
+void FlagSet::refuse(std::initializer_list<std::string_view> flags, const std::string& why) const {
+  for (const std::string_view flag : flags) {
+    if (given(std::string(flag))) throw UsageError(fmt::format("{} {}", flag, why));
+  }
 }
 
 std::string FlagSet::name_flag(const std::string& message) const {
@@ -264,10 +280,6 @@ std::string FlagSet::name_flag(const std::string& message) const {
   const std::size_t length_of_field = flag.size() - 2;
   for (const char separator : {'_', '.'}) std::replace(flag.begin(), flag.end(), separator, '-');
   return given(flag) ? flag + message.substr(length_of_field) : message;
-}
-
-std::optional<std::string> FlagSet::value_of(const std::string& flag) const {
-  return given(flag) ? std::optional(parser_->find(flag)->values->front()) : std::nullopt;
 }
 
 }  // namespace solidnoise

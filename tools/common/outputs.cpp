@@ -5,6 +5,7 @@
 #include <set>
 #include <stdexcept>
 #include <system_error>
+#include <unistd.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -58,6 +59,11 @@ void require_extension(const std::string& flag, const std::string& path,
   throw UsageError(fmt::format("{} is {}; it must end in {}{}", flag, printable(path),
                                fmt::join(extensions, " or "),
                                may_be_standard ? ", or be - for the standard output" : ""));
+}
+
+void require_no_terminal(const std::string& flag, const std::string& path) {
+  if (path != "-" || isatty(STDOUT_FILENO) == 0) return;
+  throw UsageError(flag + " is -, and the standard output is a terminal; send it to a file or a program");
 }
 
 void write_text_file(const std::filesystem::path& path, const std::string& text,

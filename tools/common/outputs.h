@@ -34,6 +34,9 @@ enum class StandardOutput { allowed, refused };
 void require_extension(const std::string& flag, const std::string& path,
                        std::initializer_list<std::string_view> extensions, StandardOutput standard_output);
 
+// Throws UsageError if an output is "-" and the standard output is a terminal.
+void require_no_terminal(const std::string& flag, const std::string& path);
+
 // Writes a text, all or nothing, as write_output does.
 void write_text_file(const std::filesystem::path& path, const std::string& text,
                      const OutputOptions& options);

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "common/run_tool.h"
 #include "solidnoise/core/printable.h"
@@ -49,6 +50,19 @@ int parse_integer(const std::string& flag, const std::string& text) {
 
 std::uint64_t parse_unsigned(const std::string& flag, const std::string& text) {
   return parse_whole<std::uint64_t>(flag, text, "a whole number from 0 to 18446744073709551615");
+}
+
+std::vector<double> parse_numbers(const std::string& flag, const std::vector<std::string>& texts) {
+  std::vector<double> numbers;
+  for (const std::string& text : texts) numbers.push_back(parse_number(flag, text));
+  return numbers;
+}
+
+std::size_t parse_word(const std::string& flag, const std::string& text,
+                       const std::vector<std::string_view>& words) {
+  const auto found = std::find(words.begin(), words.end(), text);
+  if (found == words.end()) refuse(flag, text, fmt::format("one of {}", fmt::join(words, ", ")));
+  return static_cast<std::size_t>(found - words.begin());
 }
 
 std::uint64_t parse_bytes(const std::string& flag, const std::string& text) {
@@ -126,19 +140,11 @@ std::vector<int> parse_frames(const std::string& flag, const std::string& text) 
     if (take(rest, 'x')) step = take_number(rest);
   }
   if (!first || !last || !step || !rest.empty() || *step < 1) {
-    throw UsageError(
-        fmt::format("{} is {}; it must be frames from 0 on, such as 1001-1048, 1001-1100x2 or 1001", flag,
-                    text.empty() ? "empty" : printable(text)));
+    refuse(flag, text, "frames from 0 on, such as 1001-1048, 1001-1100x2 or 1001");
   }
-  if (*last < *first) {
-    throw UsageError(
-        fmt::format("{} is {}; the last frame must not come before the first", flag, printable(text)));
-  }
+  if (*last < *first) refuse(flag, text, "a frame and one that does not come before it");
   const std::size_t count = static_cast<std::size_t>((*last - *first) / *step) + 1;
-  if (count > kMostFrames) {
-    throw UsageError(
-        fmt::format("{} is {}, {} frames; {} are allowed", flag, printable(text), count, kMostFrames));
-  }
+  if (count > kMostFrames) refuse(flag, text, fmt::format("{} frames at most", kMostFrames));
   std::vector<int> frames(count);
   for (std::size_t i = 0; i < count; ++i) frames[i] = *first + static_cast<int>(i) * *step;
   return frames;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace solidnoise {
@@ -11,6 +12,11 @@ namespace solidnoise {
 double parse_number(const std::string& flag, const std::string& text);
 int parse_integer(const std::string& flag, const std::string& text);
 std::uint64_t parse_unsigned(const std::string& flag, const std::string& text);
+std::vector<double> parse_numbers(const std::string& flag, const std::vector<std::string>& texts);
+
+// The place of a text among some words.
+std::size_t parse_word(const std::string& flag, const std::string& text,
+                       const std::vector<std::string_view>& words);
 
 // Bytes: a number and an optional unit, K, M, G or T (powers of 1024; "GiB" and "GB" are the same here).
 std::uint64_t parse_bytes(const std::string& flag, const std::string& text);

@@ -1,15 +1,18 @@
 #include "common/recipe_files.h"
 
+#include <cerrno>
 #include <cstdint>
+#include <iostream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "common/parse_value.h"
 #include "common/run_tool.h"
 #include "solidnoise/core/input_file.h"
-#include "solidnoise/core/printable.h"
 #include "solidnoise/noise/registry/noise_recipe.h"
 #include "solidnoise/recipe/json_reader.h"
 
@@ -39,13 +42,47 @@ std::string read_recipe(const std::filesystem::path& path, std::string_view text
   }
 }
 
-const Preset& find_preset(std::string_view name) {
-  std::string names;
+namespace {
+
+std::string list_presets() {
+  std::string text;
   for (const Preset& preset : presets()) {
-    if (preset.name == name) return preset;
-    names += (names.empty() ? "" : ", ") + std::string(preset.name);
+    text += fmt::format("{:<10} {}\n", preset.name,
+                        parse_json(preset.json)["description"].get_ref<const std::string&>());
   }
-  throw UsageError(fmt::format("--preset is {}; it must be one of {}", printable(name), names));
+  return text;
+}
+
+}  // namespace
+
+void declare_recipe_flags(FlagSet& flags, const std::string& files, std::string& written,
+                          const std::function<Json()>& schema) {
+  flags.group("Recipes");
+  flags.add({"--preset", "NAME", "Start from a recipe that comes with the program"});
+  flags.add({"--recipe", "FILE", "Start from a recipe, .json, or from that of " + files});
+  flags.exclude({"--preset", "--recipe"});
+  flags.keep("--write-recipe", "FILE.json",
+             "Write the recipe with all flags in it; - for the standard output", written);
+  flags.toggle("--list-presets", "Print the presets", [] { throw TextRequested{list_presets()}; });
+  flags.toggle("--schema", "Print the JSON Schema of recipes, with which editors complete them",
+               [schema] { throw TextRequested{format_json(schema())}; });
+}
+
+void load_recipe(const FlagSet& flags, const std::string& standard,
+                 const std::function<std::string(const std::filesystem::path&)>& text_in,
+                 const std::function<void(const Json&)>& use) {
+  if (const auto file = flags.value_of("--recipe")) {
+    const std::filesystem::path path = *file;
+    const std::string warning =
+        read_recipe(path, path.extension() == ".json" ? read_text_file(path) : text_in(path), use);
+    if (warning.empty() || flags.given("--quiet")) return;
+    std::cerr << program_invocation_short_name << ": warning: " << warning << '\n';
+    return;
+  }
+  const std::string name = flags.value_of("--preset").value_or(standard);
+  std::vector<std::string_view> names;
+  for (const Preset& preset : presets()) names.push_back(preset.name);
+  use(parse_json(presets()[parse_word("--preset", name, names)].json));
 }
 
 }  // namespace solidnoise

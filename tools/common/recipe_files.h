@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "common/flag_set.h"
 #include "solidnoise/recipe/json.h"
 
 namespace solidnoise {
@@ -29,7 +30,16 @@ struct Preset {
 // Those of this program; defined by the source that solidnoise_tool() in CMakeLists.txt makes of them.
 std::span<const Preset> presets();
 
-// Throws UsageError that lists the names if there is none of this one.
-const Preset& find_preset(std::string_view name);
+// Declares --preset, --recipe, --write-recipe, whose value is kept in `written`, --list-presets and --schema.
+// `files` says what --recipe reads beside .json.
+void declare_recipe_flags(FlagSet& flags, const std::string& files, std::string& written,
+                          const std::function<Json()>& schema);
+
+// Gives `use` the recipe that the flags start from: that of --recipe or --preset, or the preset `standard`.
+// text_in(path) is the recipe in a file that is no .json. Warnings are printed unless --quiet is given.
+// Throws UsageError for a preset that there is none of, and std::runtime_error as read_recipe does.
+void load_recipe(const FlagSet& flags, const std::string& standard,
+                 const std::function<std::string(const std::filesystem::path&)>& text_in,
+                 const std::function<void(const Json&)>& use);
 
 }  // namespace solidnoise

@@ -4,6 +4,7 @@
 #include <csignal>
 #include <errno.h>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <ostream>
@@ -12,7 +13,10 @@
 #include <string>
 #include <unistd.h>
 
-#include "common/flag_set.h"
+#include <fmt/format.h>
+
+#include "common/flag_help.h"
+#include "solidnoise/core/choices.h"
 #include "solidnoise/core/output_file.h"
 #include "solidnoise/core/printable.h"
 #include "solidnoise/core/progress.h"
@@ -80,15 +84,16 @@ EndsAtOnce::~EndsAtOnce() {
 namespace {
 
 // What other libraries say may have several lines, and what files and flags say anything; ours is one line,
-// and none of its words is longer than a path may be and be read.
+// and none of its words is longer than can be read, but for paths.
 std::string one_line(std::string text) {
-  constexpr std::size_t kLongestWord = 255;
+  constexpr std::size_t kLongestWord = 96;  // printable()'s, and what it has around it
+  constexpr std::size_t kLongestPath = 255;
   std::replace(text.begin(), text.end(), '\n', ' ');
   std::istringstream words(text);
   std::string shown;
   for (std::string word; std::getline(words, word, ' ');) {
     if (!shown.empty()) shown += ' ';
-    shown += printable(word, kLongestWord);
+    shown += printable(word, word.find('/') == std::string::npos ? kLongestWord : kLongestPath);
   }
   return shown;
 }
@@ -157,12 +162,25 @@ int run_tool(const char* tool, const std::function<int()>& run) {
   }
 }
 
-int run_command(const std::string& command, const std::function<int()>& run) {
-  try {
-    return run();
-  } catch (const UsageError& error) {
-    throw UsageError(error.what(), command);
+int run_commands(const std::string& tool, std::span<const Command> commands,
+                 const std::vector<std::string>& arguments,
+                 int (*otherwise)(const std::vector<std::string>& arguments)) {
+  const std::string first = arguments.empty() ? std::string() : arguments.front();
+  std::vector<std::string_view> names;
+  for (const Command& command : commands) {
+    names.push_back(command.name);
+    if (command.name != first) continue;
+    try {
+      return command.run({arguments.begin() + 1, arguments.end()});
+    } catch (const UsageError& error) {
+      throw UsageError(error.what(), fmt::format("{} {}", tool, first));
+    }
   }
+  const std::string_view nearest = nearest_word(first, names);
+  if (!first.starts_with('-') && !nearest.empty() && !std::filesystem::exists(first)) {
+    throw UsageError(fmt::format("{} is no command; did you mean {}?", printable(first), nearest));
+  }
+  return otherwise(arguments);
 }
 
 }  // namespace solidnoise

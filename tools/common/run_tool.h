@@ -1,9 +1,12 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace solidnoise {
 
@@ -53,7 +56,17 @@ inline constexpr int kInterrupted = 128;  // plus the signal's number, as a shel
 // std::cout is written at its end, and checked; control characters are escaped there as in messages.
 int run_tool(const char* tool, const std::function<int()>& run);
 
-// Runs a command of a tool, such as "meshnoise bake", so that a UsageError leads to the command's own --help.
-int run_command(const std::string& command, const std::function<int()>& run);
+// A command of a tool, such as "bake" of meshnoise: its arguments follow its name.
+struct Command {
+  std::string_view name;
+  int (*run)(const std::vector<std::string>& arguments);
+};
+
+// Runs the command that the first argument names, so that a UsageError leads to the command's own --help; or
+// `otherwise`, with all arguments, where that is none. Throws UsageError where it is nearly one, unless there
+// is a file of its name.
+int run_commands(const std::string& tool, std::span<const Command> commands,
+                 const std::vector<std::string>& arguments,
+                 int (*otherwise)(const std::vector<std::string>& arguments));
 
 }  // namespace solidnoise

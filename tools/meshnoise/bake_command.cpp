@@ -2,7 +2,6 @@
 #include <cmath>
 #include <iostream>
 #include <limits>
-#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
@@ -12,13 +11,10 @@
 #include <fmt/ranges.h>
 #include <glm/common.hpp>
 #include <nlohmann/json.hpp>
-#include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
-#include "common/memory.h"
 #include "common/outputs.h"
 #include "common/progress.h"
-#include "common/recipe_files.h"
 #include "common/run_tool.h"
 #include "meshnoise/bake_options.h"
 #include "meshnoise/commands.h"
@@ -32,59 +28,32 @@
 namespace solidnoise {
 namespace {
 
-constexpr std::string_view kDefaultPreset = "rust";
 constexpr char kDescription[] =
     "meshnoise bake puts procedural noise onto a surface, as vertex colours, without texture coordinates.\n"
     "  meshnoise bake in.ply --out out.ply                                  rust\n"
     "  meshnoise bake in.ply --out out.ply --frequency 4..32                ... finer where the surface "
     "bends out";
 
-void list_presets() {
-  for (const Preset& preset : presets()) {
-    std::cout << fmt::format("{:<10} {}\n", preset.name,
-                             load_bake_preset(std::string(preset.name)).description);
-  }
-}
-
-BakeRecipe choose_recipe(const FlagSet& flags) {
-  if (const auto file = flags.value_of("--recipe")) {
-    const LoadedBakeRecipe loaded = load_bake_recipe(*file);
-    if (!loaded.warning.empty() && !flags.given("--quiet")) {
-      std::cerr << "meshnoise: warning: " << loaded.warning << '\n';
-    }
-    return loaded.recipe;
-  }
-  return load_bake_preset(flags.value_of("--preset").value_or(std::string(kDefaultPreset)));
-}
-
 // What the flags leave without effect is refused rather than ignored.
 void check_consistency(const FlagSet& flags, const BakeRecipe& recipe) {
-  for (const char* flag : {"--by", "--percentiles", "--gamma"}) {
-    if (flags.given(flag) && !recipe.steers()) {
-      throw UsageError(
-          fmt::format("{} has no effect where no parameter is a range; give --frequency A..B, say", flag));
-    }
+  if (!recipe.steers()) {
+    flags.refuse({"--by", "--percentiles", "--gamma"},
+                 "has no effect where no parameter is a range; give --frequency A..B, say");
   }
-  for (const char* flag : {"--follow", "--direction", "--direction-smooth"}) {
-    if (flags.given(flag) && !has_direction(recipe.noise)) {
-      throw UsageError(fmt::format("{} applies to --noise oriented and to flat exemplars only", flag));
-    }
+  if (!has_direction(recipe.noise)) {
+    flags.refuse({"--follow", "--direction", "--direction-smooth"},
+                 "applies to --noise oriented and to flat exemplars only");
   }
-  for (const char* flag : {"--refine-shape", "--refine-method"}) {
-    if (flags.given(flag) && recipe.refine.mode == RefineRecipe::Mode::off) {
-      throw UsageError(fmt::format("{} has no effect without --refine", flag));
-    }
+  if (recipe.refine.mode == RefineRecipe::Mode::off) {
+    flags.refuse({"--refine-shape", "--refine-method"}, "has no effect without --refine");
   }
-  for (const char* flag : {"--bandwidth", "--impulses", "--error"}) {
-    const bool applies = std::string_view(flag) == "--bandwidth" ? has_bandwidth(recipe.noise.kind)
-                                                                 : is_gabor(recipe.noise.kind);
-    if (flags.given(flag) && !applies) {
-      throw UsageError(fmt::format("{} does not apply to --noise {}", flag,
-                                   name_of(kSurfaceNoiseChoices, recipe.noise.kind)));
-    }
+  const std::string lacks =
+      fmt::format("does not apply to --noise {}", name_of(kSurfaceNoiseChoices, recipe.noise.kind));
+  if (!has_bandwidth(recipe.noise.kind)) flags.refuse({"--bandwidth"}, lacks);
+  if (!is_gabor(recipe.noise.kind)) flags.refuse({"--impulses", "--error"}, lacks);
+  if (!has_layer(recipe.noise)) {
+    flags.refuse({"--layer"}, "applies to --noise surface, oriented and flat exemplars only");
   }
-  if (flags.given("--layer") && !has_layer(recipe.noise))
-    throw UsageError("--layer applies to --noise surface, oriented and flat exemplars only");
 }
 
 void check_outputs(const FlagSet& flags, const std::string& in, const BakeOptions& options) {
@@ -103,7 +72,7 @@ void check_outputs(const FlagSet& flags, const std::string& in, const BakeOption
   require_extension("--write-recipe", options.write_recipe, {".json"}, StandardOutput::allowed);
   const std::string recipe = flags.value_of("--recipe").value_or("");
   const std::string noise = flags.value_of("--noise").value_or("");
-  require_outputs({{options.out, in}, options.preview, {options.write_recipe, recipe}}, options.existing,
+  require_outputs({{options.out, in}, options.preview, {options.write_recipe, recipe}}, options.existing(),
                   {in, recipe, noise});
 }
 
@@ -149,7 +118,7 @@ void write_baked(const BakedMesh& baked, const BakeOptions& options, std::vector
   MeshWriteOptions write;
   for (std::string& comment : recipe_comments(options.recipe)) comments.push_back(std::move(comment));
   write.comments = std::move(comments);
-  write.existing = options.existing;
+  write.existing = options.existing();
   write.progress = progress;
   write.group = group;
   write_output_mesh(options.out, baked.mesh, write);
@@ -186,20 +155,19 @@ MeshReading read_mesh_to_bake(const std::string& in, const BakeOptions& options)
 void write_recipe(const BakeOptions& options, OutputGroup* group) {
   if (options.write_recipe.empty()) return;
   write_text_file(options.write_recipe, format_json(to_json(options.recipe)),
-                  {.existing = options.existing, .group = group});
+                  {.existing = options.existing(), .group = group});
 }
 
 // Within --max-memory.
 BakePlan plan_within_memory(PolygonMesh mesh, const BakeOptions& options) {
-  const std::uint64_t limit = options.max_memory != 0 ? options.max_memory : available_memory();
+  const std::uint64_t limit = options.memory_limit();
   if (limit == 0) return plan_bake(std::move(mesh), options.recipe);
   const double share = options.preview.empty() ? 1.0 : kPreviewMemory;
   try {
     return plan_bake(std::move(mesh), options.recipe,
                      static_cast<std::uint64_t>(static_cast<double>(limit) / share));
   } catch (const std::runtime_error& error) {
-    throw std::runtime_error(fmt::format("{}; --max-memory allows {}{}", error.what(), format_bytes(limit),
-                                         options.max_memory != 0 ? "" : ", what is available"));
+    throw std::runtime_error(fmt::format("{}; {}", error.what(), options.say_memory_limit()));
   }
 }
 
@@ -208,9 +176,8 @@ BakePlan plan_within(PolygonMesh mesh, const BakeOptions& options) {
   BakePlan plan = plan_within_memory(std::move(mesh), options);
   const double seconds =
       bake_cost(plan, options.recipe).seconds / static_cast<double>(tbb::this_task_arena::max_concurrency());
-  if (options.max_time == 0.0 || seconds <= options.max_time) return plan;
-  throw std::runtime_error(fmt::format("{} vertices may take {:.3g} seconds, --max-time allows {:.3g}",
-                                       plan.mesh.positions.size(), seconds, options.max_time));
+  options.require_cost(fmt::format("{} vertices", plan.mesh.positions.size()), {0.0, seconds});
+  return plan;
 }
 
 void bake_file(const std::string& in, const BakeOptions& options) {
@@ -222,8 +189,7 @@ void bake_file(const std::string& in, const BakeOptions& options) {
   const BakePlan plan = plan_within(std::move(reading.mesh), options);
   if (!options.quiet) print_plan(plan, steering_name(options.recipe.by));
 
-  TaskProgress progress(options.quiet ? ProgressBar::Visibility::hidden
-                                      : ProgressBar::Visibility::if_terminal);
+  TaskProgress progress(options.visibility());
   options.times->begin("noise");
   progress.begin("noise", [&] { options.times->begin("colors"); });
   const BakedMesh baked = bake(plan, options.recipe, options.keep, &progress);
@@ -235,7 +201,7 @@ void bake_file(const std::string& in, const BakeOptions& options) {
   }
   throw_if_cancelled(&progress);
   OutputGroup outputs;
-  if (preview) write_image(options.preview, *preview, {.existing = options.existing, .group = &outputs});
+  if (preview) write_image(options.preview, *preview, {.existing = options.existing(), .group = &outputs});
   write_recipe(options, &outputs);
   if (!options.out.empty()) {
     write_baked(baked, options, foreign_comments(reading.comments), &progress, &outputs);
@@ -260,27 +226,15 @@ int run_bake(const std::vector<std::string>& arguments) {
   declare_bake_flags(flags, options);
   flags.version(kMeshnoise);
   flags.parse(arguments);
-  if (flags.given("--list-presets")) {
-    list_presets();
-    return kDone;
-  }
-  if (flags.given("--schema")) {
-    std::cout << format_json(bake_recipe_schema());
-    return kDone;
-  }
-  if (in.empty()) throw UsageError("IN is missing; say which mesh: meshnoise bake in.ply --out out.ply");
-  options.recipe = choose_recipe(flags);
+  options.recipe = choose_bake_recipe(flags);
   try {
     flags.apply();
+    if (in.empty()) throw UsageError("IN is missing; say which mesh: meshnoise bake in.ply --out out.ply");
     check_consistency(flags, options.recipe);
     options.recipe.validate();
     require_keepable(options.keep, options.recipe);
-    std::unique_ptr<tbb::global_control> threads;
-    if (options.threads > 0) {
-      threads = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
-                                                      static_cast<std::size_t>(options.threads));
-    }
-    if (options.task == BakeOptions::Task::describe) {
+    const auto threads = options.limit_threads();
+    if (flags.given("--describe")) {
       const MeshReading reading = read_mesh_to_bake(in, options);
       std::cout << format_json(describe_bake(plan_within(reading.mesh, options), options.recipe));
     } else {

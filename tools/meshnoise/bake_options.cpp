@@ -12,7 +12,6 @@
 #include <nlohmann/json.hpp>
 
 #include "common/field_flags.h"
-#include "common/flag_set.h"
 #include "common/parse_value.h"
 #include "common/recipe_files.h"
 #include "common/run_tool.h"
@@ -24,23 +23,33 @@
 #include "solidnoise/recipe/exemplar_model_json.h"
 
 namespace solidnoise {
-namespace {
 
 // "4" or "4..32".
-ParameterRange parse_range(const std::string& flag, const std::string& text) {
-  const std::size_t dots = text.find("..");
-  if (dots == std::string::npos) {
-    const double value = parse_number(flag, text);
-    return {value, value};
+template <>
+struct FlagForm<ParameterRange> {
+  static constexpr auto kNumbers = Flag::Numbers::none;
+  static std::string names(std::string_view) { return "A[..B]"; }
+  static ParameterRange read(const std::string& flag, const std::vector<std::string>& texts) {
+    const std::string& text = texts[0];
+    const std::size_t dots = text.find("..");
+    if (dots == std::string::npos) {
+      const double value = parse_number(flag, text);
+      return {value, value};
+    }
+    try {
+      return {parse_number(flag, text.substr(0, dots)), parse_number(flag, text.substr(dots + 2))};
+    } catch (const UsageError&) {
+      throw UsageError(
+          fmt::format("{} is {}; it must be a number, or two with dots between them, such as 4..32", flag,
+                      text.empty() ? "empty" : printable(text)));
+    }
   }
-  try {
-    return {parse_number(flag, text.substr(0, dots)), parse_number(flag, text.substr(dots + 2))};
-  } catch (const UsageError&) {
-    throw UsageError(
-        fmt::format("{} is {}; it must be a number, or two with dots between them, such as 4..32", flag,
-                    printable(text)));
+  static std::string write(const ParameterRange& range) {
+    return range.varies() ? fmt::format("{}..{}", range.from, range.to) : fmt::format("{}", range.from);
   }
-}
+};
+
+namespace {
 
 // An attribute is any other word.
 void set_source(Steering& steering, const std::string& text) {
@@ -84,35 +93,18 @@ std::vector<std::string> parse_names(const std::string& flag, const std::string&
 
 void declare_output(FlagSet& flags, BakeOptions& options) {
   flags.group("Output");
-  keep(
-      flags, "--out", "FILE",
+  flags.keep(
+      "--out", "FILE",
       "Where the mesh goes: .ply, .obj, .off or .om, with --displace also .stl; - for a .ply on the standard "
       "output",
       options.out);
-  keep(flags, "--preview", "FILE.png", "A picture of the mesh in its colours, rendered by Embree",
-       options.preview);
-  flags.toggle("--force", "Replace files that exist", [&] { options.existing = Existing::replace; });
+  flags.keep("--preview", "FILE.png", "A picture of the mesh in its colours, rendered by Embree",
+             options.preview);
+  declare_fields<RunOptions>(flags, options, {"force"});
   flags.text("--keep", "NAMES",
              fmt::format("Numbers to put into a .ply or .om, with commas between: {}",
                          fmt::join(keepable_names(), ", ")),
              [&](const std::string& text) { options.keep = parse_names("--keep", text); });
-}
-
-void declare_recipes(FlagSet& flags, BakeOptions& options) {
-  flags.group("Recipes");
-  flags.text("--preset", "NAME", "Start from a recipe that comes with the program (default rust)",
-             [](const std::string&) {});
-  flags.text("--recipe", "FILE",
-             "Start from a recipe, .json, or from that of a .ply, .obj or .off made by meshnoise",
-             [](const std::string&) {});
-  keep(flags, "--write-recipe", "FILE.json",
-       "Write the recipe with all flags in it; - for the standard output", options.write_recipe);
-  flags.exclude({"--preset", "--recipe"});
-}
-
-void declare_range(FlagSet& flags, const std::string& flag, const std::string& unit, const std::string& help,
-                   const std::function<void(const ParameterRange&)>& set) {
-  flags.text(flag, unit, help, [=](const std::string& text) { set(parse_range(flag, text)); });
 }
 
 // A noise by example has one frequency and the colours of the exemplar: what a preset says of other noises
@@ -151,35 +143,26 @@ void declare_noise(FlagSet& flags, BakeRecipe& recipe) {
       "volumes have; kensler, kensler-solid: gradient noise, projected or solid; FILE.json of noisefit: by "
       "example (default surface)",
       [&](const std::string& noise) { choose_noise(recipe, noise); });
-  declare_range(flags, "--frequency", "A[..B]",
-                "Principal frequency, cycles per world unit; a range follows --by (default: suits the mesh)",
-                [&](const ParameterRange& range) {
-                  recipe.frequency = range;
-                  recipe.detail = {};
-                });
-  declare_range(flags, "--size", "A[..B]", "Instead: size of a feature, world units; 1 / frequency",
-                [&](const ParameterRange& range) {
-                  require_positive("size", range.from, "world units");
-                  require_positive("size", range.to, "world units");
-                  recipe.frequency = ParameterRange{1.0 / range.from, 1.0 / range.to};
-                  recipe.detail = {};
-                });
-  declare_range(flags, "--detail", "A[..B]", "Instead: frequency over what suits the mesh (default 1)",
-                [&](const ParameterRange& range) {
-                  recipe.frequency.reset();
-                  recipe.detail = range;
-                });
-  flags.exclude({"--frequency", "--size", "--detail"});
-  for_each_field(recipe, [&]<typename Owner>(const auto& field, Owner& owner) {
-    if constexpr (std::same_as<ValueOf<decltype(field), Owner>, ParameterRange>) {
-      if (field.name == "detail") return;
-      const auto defaults = std::make_unique<Owner>();
-      const std::string standard = fmt::format("{}", field.get(*defaults).from);
-      declare_range(flags, flag_of(field.name), "A[..B]",
-                    help_of(field.help, field.unit, field.allowed, standard),
-                    [field, &owner](const ParameterRange& range) { field.set(owner, range); });
-    }
+  declare_field(flags, recipe, "frequency", [&](const std::optional<ParameterRange>& range) {
+    recipe.frequency = range;
+    recipe.detail = {};
   });
+  flags.add({"--size", FlagForm<ParameterRange>::names({}),
+             "Instead: size of a feature; a range follows --by [world units]",
+             [&](const std::vector<std::string>& texts) {
+               const ParameterRange range = FlagForm<ParameterRange>::read("--size", texts);
+               for (const double size : {range.from, range.to}) {
+                 require_in_range("--size", size, 1e-9, 1e9, "world units");
+               }
+               recipe.frequency = ParameterRange{1.0 / range.from, 1.0 / range.to};
+               recipe.detail = {};
+             }});
+  declare_field(flags, recipe, "detail", [&](const ParameterRange& range) {
+    recipe.frequency.reset();
+    recipe.detail = range;
+  });
+  flags.exclude({"--frequency", "--size", "--detail"});
+  declare_fields(flags, recipe, {"bandwidth", "magnitude", "bias"});
   declare_fields(flags, recipe.noise);
 }
 
@@ -189,22 +172,23 @@ void declare_steering(FlagSet& flags, BakeRecipe& recipe) {
              fmt::format("{}, or the name of a number of the vertices (default mean-curvature)",
                          fmt::join(names_of(kSteeringChoices), ", ")),
              [&](const std::string& text) { set_source(recipe.by, text); });
-  declare_fields(flags, recipe.by);
+  declare_fields(flags, recipe.by, {"percentiles", "gamma"});
   declare_fields(flags, recipe, {"smooth", "smooth_radius", "up"});
 }
 
-void declare_direction(FlagSet& flags, BakeRecipe& recipe) {
+// Declares the flag of a field under another name; it sets the field.
+template <typename Struct, typename Value>
+void declare_as(FlagSet& flags, const std::string& flag, Struct& object, std::string_view name,
+                Value Struct::*member) {
+  declare_field(flags, object, name, {flag},
+                [&object, member](const Value& value) { object.*member = value; });
+}
+
+void declare_direction(FlagSet& flags, DirectionRecipe& direction) {
   flags.group("Direction of oriented noise");
-  declare_choice(flags, "--follow", kDirectionChoices,
-                 "Waves travel along --direction, or along a principal curvature (default axis)",
-                 recipe.direction.source);
-  flags.numbers("--direction", "X Y Z", 3, "An axis, laid into the tangent plane (default 0 1 0)",
-                [&](const std::vector<double>& v) {
-                  recipe.direction.axis = {v[0], v[1], v[2]};
-                });
-  flags.integer("--direction-smooth", "ROUNDS",
-                "Smoothing of a direction that follows the curvature (default 10)",
-                [&](int value) { recipe.direction.smooth = value; });
+  declare_as(flags, "--follow", direction, "source", &DirectionRecipe::source);
+  declare_as(flags, "--direction", direction, "axis", &DirectionRecipe::axis);
+  declare_as(flags, "--direction-smooth", direction, "smooth", &DirectionRecipe::smooth);
 }
 
 void declare_look(FlagSet& flags, BakeRecipe& recipe) {
@@ -221,48 +205,26 @@ void declare_look(FlagSet& flags, BakeRecipe& recipe) {
   declare_fields(flags, recipe, {"contrast", "displace"});
   flags.text("--refine", "auto|N", "Split edges until the noise shows on the mesh, or N times (default off)",
              [&](const std::string& text) { set_refine(recipe.refine, text); });
-  declare_choice(
-      flags, "--refine-method", kRefineMethodChoices,
-      "With --refine: our own, for any mesh, or OpenMesh's, for manifolds of triangles; sqrt3 and loop "
-      "smooth (default own)",
-      recipe.refine.method);
-  declare_choice(flags, "--refine-shape", kPlacementChoices,
-                 "With --refine: new vertices lie on the edges, or on the smooth surface through their ends "
-                 "(default edges)",
-                 recipe.refine.placement);
-}
-
-void declare_run(FlagSet& flags, BakeOptions& options) {
-  flags.group("Run");
-  flags.toggle("--describe", "Print what would be made, as JSON, and write nothing",
-               [&] { options.task = BakeOptions::Task::describe; });
-  flags.toggle("--list-presets", "Print the presets",
-               [&] { options.task = BakeOptions::Task::list_presets; });
-  flags.toggle("--schema", "Print the JSON Schema of recipes, with which editors complete them", [] {});
-  flags.integer("--threads", "COUNT", "Threads to use (default: all)", [&](int value) {
-    require_in_range("threads", value, 1, 4096);
-    options.threads = value;
-  });
-  flags.text("--max-memory", "SIZE", "Refuse to need more than this, such as 8G (default: what is available)",
-             [&](const std::string& text) { options.max_memory = parse_bytes("--max-memory", text); });
-  flags.number("--max-time", "SECONDS", "Refuse what may take longer (default: any)", [&](double value) {
-    require_positive("max_time", value, "seconds");
-    options.max_time = value;
-  });
-  flags.toggle("--quiet", "Print errors only", [&] { options.quiet = true; });
-  flags.toggle("--timings", "Print what each stage of the run took", [&] { options.timings = true; });
+  declare_as(flags, "--refine-method", recipe.refine, "method", &RefineRecipe::method);
+  declare_as(flags, "--refine-shape", recipe.refine, "placement", &RefineRecipe::placement);
 }
 
 }  // namespace
 
 void declare_bake_flags(FlagSet& flags, BakeOptions& options) {
+  flags.show_first({"--out", "--preset", "--preview", "--noise", "--frequency", "--seed", "--by", "--ramp",
+                    "--refine", "--displace"});
   declare_output(flags, options);
-  declare_recipes(flags, options);
+  declare_recipe_flags(flags, "a .ply, .obj or .off made by meshnoise", options.write_recipe,
+                       bake_recipe_schema);
   declare_noise(flags, options.recipe);
   declare_steering(flags, options.recipe);
-  declare_direction(flags, options.recipe);
+  declare_direction(flags, options.recipe.direction);
   declare_look(flags, options.recipe);
-  declare_run(flags, options);
+  flags.group("Run");
+  flags.add({"--describe", "", "Print what would be made, as JSON, and write nothing"});
+  declare_fields<RunOptions>(flags, options, {"threads", "max_memory", "max_time", "quiet", "timings"});
+  flags.footer("Defaults are those of the recipe to start from: meshnoise bake --preset scales --help ramp");
 }
 
 }  // namespace solidnoise

@@ -13,7 +13,4 @@ int run_bake(const std::vector<std::string>& arguments);
 int run_curvature(const std::vector<std::string>& arguments);
 int run_info(const std::vector<std::string>& arguments);
 
-// Picks the command by the first argument.
-int run_meshnoise(const std::vector<std::string>& arguments);
-
 }  // namespace solidnoise

@@ -6,14 +6,14 @@
 
 #include <fmt/format.h>
 
-#include "common/flag_set.h"
+#include "common/field_flags.h"
 #include "common/outputs.h"
-#include "common/progress.h"
+#include "common/run_options.h"
 #include "common/run_tool.h"
 #include "meshnoise/commands.h"
 #include "meshnoise/mesh_files.h"
 #include "solidnoise/image/image_file.h"
-#include "solidnoise/mesh/bake_recipe_json.h"
+#include "solidnoise/mesh/bake_fields.h"
 #include "solidnoise/mesh/vertex_colors.h"
 
 namespace solidnoise {
@@ -31,31 +31,17 @@ int run_curvature(const std::vector<std::string>& arguments) {
   std::string out;
   std::string preview;
   CurvatureRecipe recipe;
-  Existing existing = Existing::refuse;
-  bool quiet = false;
+  RunOptions options;
   FlagSet flags("meshnoise curvature", kDescription);
   flags.argument("IN", "The mesh: .ply, .obj, .off, .stl or .om", in);
-  flags.group("Flags");
-  keep(flags, "--out", "FILE",
-       "Where the mesh goes: .ply, .obj, .off or .om; - for a .ply on the standard output", out);
-  keep(flags, "--preview", "FILE.png", "A picture of the mesh in its colours, rendered by Embree", preview);
-  flags.choice("--by", names_of(kSteeringChoices), "What the colours show (default mean-curvature)",
-               [&](std::size_t index) { recipe.by.source = kSteeringChoices[index].value; });
-  flags.numbers("--percentiles", "LOW HIGH", 2,
-                "Shares of the surface, percent, beyond which colours are at their ends (default 5 95)",
-                [&](const std::vector<double>& v) {
-                  recipe.by.low_percentile = v[0];
-                  recipe.by.high_percentile = v[1];
-                });
-  flags.integer("--smooth", "ROUNDS", "Smoothing of the curvature (default 2)",
-                [&](int value) { recipe.smooth = value; });
-  flags.number("--smooth-radius", "UNITS",
-               "More of it, over a distance that does not depend on the mesh (default 0)",
-               [&](double value) { recipe.smooth_radius = value; });
-  keep(flags, "--ramp", "RAMP", "A name or stops, as for bake (default viridis)", recipe.ramp);
-  declare_choice(flags, "--up", kUpAxisChoices, "The up axis (default y)", recipe.up);
-  flags.toggle("--force", "Replace files that exist", [&] { existing = Existing::replace; });
-  flags.toggle("--quiet", "Print errors only", [&] { quiet = true; });
+  flags.keep("--out", "FILE",
+             "Where the mesh goes: .ply, .obj, .off or .om; - for a .ply on the standard output", out);
+  flags.keep("--preview", "FILE.png", "A picture of the mesh in its colours, rendered by Embree", preview);
+  declare_field(flags, recipe.by, "source", {"--by"},
+                [&](SteeringSource source) { recipe.by.source = source; });
+  declare_fields(flags, recipe.by, {"percentiles"});
+  declare_fields(flags, recipe);
+  declare_fields(flags, options, {"force", "quiet"});
   flags.parse(arguments);
   try {
     flags.apply();
@@ -67,24 +53,24 @@ int run_curvature(const std::vector<std::string>& arguments) {
     throw UsageError("--out is missing; say where the mesh goes: --out c.ply");
   if (!out.empty()) require_mesh_name(out, Shows::colors);
   if (!preview.empty()) require_preview(preview);
-  require_outputs({{out, in}, preview}, existing, {in});
+  require_outputs({{out, in}, preview}, options.existing(), {in});
 
   catch_interrupts();
-  const MeshReading reading = read_input_mesh(in, quiet ? Notes::keep_quiet : Notes::print);
+  const MeshReading reading = read_input_mesh(in, options.quiet ? Notes::keep_quiet : Notes::print);
   TaskProgress progress(ProgressBar::Visibility::hidden);
   const ShownCurvature shown = show_curvature(reading.mesh, recipe);
   std::optional<Image> picture;
   if (!preview.empty()) picture = render_mesh_preview(shown.mesh, shown.normals, shown.colors, recipe.up);
   throw_if_cancelled(&progress);
   OutputGroup outputs;
-  if (picture) write_image(preview, *picture, {.existing = existing, .group = &outputs});
+  if (picture) write_image(preview, *picture, {.existing = options.existing(), .group = &outputs});
   if (!out.empty()) {
     write_output_mesh(
         out, shown.mesh,
-        {.comments = {kMeshnoise}, .existing = existing, .progress = &progress, .group = &outputs});
+        {.comments = {kMeshnoise}, .existing = options.existing(), .progress = &progress, .group = &outputs});
   }
   outputs.appear();
-  if (!quiet) {
+  if (!options.quiet) {
     std::cerr << fmt::format("{}: {} vertices, {:.4g} to {:.4g}, colours from {:.4g} to {:.4g}\n",
                              out.empty() ? preview : out, shown.mesh.positions.size(), shown.steering.least,
                              shown.steering.most, shown.steering.low, shown.steering.high);

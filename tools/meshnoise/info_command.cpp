@@ -37,6 +37,7 @@ int run_info(const std::vector<std::string>& arguments) {
   FlagSet flags("meshnoise info", "Prints what a mesh is like, its faults, and the recipe it carries.");
   flags.argument("FILE", "The mesh", file);
   flags.parse(arguments);
+  flags.apply();
 
   const MeshReading reading = read_mesh(file);
   const MeshReport report = inspect_mesh(reading.mesh);

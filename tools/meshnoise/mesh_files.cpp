@@ -1,10 +1,10 @@
 #include "meshnoise/mesh_files.h"
 
 #include <iostream>
-#include <unistd.h>
 
 #include <fmt/format.h>
 
+#include "common/outputs.h"
 #include "common/run_tool.h"
 #include "solidnoise/geometry/inspect_mesh.h"
 #include "solidnoise/geometry/mesh_file.h"
@@ -22,10 +22,8 @@ MeshReading read_input_mesh(const std::string& path, Notes notes) {
 }
 
 void require_mesh_name(const std::string& out, Shows shows) {
-  if (out == "-") {
-    if (isatty(STDOUT_FILENO) == 0) return;
-    throw UsageError("--out is -, and the standard output is a terminal; send it to a file or a program");
-  }
+  require_no_terminal("--out", out);
+  if (out == "-") return;
   if (!is_mesh_path(out)) {
     throw UsageError(fmt::format(
         "--out is {}; it must end in .ply, .obj, .off or .om, or be - for the standard output", out));

@@ -17,22 +17,16 @@ namespace {
 constexpr std::string_view kRecipeMark = "solidnoise recipe ";
 
 std::string text_of(const std::filesystem::path& path) {
-  if (path.extension() == ".json") return read_text_file(path);
   if (auto text = recipe_in_comments(read_mesh(path).comments)) return *text;
   throw std::runtime_error(fmt::format("{}: it carries no recipe of meshnoise", path.string()));
 }
 
 }  // namespace
 
-LoadedBakeRecipe load_bake_recipe(const std::filesystem::path& path) {
-  LoadedBakeRecipe loaded;
-  loaded.warning = read_recipe(path, text_of(path),
-                               [&](const Json& json) { loaded.recipe = bake_recipe_from_json(json); });
-  return loaded;
-}
-
-BakeRecipe load_bake_preset(const std::string& name) {
-  return bake_recipe_from_json(parse_json(find_preset(name).json));
+BakeRecipe choose_bake_recipe(const FlagSet& flags) {
+  BakeRecipe recipe;
+  load_recipe(flags, "rust", text_of, [&](const Json& json) { recipe = bake_recipe_from_json(json); });
+  return recipe;
 }
 
 std::vector<std::string> recipe_comments(const BakeRecipe& recipe) {

@@ -1,26 +1,17 @@
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "common/flag_set.h"
 #include "solidnoise/mesh/bake_recipe.h"
 
 namespace solidnoise {
 
-// A recipe and what is to be said about it.
-struct LoadedBakeRecipe {
-  BakeRecipe recipe;
-  std::string warning;  // empty: none
-};
-
-// The recipe of a .json file, or that of a mesh made by meshnoise. Throws std::runtime_error naming the path,
-// and the place in the recipe where there is one.
-LoadedBakeRecipe load_bake_recipe(const std::filesystem::path& path);
-
-// A recipe that comes with the program. Throws UsageError.
-BakeRecipe load_bake_preset(const std::string& name);
+// The recipe that the flags start from: that of --recipe, a .json file or a mesh made by meshnoise, or of a
+// preset, rust unless they name one.
+BakeRecipe choose_bake_recipe(const FlagSet& flags);
 
 // A recipe as comments of a mesh file, and back: empty if there is none among them.
 std::vector<std::string> recipe_comments(const BakeRecipe& recipe);

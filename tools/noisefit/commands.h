@@ -11,10 +11,6 @@ inline constexpr char kNoisefit[] = "noisefit " SOLIDNOISE_VERSION;  // name and
 // status, and throws what run_tool() expects.
 int run_fit(const std::vector<std::string>& arguments);
 int run_volume(const std::vector<std::string>& arguments);
-int run_info(const std::vector<std::string>& arguments);
 int run_edit(const std::vector<std::string>& arguments);
-
-// Picks the command by the first argument: info, edit, volume, or a fit to pictures.
-int run_noisefit(const std::vector<std::string>& arguments);
 
 }  // namespace solidnoise

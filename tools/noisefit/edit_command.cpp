@@ -7,8 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "common/flag_set.h"
+#include "common/field_flags.h"
 #include "common/outputs.h"
+#include "common/run_options.h"
 #include "common/run_tool.h"
 #include "noisefit/commands.h"
 #include "noisefit/model_file.h"
@@ -23,20 +24,23 @@ constexpr char kDescription[] =
     "is\n"
     "done in the order in which it is listed here.";
 
-using Operation = std::function<void(GaborSpectrum&, std::size_t channel)>;
+// What a flag does to a channel.
+struct Operation {
+  std::string flag;
+  std::function<void(GaborSpectrum&, std::size_t channel)> run;
+};
 
-struct EditCommand {
+struct EditCommand : RunOptions {
   std::string in;
   std::string out;
   GroupChoice group;
   std::optional<int> channel;
   std::vector<Operation> operations;
-  Existing existing = Existing::refuse;
-  bool quiet = false;
 
-  void add(const std::function<void(GaborSpectrum&, const GroupChoice&)>& operation) {
+  void add(const std::string& flag,
+           const std::function<void(GaborSpectrum&, const GroupChoice&)>& operation) {
     operations.push_back(
-        [this, operation](GaborSpectrum& spectrum, std::size_t) { operation(spectrum, group); });
+        {flag, [this, operation](GaborSpectrum& spectrum, std::size_t) { operation(spectrum, group); }});
   }
 };
 
@@ -56,54 +60,55 @@ void add_one(GaborSpectrum& spectrum, const std::vector<double>& v, const std::s
   add_component(spectrum, v[0], component, group);
 }
 
+// A flag with a factor or an angle, of which `edit` makes the group another one.
+void declare_number(FlagSet& flags, EditCommand& command, const std::string& flag, const std::string& unit,
+                    const std::string& help, void (*edit)(GaborSpectrum&, const GroupChoice&, double)) {
+  flags.number(flag, unit, help, [flag, edit, &command](double value) {
+    command.add(flag, [edit, value](GaborSpectrum& s, const GroupChoice& group) { edit(s, group, value); });
+  });
+}
+
 void declare_flags(FlagSet& flags, EditCommand& command) {
   flags.argument("FILE", "The spectrum file", command.in);
   flags.group("Flags");
-  keep(flags, "--out", "FILE.json", "Where the result goes; - for the standard output", command.out);
+  flags.keep("--out", "FILE.json", "Where the result goes; - for the standard output", command.out);
   flags.text("--group", "NAME", "The group to work on (default: all components)",
              [&](const std::string& name) { command.group = name; });
   flags.integer("--channel", "NUMBER", "The channel to work on, from 0 (default: all)",
                 [&](int number) { command.channel = number; });
-  flags.toggle("--force", "Replace a file that exists", [&] { command.existing = Existing::replace; });
-  flags.toggle("--quiet", "Print errors only", [&] { command.quiet = true; });
+  declare_fields<RunOptions>(flags, command, {"force", "quiet"});
   flags.group("What to do");
   flags.toggle("--regroup", "Sort the components into groups anew, after Wold", [&] {
     command.operations.push_back(
-        [](GaborSpectrum& spectrum, std::size_t) { spectrum = group_spectrum(spectrum); });
+        {"--regroup", [](GaborSpectrum& spectrum, std::size_t) { spectrum = group_spectrum(spectrum); }});
   });
-  flags.number("--rotate", "DEGREES", "Turn counterclockwise (in 3D about the z axis)", [&](double degrees) {
-    command.add([degrees](GaborSpectrum& s, const GroupChoice& group) { rotate_group(s, group, degrees); });
-  });
-  flags.number("--scale", "FACTOR", "Multiply the frequencies", [&](double factor) {
-    command.add([factor](GaborSpectrum& s, const GroupChoice& group) { scale_group(s, group, factor); });
-  });
+  declare_number(
+      flags, command, "--rotate", "DEGREES", "Turn counterclockwise (in 3D about the z axis)",
+      [](GaborSpectrum& s, const GroupChoice& group, double degrees) { rotate_group(s, group, degrees); });
+  declare_number(flags, command, "--scale", "FACTOR", "Multiply the frequencies", scale_group);
   flags.numbers(
-      "--translate", "X Y Z", 2, "Add to the frequencies, cycles per unit",
-      [&](const std::vector<double>& v) {
+      "--translate", "X Y [Z]", "Add to the frequencies, cycles per unit", [&](const std::vector<double>& v) {
         const Vec<3> by(v[0], v[1], v.size() > 2 ? v[2] : 0.0);
-        command.add([by](GaborSpectrum& s, const GroupChoice& group) { translate_group(s, group, by); });
+        command.add("--translate",
+                    [by](GaborSpectrum& s, const GroupChoice& group) { translate_group(s, group, by); });
       });
-  flags.number("--magnitude", "FACTOR", "Multiply the amplitudes", [&](double factor) {
-    command.add([factor](GaborSpectrum& s, const GroupChoice& group) { scale_magnitude(s, group, factor); });
-  });
-  flags.number("--bandwidth", "FACTOR", "Multiply the bandwidths", [&](double factor) {
-    command.add([factor](GaborSpectrum& s, const GroupChoice& group) { scale_bandwidth(s, group, factor); });
-  });
-  flags.numbers("--add", "A VARIANCE X Y Z", 4, "Add a component, to --group or \"added\"",
+  declare_number(flags, command, "--magnitude", "FACTOR", "Multiply the amplitudes", scale_magnitude);
+  declare_number(flags, command, "--bandwidth", "FACTOR", "Multiply the bandwidths", scale_bandwidth);
+  flags.numbers("--add", "A VARIANCE X Y [Z]", "Add a component, to --group or \"added\"",
                 [&](const std::vector<double>& v) {
-                  command.add([v](GaborSpectrum& s, const GroupChoice& group) {
+                  command.add("--add", [v](GaborSpectrum& s, const GroupChoice& group) {
                     add_one(s, v, group.value_or("added"));
                   });
                 });
   flags.text("--rename", "NAME", "Give --group another name, or join it with that group",
              [&](const std::string& name) {
-               command.add([name](GaborSpectrum& s, const GroupChoice& group) {
+               command.add("--rename", [name](GaborSpectrum& s, const GroupChoice& group) {
                  if (!group) throw UsageError("--rename needs --group, the group to rename");
                  rename_group(s, *group, name);
                });
              });
   flags.toggle("--remove", "Remove --group", [&] {
-    command.add([](GaborSpectrum& s, const GroupChoice& group) {
+    command.add("--remove", [](GaborSpectrum& s, const GroupChoice& group) {
       if (!group) throw UsageError("--remove needs --group, the group to remove");
       remove_group(s, *group);
     });
@@ -111,12 +116,13 @@ void declare_flags(FlagSet& flags, EditCommand& command) {
   flags.text("--copy", "FILE.json", "Add --group, or all, of another file, channel by channel",
              [&](const std::string& file) {
                const ExemplarModel from = read_model(file);
-               command.operations.push_back([&command, from](GaborSpectrum& s, std::size_t channel) {
+               const auto copy = [&command, from](GaborSpectrum& s, std::size_t channel) {
                  if (channel >= from.channels.size()) return;
                  const GaborSpectrum& source = from.channels[channel];
                  if (command.group && !has_group(source, *command.group)) return;
                  copy_group(s, source, command.group);
-               });
+               };
+               command.operations.push_back({"--copy", copy});
              });
 }
 
@@ -131,7 +137,7 @@ int run_edit(const std::vector<std::string>& arguments) {
   if (command.out.empty()) throw UsageError("--out is missing; say where the result goes: --out new.json");
   if (command.operations.empty()) throw UsageError("there is nothing to do; say --rotate, --scale, ...");
   require_extension("--out", command.out, {".json"}, StandardOutput::allowed);
-  require_outputs({{command.out, command.in}}, command.existing,
+  require_outputs({{command.out, command.in}}, command.existing(),
                   {command.in, flags.value_of("--copy").value_or("")});
 
   ExemplarModel model = read_model(command.in);
@@ -146,14 +152,16 @@ int run_edit(const std::vector<std::string>& arguments) {
     if (command.channel && *command.channel != static_cast<int>(k)) continue;
     if (command.group && !makes_group && !has_group(model.channels[k], *command.group)) continue;
     edited = true;
-    try {
-      for (const Operation& operation : command.operations) operation(model.channels[k], k);
-    } catch (const std::invalid_argument& error) {
-      throw UsageError(fmt::format("{}: channel {}: {}", command.in, k, error.what()));
+    for (const Operation& operation : command.operations) {
+      try {
+        operation.run(model.channels[k], k);
+      } catch (const std::invalid_argument& error) {
+        throw UsageError(fmt::format("{}: {}: channel {}: {}", operation.flag, command.in, k, error.what()));
+      }
     }
   }
   if (!edited) throw UsageError(fmt::format("{} has no group {}", command.in, *command.group));
-  write_model(command.out, model, {.existing = command.existing});
+  write_model(command.out, model, {.existing = command.existing()});
   if (!command.quiet) std::cerr << describe(model);
   return kDone;
 }

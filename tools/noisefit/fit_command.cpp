@@ -8,16 +8,11 @@
 
 #include <fmt/format.h>
 
-#include "common/flag_set.h"
-#include "common/progress.h"
 #include "common/run_tool.h"
 #include "noisefit/commands.h"
-#include "noisefit/fit_limits.h"
-#include "noisefit/model_file.h"
+#include "noisefit/fit_flags.h"
 #include "solidnoise/analysis/exemplar/describe_fit.h"
-#include "solidnoise/analysis/exemplar/exemplar.h"
 #include "solidnoise/analysis/exemplar/exemplar_sheet.h"
-#include "solidnoise/analysis/exemplar/fit_exemplar.h"
 #include "solidnoise/analysis/exemplar/solid_spectrum.h"
 
 namespace solidnoise {
@@ -33,59 +28,32 @@ constexpr char kDescription[] =
     "  noisefit info FILE.json               prints what is in such a file\n"
     "  noisefit edit FILE.json --out ...     changes groups of its components";
 
-constexpr Choices<ColorAxes, 3> kColorAxesChoices{
-    {{ColorAxes::independent, "independent"}, {ColorAxes::pca, "pca"}, {ColorAxes::rgb, "rgb"}}};
-
-struct FitCommand {
+struct FitCommand : FitOptions {
   std::vector<std::string> inputs;
-  FitOutputs outputs;
-  FitLimits limits;
   ExemplarReading reading;
-  ExemplarFitOptions fit;
-  int seed = 1;
   bool grey = false;
   bool solid = false;
-  bool quiet = false;
 };
 
 void declare_flags(FlagSet& flags, FitCommand& command) {
   flags.arguments("IN", "Pictures of the texture: .png, .jpg, .tif, .exr or .hdr; more are averaged",
                   command.inputs);
-  flags.group("Flags");
-  keep(flags, "--out", "FILE.json", "Where the noise goes; - for the standard output", command.outputs.model);
-  keep(flags, "--preview", "FILE.png",
-       "A sheet: the exemplar, its Gaussian version, the sparse spectrum, the noise",
-       command.outputs.preview);
-  flags.integer("--seed", "NUMBER", "Of the textures in the sheet (default 1)",
-                [&](int value) { command.seed = value; });
-  flags.toggle("--force", "Replace files that exist", [&] { command.outputs.existing = Existing::replace; });
-  declare_limits(flags, command.limits);
-  flags.toggle("--quiet", "Print errors only", [&] { command.quiet = true; });
+  declare_output_flags(flags, command,
+                       "A sheet: the exemplar, its Gaussian version, the sparse spectrum, the noise");
   flags.group("The exemplar");
-  flags.number("--pixel-size", "UNITS", "World units of a pixel (default 1)",
-               [&](double value) { command.reading.pixel_size = value; });
-  flags.toggle("--raw-values", "Take values as they are stored; otherwise they become linear light",
-               [&] { command.reading.raw_values = true; });
+  declare_fields(flags, command.reading);
   flags.toggle("--grey", "Learn the brightness alone", [&] { command.grey = true; });
-  flags.integer("--patch", "PIXELS", "Average over patches of this size (default: the smallest exemplar)",
-                [&](int value) { command.fit.patch = value; });
-  declare_choice(flags, "--axes", kColorAxesChoices, "The channels of a coloured noise (default independent)",
-                 command.fit.axes);
+  declare_patch_flag(flags, command, "PIXELS");
+  declare_fields(flags, command.fit);
   flags.group("The spectrum");
   flags.toggle("--paper", "The paper's parameters: the narrowest band, one kappa for all channels", [&] {
     command.fit.spectrum = SpectrumFitOptions::of_paper();
     command.fit.weigh_channels = false;
   });
-  flags.number("--kappa", "RATIO", "Fewer components against accuracy, up to 1 (default 1/256 = 0.0039)",
-               [&](double value) { command.fit.spectrum.kappa = value; });
-  flags.toggle("--narrowest-band", "Components as narrow as one frequency, for periodic textures",
-               [&] { command.fit.spectrum.narrowest_band = true; });
+  declare_fields(flags, command.fit.spectrum);
   flags.toggle("--solid", "An isotropic noise in 3D whose slices look like the exemplar",
                [&] { command.solid = true; });
-  flags.number("--gap", "RATIO", "Duality gap at which a solution is accepted (default 0.01)",
-               [&](double value) { command.fit.spectrum.gap_tolerance = value; });
-  flags.footer("A Ctrl-C ends the fit early and keeps the last solution.");
-  flags.version(std::string(kNoisefit) + "\n");
+  flags.version(kNoisefit);
 }
 
 // Brightness as an eye weighs the colours of linear light.
@@ -128,37 +96,12 @@ void warn_of_structure(const std::vector<Exemplar<2>>& exemplars, const std::vec
   }
 }
 
-FitCommand parse(const std::vector<std::string>& arguments) {
-  FitCommand command;
-  FlagSet flags("noisefit", kDescription);
-  declare_flags(flags, command);
-  flags.parse(arguments);
-  try {
-    flags.apply();
-    command.fit.raw_values = command.reading.raw_values;
-    command.fit.validate();
-  } catch (const std::invalid_argument& error) {
-    throw UsageError(flags.name_flag(error.what()));
-  }
-  if (!(command.reading.pixel_size > 0.0)) {
-    throw UsageError(
-        fmt::format("--pixel-size is {}; it must be greater than 0", command.reading.pixel_size));
-  }
-  if (command.fit.patch != 0 && command.fit.patch < 16) {
-    throw UsageError(fmt::format("--patch is {}; it must be at least 16", command.fit.patch));
-  }
-  command.outputs.check(command.inputs);
-  return command;
-}
-
 // Writes and draws a model; what it says in the sheet is `caption`.
 void write_outputs(const FitCommand& command, const Exemplar<2>& exemplar, const ExemplarModel& model,
                    const std::string& caption) {
   command.outputs.write(model, [&] {
     const std::string name = std::filesystem::path(command.inputs.front()).stem().string();
-    return draw_exemplar_sheet(
-        exemplar, model,
-        {.title = name, .caption = caption, .seed = static_cast<std::uint64_t>(command.seed)});
+    return draw_exemplar_sheet(exemplar, model, {.title = name, .caption = caption, .seed = command.seed});
   });
 }
 
@@ -179,8 +122,7 @@ int fit_planar(const FitCommand& command, const std::vector<Exemplar<2>>& exempl
   const Clock::time_point start = Clock::now();
   ExemplarFit<2> fit;
   {
-    TaskProgress progress(command.quiet ? ProgressBar::Visibility::hidden
-                                        : ProgressBar::Visibility::if_terminal);
+    TaskProgress progress(command.visibility());
     progress.begin("fitting");
     fit = fit_exemplar<2>(exemplars, command.fit, &progress);
   }
@@ -194,14 +136,19 @@ int fit_planar(const FitCommand& command, const std::vector<Exemplar<2>>& exempl
 }  // namespace
 
 int run_fit(const std::vector<std::string>& arguments) {
-  const FitCommand command = parse(arguments);
+  FitCommand command;
+  FlagSet flags("noisefit", kDescription);
+  declare_flags(flags, command);
+  parse_fit(flags, arguments, command);
+  command.fit.raw_values = command.reading.raw_values;
+  command.outputs.check(command.inputs);
   std::vector<Exemplar<2>> exemplars;
   for (const std::string& input : command.inputs) {
     exemplars.push_back(read_exemplar(input, command.reading));
     if (command.grey) make_grey(exemplars.back());
   }
   agree_on_channels(exemplars);
-  command.limits.check(count_samples(exemplars));
+  require_fit_cost(command, count_samples(exemplars));
   if (!command.quiet) warn_of_structure(exemplars, command.inputs);
 
   catch_interrupts();

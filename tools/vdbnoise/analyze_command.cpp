@@ -6,8 +6,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "common/flag_set.h"
+#include "common/field_flags.h"
 #include "common/outputs.h"
+#include "common/run_options.h"
 #include "common/run_tool.h"
 #include "solidnoise/analysis/four_panel.h"
 #include "solidnoise/analysis/kernel_slice.h"
@@ -75,31 +76,23 @@ Image draw(const AnalysisSubject& subject, const AnalysisReport& report, const s
       report.comparison ? SpectrumPlot(*report.comparison) : SpectrumPlot(report.spectrum));
 }
 
-void check_plot(const std::string& plot, Existing existing, const std::string& file) {
-  if (plot.empty()) return;
-  if (!plot.ends_with(".png")) throw UsageError(fmt::format("--plot is {}; it must end in .png", plot));
-  require_outputs({plot}, existing, {file});
-}
-
 }  // namespace
 
 int run_analyze(const std::vector<std::string>& arguments) {
   std::string file;
   std::string grid_name;
   std::string plot;
+  RunOptions options;
   FlagSet flags("vdbnoise analyze", kDescription);
   flags.argument("FILE", "The .vdb", file);
-  flags.group("Flags");
-  flags.text("--grid", "NAME", "The grid to measure (default: the first one of floats)",
-             [&](const std::string& name) { grid_name = name; });
-  flags.text("--plot", "FILE.png",
-             "A picture: noise, kernel, the Fourier transform of each, and the spectrum",
-             [&](const std::string& name) { plot = name; });
-  flags.toggle("--force", "Replace the picture if it exists", [] {});
+  flags.keep("--grid", "NAME", "The grid to measure (default: the first one of floats)", grid_name);
+  flags.keep("--plot", "FILE.png",
+             "A picture: noise, kernel, the Fourier transform of each, and the spectrum", plot);
+  declare_fields(flags, options, {"force"});
   flags.parse(arguments);
   flags.apply();
-  const Existing existing = flags.given("--force") ? Existing::replace : Existing::refuse;
-  check_plot(plot, existing, file);
+  require_extension("--plot", plot, {".png"}, StandardOutput::refused);
+  require_outputs({plot}, options.existing(), {file});
 
   AnalysisSubject subject;
   subject.grid = read_float_grid(file, grid_name);
@@ -114,7 +107,7 @@ int run_analyze(const std::vector<std::string>& arguments) {
     throw std::runtime_error(file + ": no block of its voxels is dense enough for --plot");
   }
   const AnalysisReport report = analyze(subject);
-  if (!plot.empty()) write_image(plot, draw(subject, report, file), {.existing = existing});
+  if (!plot.empty()) write_image(plot, draw(subject, report, file), {.existing = options.existing()});
   std::cout << format_json(report.json);
   return kDone;
 }

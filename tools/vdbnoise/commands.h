@@ -16,7 +16,4 @@ int run_info(const std::vector<std::string>& arguments);
 int run_analyze(const std::vector<std::string>& arguments);
 int run_slice(const std::vector<std::string>& arguments);
 
-// Picks the command by the first argument; without one it is run_make().
-int run_vdbnoise(const std::vector<std::string>& arguments);
-
 }  // namespace solidnoise

@@ -1,57 +1,70 @@
 #include "vdbnoise/grid_flags.h"
 
+#include <array>
 #include <filesystem>
-#include <string>
 #include <variant>
-#include <vector>
 
 #include <fmt/format.h>
 
 #include "common/field_flags.h"
+#include "common/noise_flags.h"
 #include "common/run_tool.h"
+#include "solidnoise/core/printable.h"
+#include "solidnoise/geometry/mesh_file.h"
 #include "solidnoise/volume/modify/modification.h"
+#include "solidnoise/volume/volume_recipe_json.h"
 
 namespace solidnoise {
 
-GridFile parse_grid_flag(const std::string& flag, const std::string& text) {
-  std::optional<GridFile> source = parse_grid_file(text);
+GridFile FlagForm<GridFile>::read(const std::string& flag, const std::vector<std::string>& texts) {
+  std::optional<GridFile> source = parse_grid_file(texts[0]);
   if (!source) {
     throw UsageError(
-        fmt::format("{} is {}; it must be FILE.vdb or FILE.vdb:GRID", flag, text.empty() ? "empty" : text));
+        fmt::format("{} is {}; it must be FILE.vdb or FILE.vdb:GRID, or - for the standard input", flag,
+                    texts[0].empty() ? "empty" : printable(texts[0])));
   }
-  source->file = std::filesystem::absolute(source->file).string();
+  if (source->file != "-") source->file = std::filesystem::absolute(source->file).string();
   return *source;
 }
 
-void declare_grid_file(FlagSet& flags, const std::string& flag, const std::string& help,
-                       std::optional<GridFile>& target) {
-  flags.text(flag, "FILE.vdb[:GRID]", help,
-             [flag, &target](const std::string& text) { target = parse_grid_flag(flag, text); });
+std::string FlagForm<GridFile>::write(const GridFile& source) {
+  return source.grid.empty() ? source.file : source.file + ':' + source.grid;
+}
+
+Shape FlagForm<Shape>::read(const std::string& flag, const std::vector<std::string>& texts) {
+  const std::string& text = texts[0];
+  if (text == "box") return BoxShape{};
+  if (text == "sphere") return SphereShape{};
+  if (text == "ellipsoid") return EllipsoidShape{};
+  if (is_mesh_path(text)) return MeshShape{std::filesystem::absolute(text).string()};
+  if (parse_grid_file(text)) return FlagForm<GridFile>::read(flag, texts);
+  throw UsageError(
+      fmt::format("{} is {}; it must be box, sphere, ellipsoid, FILE.obj (or .ply, .off, .stl, .om), "
+                  "FILE.vdb or FILE.vdb:GRID",
+                  flag, text.empty() ? "empty" : printable(text)));
+}
+
+std::string FlagForm<Shape>::write(const Shape& shape) {
+  constexpr std::array kWords{"box", "sphere", "ellipsoid", "", ""};
+  return kWords[shape.index()];
 }
 
 namespace {
 
-// Texts of the help.
-struct Help {
-  const char* grid;
-  const char* map;
-};
-
-void declare_parameter(FlagSet& flags, const std::string& name, const Help& help,
+void declare_parameter(FlagSet& flags, const std::string& name, ParameterGrids& grids,
                        std::optional<ParameterGrid>& grid) {
+  static const ParameterGrid kNone{};
   const std::string grid_flag = "--" + name + "-grid";
   const std::string map_flag = "--" + name + "-map";
-  flags.text(grid_flag, "FILE.vdb[:GRID]", help.grid, [&grid, grid_flag](const std::string& text) {
-    const GridFile source = parse_grid_flag(grid_flag, text);
-    if (!grid) grid.emplace();
-    grid->source = source;
+  declare_field(flags, grids, name + "_grid", [&grid](const std::optional<ParameterGrid>& given) {
+    grid = ParameterGrid{given->source, grid ? grid->map : std::nullopt};
   });
-  flags.numbers(map_flag, "LOW HIGH A B", 4, help.map,
-                [&grid, grid_flag, map_flag](const std::vector<double>& v) {
+  declare_field(flags, kNone, "map", {map_flag, "With " + grid_flag + ": "},
+                [&grid, grid_flag, map_flag](const std::optional<ValueMap>& map) {
                   if (!grid) {
                     throw UsageError(fmt::format("{} has no effect without {}", map_flag, grid_flag));
                   }
-                  grid->map = ValueMap{v[0], v[1], v[2], v[3]};
+                  grid->map = map;
                 });
 }
 
@@ -67,87 +80,51 @@ void give_direction(const FlagSet& flags, NoiseRecipe& noise) {
 }  // namespace
 
 void declare_parameter_flags(FlagSet& flags, VolumeRecipe& recipe) {
+  ParameterGrids& grids = recipe.parameters;
   flags.group("Parameters that vary in space, from grids");
-  declare_parameter(flags, "frequency",
-                    {"Gabor noises: frequency at each voxel (floats), cycles per world unit",
-                     "Values LOW and HIGH of that grid mean A and B; between, in equal ratios"},
-                    recipe.parameters.frequency);
-  declare_parameter(flags, "bandwidth",
-                    {"Gabor noises: bandwidth at each voxel (floats), 0.1 to 4 octaves",
-                     "Values LOW and HIGH of that grid mean A and B; between, linear"},
-                    recipe.parameters.bandwidth);
-  declare_parameter(flags, "magnitude",
-                    {"Standard deviation at each voxel (floats), in sigmas of the noise",
-                     "Values LOW and HIGH of that grid mean A and B; between, linear"},
-                    recipe.parameters.magnitude);
-  flags.text("--direction-grid", "FILE.vdb[:GRID]",
-             "Where the waves travel at each voxel (vec3s or vec3d), of gabor-oriented noise of anisotropy 1",
-             [&](const std::string& text) {
-               recipe.parameters.direction = parse_grid_flag("--direction-grid", text);
-               give_direction(flags, recipe.noise);
-             });
+  declare_parameter(flags, "frequency", grids, grids.frequency);
+  declare_parameter(flags, "bandwidth", grids, grids.bandwidth);
+  declare_parameter(flags, "magnitude", grids, grids.magnitude);
+  declare_field(flags, grids, "direction_grid", [&](const std::optional<GridFile>& grid) {
+    grids.direction = grid;
+    give_direction(flags, recipe.noise);
+  });
 }
 
 void check_parameter_flags(const FlagSet& flags, const VolumeRecipe& recipe) {
   const ParameterGrids& parameters = recipe.parameters;
-  const auto refuse = [&](bool varies, const char* flag, const char* grid_flag) {
-    if (varies && flags.given(flag)) {
-      throw UsageError(fmt::format("{} has no effect where {} says it for each voxel", flag, grid_flag));
-    }
+  const auto refuse = [&](std::initializer_list<std::string_view> constants, const char* grid_flag) {
+    flags.refuse(constants, fmt::format("has no effect where {} says it for each voxel", grid_flag));
   };
   // The lobes of a cloud have a size, whatever the noise on them.
   const bool is_cloud = std::holds_alternative<CloudShaping>(recipe.shaping);
-  refuse(parameters.frequency && !is_cloud, "--frequency", "--frequency-grid");
-  refuse(parameters.frequency && !is_cloud, "--size", "--frequency-grid");
-  refuse(parameters.bandwidth.has_value(), "--bandwidth", "--bandwidth-grid");
-  refuse(parameters.direction.has_value(), "--direction", "--direction-grid");
+  if (parameters.frequency && !is_cloud) refuse({"--frequency", "--size"}, "--frequency-grid");
+  if (parameters.bandwidth) refuse({"--bandwidth"}, "--bandwidth-grid");
+  if (parameters.direction) refuse({"--direction"}, "--direction-grid");
 }
-
-namespace {
-
-Modification& modification_of(VolumeRecipe& recipe) {
-  return recipe.modification ? *recipe.modification : recipe.modification.emplace();
-}
-
-void refuse(const FlagSet& flags, const char* flag, const char* why) {
-  if (flags.given(flag)) throw UsageError(fmt::format("{} has no effect {}", flag, why));
-}
-
-}  // namespace
 
 void declare_modify_flags(FlagSet& flags, VolumeRecipe& recipe) {
-  flags.group("Grids that exist");
-  const auto grid_file = [&](const std::string& flag, const std::string& help, const auto& keep_in) {
-    flags.text(flag, "FILE.vdb[:GRID]", help, [flag, keep_in, &recipe](const std::string& text) {
-      keep_in(modification_of(recipe), parse_grid_flag(flag, text));
+  flags.group("Grids that exist (with --on)");
+  static const Modification kStandard{};
+  const auto declare = [&](std::string_view name, auto Modification::*member) {
+    using Value = std::remove_cvref_t<decltype(kStandard.*member)>;
+    declare_field(flags, kStandard, name, [&recipe, member](const Value& value) {
+      if (!recipe.modification) recipe.modification.emplace();
+      Modification& modification = *recipe.modification;
+      if constexpr (std::same_as<Value, Combine>) modification.displace.reset();
+      if constexpr (std::same_as<Value, std::optional<double>>) {
+        modification.combine = kStandard.combine;
+        modification.amount = kStandard.amount;
+      }
+      modification.*member = value;
     });
   };
-  grid_file("--on", "Work on the active voxels of this grid; all else in its file is kept",
-            [](Modification& modification, const GridFile& source) { modification.on = source; });
-  flags.choice(
-      "--combine", names_of(kCombineChoices),
-      "With --on: noise n in place of value v; v + a n; v (1 + a n); or wear thin parts off (default "
-      "multiply)",
-      [&recipe](std::size_t index) {
-        modification_of(recipe).combine = kCombineChoices[index].value;
-        modification_of(recipe).displace.reset();
-      });
-  flags.number("--amount", "FACTOR", "With --on: the factor a (default 0.5)",
-               [&recipe](double value) { modification_of(recipe).amount = value; });
-  flags.number("--displace", "UNITS",
-               "With --on, of a level set: move its surface along its normals, world units for one sigma",
-               [&recipe](double value) {
-                 modification_of(recipe) = {.on = modification_of(recipe).on,
-                                            .displace = value,
-                                            .mask = modification_of(recipe).mask,
-                                            .rest = modification_of(recipe).rest};
-               });
-  grid_file("--mask",
-            "With --on: limit the change to where this is over 0 (floats, level set, bools or mask)",
-            [](Modification& modification, const GridFile& source) { modification.mask = source; });
-  grid_file("--rest",
-            "With --on: look the noise up at these rest positions (vec3s or vec3d), not at the voxels",
-            [](Modification& modification, const GridFile& source) { modification.rest = source; });
+  declare("on", &Modification::on);
+  declare("combine", &Modification::combine);
+  declare("amount", &Modification::amount);
+  declare("displace", &Modification::displace);
+  declare("mask", &Modification::mask);
+  declare("rest", &Modification::rest);
   flags.exclude({"--combine", "--displace"});
   flags.exclude({"--amount", "--displace"});
   flags.exclude({"--on", "--shape"});
@@ -156,26 +133,27 @@ void declare_modify_flags(FlagSet& flags, VolumeRecipe& recipe) {
 void check_modify_flags(const FlagSet& flags, const VolumeRecipe& recipe) {
   if (!recipe.modification) return;
   if (recipe.modification->on.file.empty()) {
-    for (const char* flag : {"--combine", "--amount", "--displace", "--mask", "--rest"}) {
-      refuse(flags, flag, "without --on FILE.vdb, the grid to work on");
-    }
+    flags.refuse({"--combine", "--amount", "--displace", "--mask", "--rest"},
+                 "has no effect without --on FILE.vdb, the grid to work on");
     throw UsageError(
         "--on is missing; the recipe works on a grid that exists: --on FILE.vdb or FILE.vdb:GRID");
   }
-  for (const char* flag : {"--shape", "--box", "--voxel", "--dim", "--edge", "--prune"}) {
-    refuse(flags, flag, "with --on, whose voxels are kept");
-  }
-  refuse(flags, "--grid", "with --on, whose name is kept; --on FILE.vdb:GRID chooses one");
+  flags.refuse({"--shape", "--box", "--voxel", "--dim", "--edge", "--prune"},
+               "has no effect with --on, whose voxels are kept");
+  flags.refuse({"--grid"}, "has no effect with --on, whose name is kept; --on FILE.vdb:GRID chooses one");
   const Modification& modification = *recipe.modification;
-  if (modification.displace)
-    refuse(flags, "--amount", "where the recipe displaces; --displace UNITS says how far");
-  const bool replaces = !modification.displace && modification.combine == Combine::replace;
-  if (replaces) refuse(flags, "--amount", "with --combine replace");
-  for (const char* flag : {"--optical-depth", "--density"}) {
-    if (!replaces) refuse(flags, flag, "on a grid that exists, unless --combine replace makes all of it");
+  if (modification.displace) {
+    flags.refuse({"--amount"}, "has no effect where the recipe displaces; --displace UNITS says how far");
+    return flags.refuse({"--optical-depth", "--density"}, "has no effect on a level set that is displaced");
   }
-  const bool erodes = !modification.displace && modification.combine == Combine::erode;
-  if (erodes) refuse(flags, "--range", "with --combine erode, which takes noise from 0 to 1");
+  if (modification.combine == Combine::replace) {
+    return flags.refuse({"--amount"}, "has no effect with --combine replace");
+  }
+  flags.refuse({"--optical-depth", "--density"},
+               "has no effect on a grid that exists, unless --combine replace makes all of it");
+  if (modification.combine == Combine::erode) {
+    flags.refuse({"--range"}, "has no effect with --combine erode, which takes noise from 0 to 1");
+  }
 }
 
 }  // namespace solidnoise

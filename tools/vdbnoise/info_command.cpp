@@ -58,6 +58,7 @@ int run_info(const std::vector<std::string>& arguments) {
   FlagSet flags("vdbnoise info", "Prints the grids of an OpenVDB file, and the recipes they carry.");
   flags.argument("FILE", "The .vdb", file);
   flags.parse(arguments);
+  flags.apply();
 
   const VdbSummary summary = read_vdb_summary(file);
   if (!summary.metadata.empty()) std::cout << "file metadata\n";

@@ -8,12 +8,9 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <tbb/global_control.h>
 
-#include "common/memory.h"
 #include "common/outputs.h"
 #include "common/progress.h"
-#include "common/recipe_files.h"
 #include "common/run_tool.h"
 #include "solidnoise/image/image_file.h"
 #include "solidnoise/volume/describe_volume.h"
@@ -25,7 +22,7 @@
 #include "vdbnoise/commands.h"
 #include "vdbnoise/grid_flags.h"
 #include "vdbnoise/make_options.h"
-#include "vdbnoise/recipe_flags.h"
+#include "vdbnoise/volume_flags.h"
 #include "vdbnoise/volume_output.h"
 
 namespace solidnoise {
@@ -33,30 +30,18 @@ namespace {
 
 constexpr char kDescription[] =
     "vdbnoise makes volumes of procedural noise, as OpenVDB files.\n"
-    "  vdbnoise --out cloud.vdb     makes a cloud\n"
+    "  vdbnoise --preset smoke --seed 7 --dim 384 --out smoke.vdb --preview smoke.png   makes smoke\n"
     "  vdbnoise merge FILE... --out whole.vdb   joins parts made by --shard or --region\n"
     "  vdbnoise surface MESH --out surface.vdb  makes the level set of a mesh\n"
     "  vdbnoise slice --out noise.png           makes a picture of a plane, or a line of samples\n"
-    "  vdbnoise info FILE           prints a file's grids and recipe\n"
-    "  vdbnoise analyze FILE        measures a grid and compares it with the theory";
+    "  vdbnoise info FILE                       prints a file's grids and recipe\n"
+    "  vdbnoise analyze FILE                    measures a grid and compares it with the theory";
 
-constexpr std::string_view kDefaultPreset = "cumulus";
-
-void list_presets() {
-  for (const Preset& preset : presets()) {
-    std::cout << fmt::format("{:<10} {}\n", preset.name, load_preset(std::string(preset.name)).description);
-  }
-}
-
-VolumeRecipe choose_recipe(const FlagSet& flags, bool quiet) {
-  if (const auto file = flags.value_of("--recipe")) {
-    const LoadedRecipe loaded = load_recipe(*file);
-    if (!loaded.warning.empty() && !quiet) std::cerr << "vdbnoise: warning: " << loaded.warning << '\n';
-    return loaded.recipe;
-  }
-  const bool noise_itself = flags.given("--raw") || flags.given("--on");
-  const std::string otherwise(noise_itself ? "raw" : kDefaultPreset);
-  return load_preset(flags.value_of("--preset").value_or(preset_for_output(flags).value_or(otherwise)));
+// What the flags start from unless they say it.
+std::string standard_preset(const FlagSet& flags) {
+  const std::string output = flags.value_of("--output").value_or("value");
+  if (output != "value") return output == "curl" ? "velocity" : "raw";
+  return flags.given("--raw") || flags.given("--on") ? "raw" : "cumulus";
 }
 
 void check_outputs(const MakeOptions& options) {
@@ -71,46 +56,29 @@ void check_outputs(const MakeOptions& options) {
     throw UsageError("--skip-existing keeps volumes; it needs --out FILE.vdb");
   }
   require_outputs({unless_kept(options.out), unless_kept(options.preview), options.write_recipe},
-                  options.existing);
+                  options.existing());
 }
 
 // Before work: what it would take against what there is, or is allowed.
 void check_cost(const MakeOptions& options, const VolumeRecipe& recipe, const VolumePlan& plan) {
   const int threads = max_threads();
   const Cost cost = volume_cost(recipe, plan, threads);
-  const auto size = [&] {
-    const openvdb::Coord voxels = plan.voxels.dim();
-    return fmt::format("{} x {} x {} voxels", voxels.x(), voxels.y(), voxels.z());
-  };
-  const char* const advice = plan.modification ? "" : "; make --dim smaller or --voxel larger";
-  const std::uint64_t limit = options.max_memory != 0 ? options.max_memory : available_memory();
-  if (limit != 0 && cost.bytes > static_cast<double>(limit)) {
-    throw std::runtime_error(
-        fmt::format("{} may need {}, --max-memory allows {}{}{}", size(),
-                    format_bytes(static_cast<std::uint64_t>(std::min(cost.bytes, 0x1.0p63))),
-                    format_bytes(limit), options.max_memory != 0 ? "" : ", what is available", advice));
-  }
-  const double seconds = cost.seconds / threads;
-  if (options.max_time > 0.0 && seconds > options.max_time) {
-    throw std::runtime_error(fmt::format("{} may take {:.3g} seconds, --max-time allows {:.3g}{}", size(),
-                                         seconds, options.max_time, advice));
-  }
+  const openvdb::Coord voxels = plan.voxels.dim();
+  options.require_cost(fmt::format("{} x {} x {} voxels", voxels.x(), voxels.y(), voxels.z()),
+                       {cost.bytes, cost.seconds / threads},
+                       plan.modification ? "" : "; make --dim smaller or --voxel larger");
 }
 
 void write_recipe(const MakeOptions& options, const VolumePlan& plan, OutputGroup* group) {
   if (options.write_recipe.empty()) return;
   write_text_file(options.write_recipe, format_json(to_json(with_digests(options.recipe, plan))),
-                  {.existing = options.existing, .group = group});
+                  {.existing = options.existing(), .group = group});
 }
 
 Image picture(const Volume& volume, const VolumePlan& plan, const MakeOptions& options, Progress* progress) {
   return options.part.whole()
              ? picture_of(volume, options.recipe, options.preview_frame, progress)
              : picture_of_part(volume, options.recipe, plan, options.preview_frame, progress);
-}
-
-ProgressBar::Visibility visibility(const MakeOptions& options) {
-  return options.quiet ? ProgressBar::Visibility::hidden : ProgressBar::Visibility::if_terminal;
 }
 
 // Whether nothing is left to be done, for the files are there already. Throws if the volume's is another one.
@@ -142,7 +110,7 @@ void make_volume_files(const MakeOptions& options) {
 
   Volume volume;
   {
-    TaskProgress progress(visibility(options));
+    TaskProgress progress(options.visibility());
     options.times->begin("noise");
     progress.begin(options.task_prefix + "noise", [&] { options.times->begin("tree"); });
     volume = make_volume(options.recipe, plan, kVdbnoise, &progress);
@@ -157,12 +125,12 @@ void make_volume_files(const MakeOptions& options) {
     ends_at_once.reset();
     throw_if_cancelled(&progress);
     OutputGroup outputs;
-    if (preview) write_image(options.preview, *preview, {.existing = options.existing, .group = &outputs});
+    if (preview) write_image(options.preview, *preview, {.existing = options.existing(), .group = &outputs});
     write_recipe(options, plan, &outputs);
     if (!options.out.empty()) {
       VdbWriteOptions write;
       write.codec = options.recipe.codec;
-      write.existing = options.skip_existing ? Existing::replace : options.existing;
+      write.existing = options.skip_existing ? Existing::replace : options.existing();
       write.creator = kVdbnoise;
       write.frame = options.frame;
       if (options.frame) write.fps = options.fps;
@@ -191,7 +159,7 @@ double measure_sequence(const MakeOptions& options, const VolumeRecipe& recipe) 
   check_cost(options, recipe, plan);
   std::optional<double> factor;
   {
-    TaskProgress progress(visibility(options));
+    TaskProgress progress(options.visibility());
     progress.begin("density scale");
     factor = measure_density_factor(recipe, plan, &progress);
   }
@@ -253,27 +221,21 @@ void make_sequence(MakeOptions options) {
   throw std::runtime_error(fmt::format("{} of {} frames failed", failed, options.frames.size()));
 }
 
-// The grid that frames previews, if one is named.
-openvdb::FloatGrid::ConstPtr read_preview_frame(const FlagSet& flags, const MakeOptions& options) {
+// Reads the grid that frames previews, if one is named.
+void read_preview_frame(MakeOptions& options) {
   constexpr const char* kFlag = "--preview-frame";
-  const auto text = flags.value_of(kFlag);
-  if (!text) return nullptr;
+  if (!options.frame_source) return;
   if (options.preview.empty() || recipes_of_grids(options.recipe).front().output.front() != Output::value) {
     throw UsageError(fmt::format("{} has no effect without a --preview of values", kFlag));
   }
   const EndsAtOnce ends_at_once;
-  GridFile source = parse_grid_flag(kFlag, *text);
-  return read_float_grid(source, kFlag);
+  options.preview_frame = read_float_grid(*options.frame_source, kFlag);
 }
 
-int make(MakeOptions options, const FlagSet& flags) {
+int make(MakeOptions options) {
   catch_interrupts();
-  options.preview_frame = read_preview_frame(flags, options);
-  std::unique_ptr<tbb::global_control> threads;
-  if (options.threads > 0) {
-    threads = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
-                                                    static_cast<std::size_t>(options.threads));
-  }
+  read_preview_frame(options);
+  const auto threads = options.limit_threads();
   if (options.frames.empty()) {
     check_outputs(options);
     make_volume_files(options);
@@ -289,30 +251,32 @@ int make(MakeOptions options, const FlagSet& flags) {
 int run_make(const std::vector<std::string>& arguments) {
   MakeOptions options;
   FlagSet flags("vdbnoise", kDescription);
-  declare_make_flags(flags, options);
+  const std::vector<std::string> noise_flags = declare_make_flags(flags, options);
   flags.version(kVdbnoise);
   flags.parse(arguments);
-  if (flags.given("--list-presets")) {
-    list_presets();
-    return kDone;
-  }
-  if (flags.given("--schema")) {
-    std::cout << format_json(volume_recipe_schema());
-    return kDone;
-  }
-  options.recipe = choose_recipe(flags, flags.given("--quiet"));
   try {
-    flags.apply();
-    check_make_options(flags, options);
-    options.recipe.validate();
-    check_sequence(flags, options);
-    if (options.task == MakeOptions::Task::describe) {
-      std::cout << format_json(describe_volume(options.recipe, options.part));
-    } else {
-      return make(options, flags);
+    const VolumeRecipe start = choose_volume_recipe(flags, standard_preset(flags));
+    const auto apply_at = [&](int frame) {
+      options.recipe = start;
+      flags.apply(frame);
+      check_make_options(flags, options, noise_flags);
+      options.recipe.validate();
+    };
+    const std::vector<int> keys = flags.curve_frames();
+    for (const int frame : keys) apply_at(frame);
+    apply_at(0);
+    if (!keys.empty()) {
+      if (options.frames.empty()) flags.refuse_curves("give --frames too");
+      options.recipe_at = [&, apply_at](int frame) {
+        apply_at(frame);
+        return options.recipe;
+      };
     }
+    check_sequence(flags, options);
+    if (!flags.given("--describe")) return make(options);
+    std::cout << format_json(describe_volume(options.recipe, options.part));
   } catch (const std::invalid_argument& error) {
-    throw UsageError(name_loop(flags, flags.name_flag(error.what())));
+    throw UsageError(explain(flags, error.what()));
   }
   return kDone;
 }

@@ -1,13 +1,12 @@
 #pragma once
 
-#include <cstdint>
-#include <memory>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "common/flag_set.h"
-#include "common/progress.h"
+#include "common/run_options.h"
 #include "solidnoise/volume/topology/volume_part.h"
 #include "solidnoise/volume/vdb/vdb_write.h"
 #include "solidnoise/volume/volume_recipe.h"
@@ -15,27 +14,19 @@
 namespace solidnoise {
 
 // What the command line of `vdbnoise --out FILE` says, beside the recipe.
-struct MakeOptions {
-  enum class Task { make, describe, list_presets };
-
-  Task task = Task::make;
+struct MakeOptions : RunOptions {
   VolumeRecipe recipe;
   std::string out;                             // .vdb, "-" for the standard output; empty: none
   std::string preview;                         // .png; empty: none
-  openvdb::FloatGrid::ConstPtr preview_frame;  // by whose voxels previews are framed; null: by their own
+  std::optional<GridFile> frame_source;        // by whose voxels previews are framed; none: by their own
+  openvdb::FloatGrid::ConstPtr preview_frame;  // as it is read
   std::string write_recipe;                    // .json, "-" for the standard output; empty: none
-  Existing existing = Existing::refuse;
-  bool skip_existing = false;    // of volumes that are what would be made
-  int threads = 0;               // 0: as many as the machine has
-  std::uint64_t max_memory = 0;  // bytes; 0: what the machine has available
-  double max_time = 0.0;         // seconds; 0: any
-  bool quiet = false;
-  bool timings = false;
-  std::shared_ptr<StageTimes> times = std::make_shared<StageTimes>();  // of all frames
+  bool skip_existing = false;                  // of volumes that are what would be made
 
-  std::vector<int> frames;  // of a sequence; empty: one volume
-  double fps = 24.0;        // frames per unit of time
-  VolumePart part;          // what of the volume to make
+  std::vector<int> frames;                           // of a sequence; empty: one volume
+  double fps = 24.0;                                 // frames per unit of time
+  std::function<VolumeRecipe(int frame)> recipe_at;  // of each frame, where flags are curves; null: `recipe`
+  VolumePart part;                                   // what of the volume to make
 
   // Of one frame of a sequence:
   std::optional<int> frame;
@@ -43,12 +34,13 @@ struct MakeOptions {
   bool warns = true;        // of what holds for all frames
 };
 
-// Declares all flags. Before they are applied the caller puts the recipe that they override into `options`:
-// --preset, --recipe and --raw choose it.
-void declare_make_flags(FlagSet& flags, MakeOptions& options);
+// Declares all flags, and returns those of the noise. Before they are applied the caller puts the recipe that
+// they override into `options`.
+std::vector<std::string> declare_make_flags(FlagSet& flags, MakeOptions& options);
 
 // Refuses what the flags leave without effect. Throws UsageError.
-void check_make_options(const FlagSet& flags, const MakeOptions& options);
+void check_make_options(const FlagSet& flags, const MakeOptions& options,
+                        const std::vector<std::string>& noise_flags);
 
 // Declares --frames and --fps, and --shard and --region.
 void declare_sequence_flags(FlagSet& flags, MakeOptions& options);

@@ -2,9 +2,9 @@
 #include <optional>
 #include <stdexcept>
 
-#include "common/flag_set.h"
+#include "common/field_flags.h"
 #include "common/outputs.h"
-#include "common/progress.h"
+#include "common/run_options.h"
 #include "common/run_tool.h"
 #include "solidnoise/image/image_file.h"
 #include "solidnoise/volume/merge_parts.h"
@@ -27,16 +27,15 @@ int run_merge(const std::vector<std::string>& arguments) {
   std::string out;
   std::string preview;
   VdbWriteOptions write;
-  bool quiet = false;
+  RunOptions options;
   FlagSet flags("vdbnoise merge", kDescription);
   flags.arguments("FILE...", "The parts, in any order", files);
-  flags.group("Flags");
-  keep(flags, "--out", "FILE.vdb", "Where the grid goes; - for the standard output", out);
-  keep(flags, "--preview", "FILE.png", "A picture of the volume, rendered by OpenVDB", preview);
-  flags.toggle("--force", "Replace files that exist", [&] { write.existing = Existing::replace; });
-  flags.toggle("--quiet", "Print errors only", [&] { quiet = true; });
+  flags.keep("--out", "FILE.vdb", "Where the grid goes; - for the standard output", out);
+  flags.keep("--preview", "FILE.png", "A picture of the volume, rendered by OpenVDB", preview);
+  declare_fields(flags, options, {"force", "quiet"});
   flags.parse(arguments);
   flags.apply();
+  write.existing = options.existing();
   if (out.empty()) throw UsageError("--out is missing; say where the grid goes: --out whole.vdb");
   check_output_names(out, preview);
   require_outputs({out, preview}, write.existing, files);
@@ -44,7 +43,7 @@ int run_merge(const std::vector<std::string>& arguments) {
 
   MergedVolume merged;
   {
-    TaskProgress progress(quiet ? ProgressBar::Visibility::hidden : ProgressBar::Visibility::if_terminal);
+    TaskProgress progress(options.visibility());
     auto ends_at_once = std::make_unique<EndsAtOnce>();
     progress.begin("merging");
     merged = merge_parts({files.begin(), files.end()}, kVdbnoise, &progress);
@@ -66,7 +65,7 @@ int run_merge(const std::vector<std::string>& arguments) {
     write_volume(out, merged.volume, write);
     outputs.appear();
   }
-  if (!quiet) print_statistics(merged.volume, out);
+  if (!options.quiet) print_statistics(merged.volume, out);
   return kDone;
 }
 

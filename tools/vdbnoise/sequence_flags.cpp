@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -5,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "common/flag_form.h"
 #include "common/parse_value.h"
 #include "common/run_tool.h"
 #include "solidnoise/core/check.h"
@@ -50,8 +52,12 @@ bool has_input_per_frame(const VolumeRecipe& recipe) {
   return found;
 }
 
+bool has_wind(const VolumeRecipe& recipe) {
+  return recipe.wind != Vec<3>(0.0);
+}
+
 bool changes_with_time(const VolumeRecipe& recipe) {
-  return recipe.dims == 4 || evolves(recipe);
+  return recipe.dims == 4 || evolves(recipe) || has_wind(recipe);
 }
 
 // Whether densities are scaled by something that is to be measured.
@@ -94,6 +100,25 @@ int loop_frames(const MakeOptions& options) {
   return static_cast<int>(whole);
 }
 
+// Where noise that loops is blown along it has to come to where it was.
+void check_loop_of_wind(const VolumeRecipe& recipe) {
+  const double loop = loop_of(recipe);
+  if (loop == 0.0 || !has_wind(recipe)) return;
+  for (const VolumeRecipe& single : recipes_of_grids(recipe)) {
+    for (const NoiseRecipe& noise : noises_of(single)) {
+      const Vec<4> period = std::visit([](const auto& options) { return options.period; }, noise.noise);
+      for (int axis = 0; axis < 3; ++axis) {
+        const double way = recipe.wind[axis] * loop;
+        if (way == 0.0 || (period[axis] > 0.0 && std::remainder(way, period[axis]) == 0.0)) continue;
+        throw UsageError(fmt::format(
+            "--wind is {} along {}, {:.6g} world units in the loop of {}; it must be a whole number of the "
+            "noise's --period, or there must be no --loop",
+            recipe.wind[axis], "xyz"[axis], way, loop));
+      }
+    }
+  }
+}
+
 [[noreturn]] void refuse_number(const char* flag, const std::string& path) {
   throw UsageError(
       fmt::format("{} is {}, which has a place for the number of a frame; give --frames", flag, path));
@@ -108,21 +133,21 @@ void declare_sequence_flags(FlagSet& flags, MakeOptions& options) {
              [&](const std::string& text) { options.frames = parse_frames("--frames", text); });
   flags.number("--fps", "RATE", "With --frames: frames per unit of time; frame n is at n / RATE (default 24)",
                [&](double value) {
-                 require_positive("fps", value, "frames per unit of time");
+                 require_in_range("--fps", value, 1e-6, 1e6, "frames per unit of time");
                  options.fps = value;
                });
   flags.text("--shard", "K/N", "Make the K-th of N parts of the volume, for vdbnoise merge to join",
              [&](const std::string& text) { parse_shard(text, options.part); });
-  flags.numbers("--region", "X0 Y0 Z0 X1 Y1 Z1", 6,
-                "Make the 8^3 blocks of voxels that begin in this box, world units, for vdbnoise merge",
-                [&](const std::vector<double>& v) {
-                  options.part.region = Box<3>{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
-                });
+  flags.add({"--region", FlagForm<Box<3>>::names({}),
+             "Make the 8^3 blocks of voxels that begin in this box, world units, for vdbnoise merge",
+             [&](const std::vector<std::string>& texts) {
+               options.part.region = FlagForm<Box<3>>::read("--region", texts);
+             }});
 }
 
 void check_sequence(const FlagSet& flags, const MakeOptions& options) {
   if (options.frames.empty()) {
-    if (flags.given("--fps")) throw UsageError("--fps has no effect without --frames");
+    flags.refuse({"--fps"}, "has no effect without --frames");
     for (const auto& [flag, path] : {std::pair{"--out", &options.out}, {"--preview", &options.preview}}) {
       if (has_frame_number(*path)) refuse_number(flag, *path);
     }
@@ -130,16 +155,19 @@ void check_sequence(const FlagSet& flags, const MakeOptions& options) {
       if (has_frame_number(file)) refuse_number(flag, file);
     });
   } else {
-    if (!changes_with_time(options.recipe) && !has_input_per_frame(options.recipe)) {
+    const bool varies = options.recipe_at != nullptr;
+    if (!varies && !changes_with_time(options.recipe) && !has_input_per_frame(options.recipe)) {
       throw UsageError(
-          "--frames has no effect on a noise that does not change; give --evolve or --dims 4 too, or a file "
-          "of each frame, such as --on smoke.####.vdb");
+          "--frames has no effect on a noise that does not change; give --evolve, --wind, --dims 4, a number "
+          "as a curve (--density 0:1,24:3) or a file of each frame (--on smoke.####.vdb) too");
     }
-    if (has_input_per_frame(options.recipe) && !options.write_recipe.empty()) {
+    if ((varies || has_input_per_frame(options.recipe)) && !options.write_recipe.empty()) {
       throw UsageError(
-          "--write-recipe is of one volume; leave it out where a grid is from a file for each frame");
+          "--write-recipe is of one volume; leave it out where a flag is a curve, or a grid from a file for "
+          "each frame");
     }
     if (options.out == "-") throw UsageError("--out is -; frames go to files, such as cloud.####.vdb");
+    check_loop_of_wind(options.recipe);
     loop_frames(options);
     options_of_frame(options, 0);
   }
@@ -147,6 +175,22 @@ void check_sequence(const FlagSet& flags, const MakeOptions& options) {
     throw UsageError("--shard and --region cut volumes that are made; leave them out with --on");
   }
 }
+
+namespace {
+
+// The factor of a sequence's densities is of what they are scaled to at its beginning; a frame's is in
+// proportion.
+void share_density_factor(VolumeRecipe of_sequence, VolumeRecipe& of_frame) {
+  for (std::size_t i = 0; i < std::max<std::size_t>(1, of_frame.grids.size()); ++i) {
+    const DensityScale& measured = grid_of(of_sequence, i).density;
+    DensityScale& scale = grid_of(of_frame, i).density;
+    if (!measured.factor || scale.factor) continue;
+    scale.factor = *measured.factor * (scale.peak ? *scale.peak / measured.peak.value_or(1.0)
+                                                  : scale.optical_depth / measured.optical_depth);
+  }
+}
+
+}  // namespace
 
 bool shares_density_factor(const MakeOptions& options) {
   const VolumeRecipe& recipe = options.recipe;
@@ -160,6 +204,10 @@ bool scales_each_frame(const MakeOptions& options) {
 MakeOptions options_of_frame(const MakeOptions& options, std::size_t index) {
   MakeOptions result = options;
   const int frame = options.frames[index];
+  if (options.recipe_at) {
+    result.recipe = options.recipe_at(frame);
+    share_density_factor(options.recipe, result.recipe);
+  }
   result.frames.clear();
   result.frame = frame;
   result.task_prefix = fmt::format("frame {} ({} of {}): ", frame, index + 1, options.frames.size());
@@ -170,7 +218,7 @@ MakeOptions options_of_frame(const MakeOptions& options, std::size_t index) {
   visit_inputs(result.recipe, [frame](const char* flag, std::string& file) {
     if (has_frame_number(file)) file = frame_path(flag, file, frame);
   });
-  if (!changes_with_time(options.recipe)) return result;
+  if (!changes_with_time(result.recipe)) return result;
   const int loop = loop_frames(options);
   result.recipe.time += (loop == 0 ? frame : frame % loop) / options.fps;
   return result;

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <iostream>
 #include <memory>
 #include <stdexcept>
@@ -6,19 +7,17 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 
 #include "common/outputs.h"
 #include "common/progress.h"
-#include "common/recipe_files.h"
 #include "common/run_tool.h"
 #include "solidnoise/core/moments.h"
 #include "solidnoise/image/image_file.h"
 #include "solidnoise/volume/slice/slice_field.h"
 #include "solidnoise/volume/slice/slice_image.h"
 #include "vdbnoise/commands.h"
-#include "vdbnoise/recipe_flags.h"
 #include "vdbnoise/slice_options.h"
+#include "vdbnoise/volume_flags.h"
 
 namespace solidnoise {
 namespace {
@@ -30,16 +29,6 @@ constexpr char kDescription[] =
     "  vdbnoise slice --dims 2 --period 2 2 0 --frequency 8 --out tile.png --spectrum spectrum.png\n"
     "  vdbnoise slice smoke.vdb --normal 1 0 0 --ramp viridis --out smoke.png\n"
     "  vdbnoise slice --dims 1 --out line.csv";
-
-VolumeRecipe choose_recipe(const FlagSet& flags) {
-  const auto file = flags.value_of("--recipe");
-  if (!file) return load_preset(flags.value_of("--preset").value_or("raw"));
-  const LoadedRecipe loaded = load_recipe(*file);
-  if (!loaded.warning.empty() && !flags.given("--quiet")) {
-    std::cerr << "vdbnoise: warning: " << loaded.warning << '\n';
-  }
-  return loaded.recipe;
-}
 
 bool may_limit(const VolumeRecipe& recipe) {
   return recipe.dims < 4 && recipe.layers.empty() && can_filter(recipe.noise);
@@ -60,10 +49,10 @@ void write_slice(const SliceOptions& options, const SliceField& field,
                  const std::vector<DenseField<2>>& channels) {
   const DenseField<2>& slice = channels.front();
   if (options.line) {
-    return write_text_file(options.out, line_table(options.plane, slice), {.existing = options.existing});
+    return write_text_file(options.out, line_table(options.plane, slice), {.existing = options.existing()});
   }
   OutputGroup outputs;
-  ImageFileOptions file{.existing = options.existing, .group = &outputs};
+  ImageFileOptions file{.existing = options.existing(), .group = &outputs};
   const auto form_of = [&](const std::string& path) {
     const bool floats = path.ends_with(".exr");
     file.color_space = floats ? ColorSpace::linear : ColorSpace::srgb;
@@ -74,7 +63,7 @@ void write_slice(const SliceOptions& options, const SliceField& field,
     write_image(options.spectrum, spectrum, file);
   }
   if (options.out.empty()) return outputs.appear();
-  const auto shown = shown_values(options, field, slice);
+  const auto shown = shown_values(options, field, channels);
   const PixelForm form = form_of(options.out);
   file.sample_type = options.sample_type;
   write_image(
@@ -85,38 +74,46 @@ void write_slice(const SliceOptions& options, const SliceField& field,
 }
 
 void make_slice(SliceOptions options) {
-  require_outputs({options.out, options.spectrum}, options.existing);
+  require_outputs({options.out, options.spectrum}, options.existing());
   catch_interrupts();
-  std::unique_ptr<tbb::global_control> threads;
-  if (options.threads > 0) {
-    threads = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
-                                                    static_cast<std::size_t>(options.threads));
-  }
+  const auto threads = options.limit_threads();
   auto ends_at_once = std::make_unique<EndsAtOnce>();
   const std::vector<SliceField> fields = make_slice_fields(options);
   const SliceField& field = fields.front();
-  if (field.bounds) fit_plane(options, *field.bounds);
+  if (field.bounds) {
+    fit_plane(options, *field.bounds);
+    options.color = fields.size() > 1;
+  }
+  if (options.color && (!options.ramp.empty() || !options.spectrum.empty() || options.line)) {
+    throw UsageError(
+        "--ramp, --spectrum and a line have one value for each pixel; --component says which of the "
+        "vectors'");
+  }
   warn_of_aliasing(options, field);
   std::vector<DenseField<2>> channels;
   {
-    TaskProgress progress(options.quiet ? ProgressBar::Visibility::hidden
-                                        : ProgressBar::Visibility::if_terminal);
+    TaskProgress progress(options.visibility());
     progress.begin("slice");
     for (const SliceField& of_channel : fields) {
       channels.push_back(sample_slice(*of_channel.source, options.plane, &progress));
+    }
+    for (const DenseField<2>& channel : channels) {
+      if (std::isfinite(Moments::of(channel.values).sigma())) continue;
+      throw std::runtime_error(options.file + ": has values that are not finite in the slice");
     }
     ends_at_once.reset();
     throw_if_cancelled(&progress);
     write_slice(options, field, channels);
   }
   if (options.quiet) return;
-  const DenseField<2>& slice = channels.front();
-  const Moments moments = Moments::of(slice.values);
   std::cerr << fmt::format("{}: {} x {} samples, {:.6g} world units apart\n",
-                           options.out.empty() ? options.spectrum : options.out, slice.count.x, slice.count.y,
-                           options.plane.pixel)
-            << fmt::format("min {:.6g}  max {:.6g}  mean {:.6g}  sigma {:.6g}\n", moments.min(),
-                           moments.max(), moments.mean(), moments.sigma());
+                           options.out.empty() ? options.spectrum : options.out, channels.front().count.x,
+                           channels.front().count.y, options.plane.pixel);
+  for (const DenseField<2>& channel : channels) {
+    const Moments moments = Moments::of(channel.values);
+    std::cerr << fmt::format("min {:.6g}  max {:.6g}  mean {:.6g}  sigma {:.6g}\n", moments.min(),
+                             moments.max(), moments.mean(), moments.sigma());
+  }
 }
 
 }  // namespace
@@ -124,20 +121,20 @@ void make_slice(SliceOptions options) {
 int run_slice(const std::vector<std::string>& arguments) {
   SliceOptions options;
   FlagSet flags("vdbnoise slice", kDescription);
-  declare_slice_flags(flags, options);
+  const std::vector<std::string> noise_flags = declare_slice_flags(flags, options);
   flags.parse(arguments);
-  options.recipe = choose_recipe(flags);
+  options.recipe = choose_volume_recipe(flags, "raw");
   if (options.recipe.output == std::vector{Output::color}) {
     options.recipe.output = {Output::value};
     options.color = true;
   }
   try {
     flags.apply();
-    check_layer_flags(flags, options.recipe);
-    check_slice_options(flags, options);
+    check_layer_flags(flags, options.recipe, noise_flags);
+    check_slice_options(flags, options, noise_flags);
     make_slice(options);
   } catch (const std::invalid_argument& error) {
-    throw UsageError(name_loop(flags, flags.name_flag(error.what())));
+    throw UsageError(explain(flags, error.what()));
   }
   return kDone;
 }

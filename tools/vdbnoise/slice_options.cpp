@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <variant>
 #include <vector>
 
@@ -11,11 +12,13 @@
 #include <glm/geometric.hpp>
 
 #include "common/field_flags.h"
-#include "common/flag_set.h"
+#include "common/noise_flags.h"
+#include "common/outputs.h"
 #include "common/run_tool.h"
 #include "solidnoise/core/check.h"
 #include "solidnoise/image/color.h"
-#include "vdbnoise/recipe_flags.h"
+#include "solidnoise/volume/volume_recipe_json.h"
+#include "vdbnoise/volume_flags.h"
 
 namespace solidnoise {
 namespace {
@@ -23,24 +26,17 @@ namespace {
 constexpr int kMostPixels = 16384;  // along a side
 constexpr double kWidth = 2.0;      // world units, unless it is given or the period
 
-bool is_picture(const std::string& path) {
-  return path.ends_with(".png") || path.ends_with(".exr");
-}
-
-Vec<3> to_vec3(const std::vector<double>& numbers, std::size_t first = 0) {
-  return {numbers[first], numbers[first + 1], numbers[first + 2]};
-}
-
 void declare_output(FlagSet& flags, SliceOptions& options) {
   flags.group("Output");
-  keep(flags, "--out", "FILE",
-       ".png: 8 bits, or 16 with --bits; .exr: the values themselves, as floats; .csv: a line of samples",
-       options.out);
+  flags.keep("--out", "FILE",
+             ".png: 8 bits, or 16 with --bits; .exr: the values themselves, as floats; .csv: a line of "
+             "samples",
+             options.out);
   flags.choice("--bits", {"8", "16"}, "Of each channel of a .png (default 8)", [&](std::size_t index) {
     options.sample_type = index == 0 ? SampleType::uint8 : SampleType::uint16;
   });
   flags.numbers(
-      "--values", "LOW HIGH", 2,
+      "--values", "LOW HIGH",
       "The values that are black and white, or the ends of the ramp (default: 3 sigmas of the noise "
       "to each side; of a grid, the least and the greatest of the slice)",
       [&](const std::vector<double>& v) {
@@ -64,26 +60,28 @@ void declare_output(FlagSet& flags, SliceOptions& options) {
       [&] { options.color = true; });
   flags.exclude({"--color", "--ramp"});
   flags.exclude({"--color", "--spectrum"});
-  keep(flags, "--spectrum", "FILE",
-       "The slice's periodogram, frequency 0 in the middle, half a cycle per pixel at the edges: .png, or "
-       ".exr for the densities themselves",
-       options.spectrum);
+  flags.keep("--spectrum", "FILE",
+             "The slice's periodogram, frequency 0 in the middle, half a cycle per pixel at the edges: .png, "
+             "or .exr for the densities themselves",
+             options.spectrum);
   flags.choice("--spectrum-scale", {"log", "linear"},
                "Of a .png: 60 dB below the greatest density to it, or 0 to it (default log)",
                [&](std::size_t index) {
                  options.spectrum_scale = index == 0 ? SliceOptions::SpectrumScale::logarithmic
                                                      : SliceOptions::SpectrumScale::linear;
                });
-  flags.toggle("--force", "Replace files that exist", [&] { options.existing = Existing::replace; });
+  declare_fields<RunOptions>(flags, options, {"force"});
 }
 
 void declare_source(FlagSet& flags, SliceOptions& options) {
   flags.group("What is sliced");
-  keep(flags, "--grid", "NAME", "The grid of FILE.vdb (default: the first one of floats)", options.grid);
-  flags.text("--preset", "NAME", "Start from a recipe that comes with the program (default raw)",
-             [](const std::string&) {});
-  flags.text("--recipe", "FILE", "Start from a recipe, .json, or from that of a .vdb made by vdbnoise",
-             [](const std::string&) {});
+  flags.keep("--grid", "NAME", "The grid of FILE.vdb (default: the first one of floats or vectors)",
+             options.grid);
+  flags.choice("--component", {"x", "y", "z", "length"},
+               "Of a grid of vectors; without it, all three as colours",
+               [&](std::size_t index) { options.component = SliceRecipe::Component(index); });
+  flags.add({"--preset", "NAME", "Start from a recipe that comes with the program (default raw)"});
+  flags.add({"--recipe", "FILE", "Start from a recipe, .json, or from that of a .vdb made by vdbnoise"});
   flags.exclude({"--preset", "--recipe"});
   flags.toggle("--raw", "The recipe's noise itself, without its shaping",
                [&] { options.recipe.shaping = RawShaping{}; });
@@ -91,32 +89,36 @@ void declare_source(FlagSet& flags, SliceOptions& options) {
 
 void declare_plane(FlagSet& flags, SliceOptions& options) {
   flags.group("Plane");
-  flags.numbers("--origin", "X [Y Z]", 1,
-                "The middle of the picture, world units (default 0 0 0, or the middle of the grid)",
+  const auto vector = [&](const char* flag, const char* names, const char* help,
+                          std::optional<Vec<3>>& target) {
+    flags.add({flag, names, help,
+               [flag, &target](const FlagTexts& texts) { target = FlagForm<Vec<3>>::read(flag, texts); }});
+  };
+  vector("--origin", "X [Y Z]",
+         "The middle of the picture, world units (default 0 0 0, or the middle of the grid)", options.origin);
+  vector("--normal", "X Y Z", "Across the plane, towards the viewer (default 0 0 1)", options.normal);
+  vector("--up", "X Y Z", "What is up in the picture, as far as the plane allows (default 0 1 0)",
+         options.up);
+  flags.numbers("--axes", "X Y Z X Y Z", "Instead of both: what is right and what is up",
                 [&](const std::vector<double>& v) {
-                  options.origin.emplace(0.0);
-                  for (std::size_t axis = 0; axis < v.size(); ++axis) {
-                    (*options.origin)[static_cast<int>(axis)] = v[axis];
+                  try {
+                    options.plane.span({v[0], v[1], v[2]}, {v[3], v[4], v[5]});
+                  } catch (const std::invalid_argument& error) {
+                    throw UsageError(fmt::format("--axes is {:g}: {}", fmt::join(v, " "), error.what()));
                   }
                 });
-  flags.numbers("--normal", "X Y Z", 3, "Across the plane, towards the viewer (default 0 0 1)",
-                [&](const std::vector<double>& v) { options.normal = to_vec3(v); });
-  flags.numbers("--up", "X Y Z", 3, "What is up in the picture, as far as the plane allows (default 0 1 0)",
-                [&](const std::vector<double>& v) { options.up = to_vec3(v); });
-  flags.numbers("--axes", "X Y Z X Y Z", 6, "Instead of both: what is right and what is up",
-                [&](const std::vector<double>& v) { options.plane.span(to_vec3(v), to_vec3(v, 3)); });
   flags.exclude({"--axes", "--normal"});
   flags.exclude({"--axes", "--up"});
   flags.number("--width", "UNITS",
                "Of the picture, world units (default 2, the period, or what holds the grid)",
                [&](double width) {
-                 require_positive("width", width, "world units");
+                 require_positive("--width", width, "world units");
                  options.width = width;
                });
-  flags.numbers("--resolution", "COLUMNS [ROWS]", 1,
-                "In pixels, which are square (default 512, as many rows)", [&](const std::vector<double>& v) {
+  flags.numbers("--resolution", "COLUMNS [ROWS]", "In pixels, which are square (default 512, as many rows)",
+                [&](const std::vector<double>& v) {
                   for (const double side : v) {
-                    require_in_range("resolution", side, 1, kMostPixels, "pixels");
+                    require_in_range("--resolution", side, 1, kMostPixels, "pixels");
                     if (side != std::floor(side)) {
                       throw UsageError(fmt::format("--resolution is {}; it must be whole numbers", side));
                     }
@@ -149,12 +151,8 @@ void check_outputs(const SliceOptions& options) {
   if (options.out.empty() && options.spectrum.empty()) {
     throw UsageError("--out is missing; say where the picture goes: --out noise.png");
   }
-  if (!options.out.empty() && !options.is_line() && !is_picture(options.out)) {
-    throw UsageError(fmt::format("--out is {}; it must end in .png, .exr or .csv", options.out));
-  }
-  if (!options.spectrum.empty() && !is_picture(options.spectrum)) {
-    throw UsageError(fmt::format("--spectrum is {}; it must end in .png or .exr", options.spectrum));
-  }
+  require_extension("--out", options.out, {".png", ".exr", ".csv"}, StandardOutput::refused);
+  require_extension("--spectrum", options.spectrum, {".png", ".exr"}, StandardOutput::refused);
   if (options.sample_type != SampleType::automatic && !options.out.ends_with(".png")) {
     throw UsageError("--bits applies to --out FILE.png only");
   }
@@ -166,26 +164,22 @@ void check_line(const FlagSet& flags, const SliceOptions& options) {
     throw UsageError("--dims is 1; a noise on a line is written to --out FILE.csv");
   }
   if (!options.is_line()) return;
-  for (const char* flag : {"--spectrum", "--ramp", "--values", "--color"}) {
-    if (flags.given(flag)) throw UsageError(fmt::format("{} has no effect on a line", flag));
-  }
+  flags.refuse({"--spectrum", "--ramp", "--values", "--color"}, "has no effect on a line");
   if (options.color) throw UsageError("the recipe makes colours, which a line has none of");
 }
 
 // What the noise of a recipe would be given for nothing where a grid is sliced.
-void check_file(const FlagSet& flags, const SliceOptions& options) {
+void check_file(const FlagSet& flags, const SliceOptions& options,
+                const std::vector<std::string>& noise_flags) {
   if (options.file.empty()) {
-    if (flags.given("--grid")) throw UsageError("--grid names a grid of FILE.vdb, which is missing");
+    flags.refuse({"--grid", "--component"}, "is of a grid of FILE.vdb, which is missing");
     return;
   }
-  for (const char* flag :
-       {"--preset",    "--recipe",  "--raw",    "--noise",     "--seed",       "--frequency", "--size",
-        "--bandwidth", "--octaves", "--period", "--offset",    "--band-limit", "--evolve",    "--dims",
-        "--time",      "--loop",    "--fold",   "--histogram", "--warp",       "--color"}) {
-    if (flags.given(flag)) {
-      throw UsageError(fmt::format("{} has no effect where {} is sliced", flag, options.file));
-    }
-  }
+  const std::string why = fmt::format("has no effect where {} is sliced", options.file);
+  for (const std::string& flag : noise_flags) flags.refuse({flag}, why);
+  flags.refuse({"--preset", "--recipe", "--raw", "--offset", "--band-limit", "--exact", "--evolve", "--dims",
+                "--time", "--loop", "--wind", "--generator", "--fold", "--histogram", "--warp", "--color"},
+               why);
 }
 
 void check_recipe(const SliceOptions& options) {
@@ -206,7 +200,6 @@ void check_recipe(const SliceOptions& options) {
   if (!is_scalar(recipe) || recipe.modification || recipe.parameters.any()) {
     throw UsageError("the recipe is of more than a noise; slice the volume that it makes");
   }
-  require_in_range("dims", recipe.dims, 1, 4);
   VolumeRecipe checked = recipe;
   if (recipe.dims < 3) {
     if (!recipe.layers.empty()) throw UsageError("--dims must be 3 or 4 where there are layers");
@@ -217,39 +210,37 @@ void check_recipe(const SliceOptions& options) {
 
 }  // namespace
 
-void declare_slice_flags(FlagSet& flags, SliceOptions& options) {
+std::vector<std::string> declare_slice_flags(FlagSet& flags, SliceOptions& options) {
+  VolumeRecipe& recipe = options.recipe;
+  flags.show_first({"--out", "--grid", "--noise", "--frequency", "--dims", "--normal", "--width",
+                    "--resolution", "--ramp", "--spectrum"});
   flags.optional_argument("FILE.vdb", "A volume whose grid is sliced, instead of a noise", options.file);
   declare_output(flags, options);
   declare_source(flags, options);
   flags.group("Noise");
-  declare_noise_flags(flags, options.recipe.noise);
-  flags.numbers("--offset", "X Y Z", 3, "Moves the noise, world units (default 0 0 0)",
-                [&](const std::vector<double>& v) { options.recipe.offset = to_vec3(v); });
-  flags.toggle("--band-limit", "Gabor noises: filter out what the pixels cannot hold, exactly",
-               [&] { options.recipe.band_limit = true; });
-  flags.toggle(
-      "--exact",
-      "Sum impulses at every pixel; without it, waves that pixels resolve well are interpolated from "
-      "fewer samples, within --error",
-      [&] { options.recipe.exact = true; });
-  declare_time_flags(flags, options.recipe, "1|2|3|4");
+  const std::vector<std::string> noise_flags = declare_noise_flags(flags, recipe.noise);
+  declare_fields(flags, recipe, {"offset", "band_limit", "exact"});
+  flags.group("Time");
+  flags.integer("--dims", "1|2|3|4", "Dimensions of the noise (default 3)", [&](int dims) {
+    require_in_range("--dims", dims, 1, 4);
+    recipe.dims = dims;
+  });
+  declare_time_flags(flags, recipe);
   flags.group("Noise");
-  declare_generator_flag(flags, options.recipe.noise, options.recipe.dims);
+  declare_generator_flag(flags, recipe.noise, recipe.dims);
   flags.group("Layers");
-  declare_layer_flags(flags, options.recipe);
+  declare_layer_flags(flags, recipe);
   declare_plane(flags, options);
   flags.group("Run");
-  flags.integer("--threads", "COUNT", "Threads to use (default: all)", [&](int value) {
-    require_in_range("threads", value, 1, 4096);
-    options.threads = value;
-  });
-  flags.toggle("--quiet", "Print errors only", [&] { options.quiet = true; });
+  declare_fields<RunOptions>(flags, options, {"threads", "quiet"});
+  return noise_flags;
 }
 
-void check_slice_options(const FlagSet& flags, SliceOptions& options) {
+void check_slice_options(const FlagSet& flags, SliceOptions& options,
+                         const std::vector<std::string>& noise_flags) {
   check_outputs(options);
   check_line(flags, options);
-  check_file(flags, options);
+  check_file(flags, options, noise_flags);
   if (options.file.empty()) check_recipe(options);
   turn_plane(options);
   options.line = options.is_line();

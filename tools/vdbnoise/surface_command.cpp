@@ -5,11 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "common/flag_set.h"
-#include "common/memory.h"
+#include "common/field_flags.h"
 #include "common/outputs.h"
-#include "common/parse_value.h"
-#include "common/progress.h"
+#include "common/run_options.h"
 #include "common/run_tool.h"
 #include "solidnoise/geometry/mesh_file.h"
 #include "solidnoise/volume/topology/grid_frame.h"
@@ -26,34 +24,31 @@ constexpr char kDescription[] =
     "--boundary; and, of a wide band, for --frequency-grid.\n"
     "  vdbnoise surface bunny.obj --out bunny.vdb --band 0.2";
 
-struct SurfaceOptions {
+struct SurfaceOptions : RunOptions {
   std::string mesh;
   std::string out;
   std::string grid = "surface";
   std::optional<double> voxel;
   int dim = 256;
   std::optional<double> band;
-  Existing existing = Existing::refuse;
-  std::uint64_t max_memory = 0;  // bytes; 0: what the machine has available
-  bool quiet = false;
 };
+
+constexpr auto fields_of(std::type_identity<SurfaceOptions>) {
+  using Options = SurfaceOptions;
+  return list_fields(
+      field("voxel", &Options::voxel, kPositive, "world units", "Size of a voxel"),
+      field("dim", &Options::dim, between(1, 1 << 20), "voxels", "Along the mesh's longest side instead"),
+      field("band", &Options::band, kPositive, "world units",
+            "How far distances reach on both sides, 3 to 1000 voxels; without it, 3"),
+      field("grid", &Options::grid, "Name of the grid"));
+}
 
 void declare(FlagSet& flags, SurfaceOptions& options) {
   flags.argument("MESH", "A closed mesh: .ply, .obj, .off, .stl or .om", options.mesh);
-  flags.group("Flags");
-  keep(flags, "--out", "FILE.vdb", "Where the grid goes; - for the standard output", options.out);
-  flags.number("--voxel", "SIZE", "Size of a voxel, world units", [&](double size) { options.voxel = size; });
-  flags.integer("--dim", "COUNT", "Voxels along the mesh's longest side instead (default 256)",
-                [&](int count) { options.dim = count; });
+  flags.keep("--out", "FILE.vdb", "Where the grid goes; - for the standard output", options.out);
+  declare_fields(flags, options);
   flags.exclude({"--voxel", "--dim"});
-  flags.number("--band", "UNITS",
-               "How far distances reach on both sides, world units, 3 to 1000 voxels (default 3 voxels)",
-               [&](double band) { options.band = band; });
-  keep(flags, "--grid", "NAME", "Name of the grid (default surface)", options.grid);
-  flags.toggle("--force", "Replace a file that exists", [&] { options.existing = Existing::replace; });
-  flags.text("--max-memory", "SIZE", "Refuse to need more than this, such as 8G (default: what is available)",
-             [&](const std::string& text) { options.max_memory = parse_bytes("--max-memory", text); });
-  flags.toggle("--quiet", "Print errors only", [&] { options.quiet = true; });
+  declare_fields<RunOptions>(flags, options, {"force", "max_memory", "quiet"});
 }
 
 TriangleMesh read_triangles(const std::string& file) {
@@ -67,14 +62,6 @@ TriangleMesh read_triangles(const std::string& file) {
   return result;
 }
 
-void check_memory(std::uint64_t needed, std::uint64_t allowed) {
-  const std::uint64_t limit = allowed != 0 ? allowed : available_memory();
-  if (limit == 0 || needed <= limit) return;
-  throw std::runtime_error(
-      fmt::format("the level set may need {}, --max-memory allows {}{}; make --dim or --band smaller",
-                  format_bytes(needed), format_bytes(limit), allowed != 0 ? "" : ", what is available"));
-}
-
 }  // namespace
 
 int run_surface(const std::vector<std::string>& arguments) {
@@ -85,21 +72,22 @@ int run_surface(const std::vector<std::string>& arguments) {
   flags.apply();
   if (options.out.empty()) throw UsageError("--out is missing; say where the grid goes: --out surface.vdb");
   check_output_names(options.out, "");
-  require_outputs({options.out}, options.existing, {options.mesh});
+  require_outputs({options.out}, options.existing(), {options.mesh});
   catch_interrupts();
 
   auto ends_at_once = std::make_unique<EndsAtOnce>();
   const TriangleMesh mesh = read_triangles(options.mesh);
   Volume volume;
   {
-    TaskProgress progress(options.quiet ? ProgressBar::Visibility::hidden
-                                        : ProgressBar::Visibility::if_terminal);
+    TaskProgress progress(options.visibility());
     progress.begin("distances");
     openvdb::FloatGrid::Ptr grid;
     try {
       const double voxel = options.voxel ? *options.voxel : voxel_size_for_dim(mesh.bounds(), options.dim);
       const double band = options.band.value_or(3.0 * voxel);
-      check_memory(estimate_level_set_memory(mesh, voxel, band), options.max_memory);
+      options.require_cost("the level set",
+                           {static_cast<double>(estimate_level_set_memory(mesh, voxel, band))},
+                           "; make --dim or --band smaller");
       grid = mesh_level_set(mesh, voxel, band, &progress);
     } catch (const std::invalid_argument& error) {
       throw UsageError(flags.name_flag(error.what()));
@@ -110,7 +98,7 @@ int run_surface(const std::vector<std::string>& arguments) {
     progress.begin("writing");
     ends_at_once.reset();
     VdbWriteOptions write;
-    write.existing = options.existing;
+    write.existing = options.existing();
     write.creator = kVdbnoise;
     write.progress = &progress;
     write_volume(options.out, volume, write);

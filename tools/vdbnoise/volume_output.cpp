@@ -5,13 +5,12 @@
 #include <cstddef>
 #include <iostream>
 #include <ostream>
-#include <unistd.h>
 #include <utility>
 #include <variant>
 
 #include <fmt/format.h>
 
-#include "common/run_tool.h"
+#include "common/outputs.h"
 #include "solidnoise/noise/gabor/evolution.h"
 #include "solidnoise/noise/interpolation/lattice_frame.h"
 #include "solidnoise/volume/volume_field.h"
@@ -122,15 +121,9 @@ void print_statistics(const MeasuredGrid& measured, const std::string& where) {
 }  // namespace
 
 void check_output_names(const std::string& out, const std::string& preview) {
-  if (!out.empty() && out != "-" && !out.ends_with(".vdb")) {
-    throw UsageError(fmt::format("--out is {}; it must end in .vdb, or be - for the standard output", out));
-  }
-  if (!preview.empty() && !preview.ends_with(".png")) {
-    throw UsageError(fmt::format("--preview is {}; it must end in .png", preview));
-  }
-  if (out == "-" && isatty(STDOUT_FILENO) != 0) {
-    throw UsageError("--out is -, and the standard output is a terminal; send it to a file or a program");
-  }
+  require_extension("--out", out, {".vdb"}, StandardOutput::allowed);
+  require_extension("--preview", preview, {".png"}, StandardOutput::refused);
+  require_no_terminal("--out", out);
 }
 
 void print_statistics(const Volume& volume, const std::string& where) {

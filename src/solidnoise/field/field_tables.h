@@ -95,7 +95,7 @@ constexpr auto fields_of(std::type_identity<CloudShaping>) {
 }
 
 constexpr auto fields_of(std::type_identity<Warp>) {
-  return list_fields(field("amount", &Warp::amount, at_least(0.0), "world units",
+  return list_fields(field("amount", &Warp::amount, between(0.0, 1e9), "world units",
                            "Standard deviation of each component of the displacement"),
                      field("noise", &Warp::noise, "Left out, the recipe's"));
 }
@@ -107,7 +107,9 @@ constexpr auto fields_of(std::type_identity<Layer>) {
   constexpr auto combines = [](const Layer& layer) { return !layer.layers.empty(); };
   return list_fields(
       field("noise", &Layer::noise, "Left out, the recipe's").written_if(is_noise),
-      field("fold", &Layer::fold, kLayerFoldChoices, "What becomes of the noise's octaves")
+      field("fold", &Layer::fold, kLayerFoldChoices,
+            "The noise's octaves |n| turned to ridges, or added up as turbulence; billow: |noise|; mean 0, "
+            "variance 1")
           .written_if(is_noise),
       field("histogram", &Layer::histogram, kHistogramChoices,
             "Values as they are, or uniform on 0 to 1 by the error function")

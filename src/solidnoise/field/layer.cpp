@@ -85,7 +85,7 @@ class Validation {
     require_finite(path + ".weight", layer.weight);
     require_finite(path + ".bias", layer.bias);
     if (layer.warp) {
-      require_at_least(path + ".warp.amount", layer.warp->amount, 0.0, "world units");
+      require_in_range(path + ".warp.amount", layer.warp->amount, 0.0, 1e9, "world units");
       validate_noise(path + ".warp", layer.warp->noise, own_);
     }
     visit_all(path + ".layers", layer.layers, depth + 1);

@@ -5,6 +5,7 @@
 
 #include "solidnoise/core/fields.h"
 #include "solidnoise/mesh/bake_recipe.h"
+#include "solidnoise/mesh/vertex_colors.h"
 #include "solidnoise/noise/gabor/gabor_entries.h"
 #include "solidnoise/noise/noise_entry.h"
 
@@ -112,6 +113,14 @@ constexpr auto fields_of(std::type_identity<RefineRecipe>) {
                            "New vertices lie on the edges, or on the smooth surface through their ends"));
 }
 
+template <typename Recipe>
+constexpr auto fields_of_smoothing() {
+  return list_fields(
+      field("smooth", &Recipe::smooth, between(0, 10000), "rounds", "Smoothing of the curvature"),
+      field("smooth_radius", &Recipe::smooth_radius, at_least(0.0), "world units",
+            "More of it, over a distance that does not depend on the mesh"));
+}
+
 constexpr auto fields_of(std::type_identity<BakeRecipe>) {
   using Recipe = BakeRecipe;
   return list_fields(
@@ -121,17 +130,14 @@ constexpr auto fields_of(std::type_identity<BakeRecipe>) {
       field("layers", &Recipe::layers, "Their sum takes the noise's place")
           .written_if([](const Recipe& recipe) { return !recipe.layers.empty(); }),
       field("frequency", &Recipe::frequency, between(1e-9, 1e9), "cycles per world unit",
-            "Principal frequency; left out, it suits the mesh"),
+            "Principal frequency; left out, it suits the mesh; a range follows what steers"),
       field("detail", &Recipe::detail, between(1e-3, 1e3), "", "Instead: frequency over what suits the mesh")
           .written_if([](const Recipe& recipe) { return !recipe.frequency; }),
       field("bandwidth", &Recipe::bandwidth, between(0.1, 4.0), "octaves",
             "Width of the band at half amplitude"),
       field("magnitude", &Recipe::magnitude, between(0.0, 1e6), "", "Standard deviation of the noise"),
       field("bias", &Recipe::bias, between(-1e6, 1e6), "", "Added to the noise, in standard deviations"),
-      field("by", &Recipe::by, "What ranges follow"),
-      field("smooth", &Recipe::smooth, between(0, 10000), "rounds", "Smoothing of the curvature"),
-      field("smooth_radius", &Recipe::smooth_radius, at_least(0.0), "world units",
-            "More of it, over a distance that does not depend on the mesh"),
+      field("by", &Recipe::by, "What ranges follow"), fields_of_smoothing<Recipe>(),
       field("direction", &Recipe::direction, "Which way the waves of oriented noise travel"),
       field("ramp", &Recipe::ramp,
             "Colours: a name, stops such as 0:#000,1:#fff, or exemplar for those of a noise by example"),
@@ -141,6 +147,13 @@ constexpr auto fields_of(std::type_identity<BakeRecipe>) {
       field("displace", &Recipe::displace, kFinite, "world units",
             "Move vertices along their normals, by this for a value of 1"),
       field("up", &Recipe::up, kUpAxisChoices, "The up axis: of height, and of the preview"));
+}
+
+constexpr auto fields_of(std::type_identity<CurvatureRecipe>) {
+  using Recipe = CurvatureRecipe;
+  return list_fields(fields_of_smoothing<Recipe>(),
+                     field("ramp", &Recipe::ramp, "Colours: a name, or stops such as 0:#000,1:#fff"),
+                     field("up", &Recipe::up, kUpAxisChoices, "The up axis"));
 }
 
 }  // namespace solidnoise

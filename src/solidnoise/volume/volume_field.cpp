@@ -39,7 +39,8 @@ std::shared_ptr<const Noise<3>> make_framed(const VolumeRecipe& recipe, const Ma
   } else {
     noise = slice(make(std::integral_constant<int, 4>(), recipe.noise), recipe.time);
   }
-  return recipe.offset == Vec<3>(0.0) ? noise : move_noise<3>(noise, recipe.offset);
+  const Vec<3> by = moved(recipe);
+  return by == Vec<3>(0.0) ? noise : move_noise<3>(noise, by);
 }
 
 // What is left of the recipe's error interpolates the noise, where that is quicker; on voxels that are looked
@@ -78,7 +79,8 @@ class VolumeLayers {
       return layer_noise(noise_of_layer(noise, own), [&, stretch](const NoiseRecipe& recipe) {
         VolumeRecipe layer = recipe_;
         layer.noise = recipe;
-        return stretched(on_voxels(layer, make_noise_of(recipe_, recipe), plan_.frame, stretch), stretch);
+        layer.wind /= stretch;  // which moves what is stretched
+        return stretched(on_voxels(layer, make_noise_of(layer, recipe), plan_.frame, stretch), stretch);
       });
     };
     leaves.named = [&](const std::string& name) { return named(name); };
@@ -105,7 +107,7 @@ NoisePtr make_voxel_quadrature(const VolumeRecipe& recipe, const VolumePlan& pla
 }
 
 NoiseView view_of(const VolumeRecipe& recipe) {
-  return {recipe.dims, recipe.time, recipe.offset};
+  return {recipe.dims, recipe.time, moved(recipe)};
 }
 
 FieldPtr with_magnitude(FieldPtr field, const VolumePlan& plan) {

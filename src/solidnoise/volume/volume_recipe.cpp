@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "solidnoise/core/check.h"
+#include "solidnoise/volume/volume_recipe_json.h"
 
 namespace solidnoise {
 namespace {
@@ -141,14 +142,17 @@ void VolumeRecipe::validate() const {
   validate_parameters(*this);
   require_in_range("dims", dims, 3, 4);
   require_finite("time", time);
-  for (int axis = 0; axis < 3; ++axis) require_finite("offset", offset[axis]);
+  for (int axis = 0; axis < 3; ++axis) {
+    require_in_range("offset", offset[axis], -kFarthest, kFarthest, "world units");
+    require_in_range("wind", wind[axis], -kFarthest, kFarthest, "world units per unit of time");
+  }
   validate_layers(layers, noise, fields);
   if (!layers.empty() && std::holds_alternative<CloudShaping>(shaping)) {
     throw std::invalid_argument("layers have no effect on a cloud, whose shaping takes the noise's octaves");
   }
-  if (dims == 3 && time != 0.0 && !evolves(*this)) {
-    throw std::invalid_argument(
-        fmt::format("time is {}; it must be 0 where dims is 3 and the noise does not evolve", time));
+  if (dims == 3 && time != 0.0 && wind == Vec<3>(0.0) && !evolves(*this)) {
+    throw std::invalid_argument(fmt::format(
+        "time is {}; it must be 0 where dims is 3, there is no wind and the noise does not evolve", time));
   }
   if (dims == 4 && evolves(*this)) {
     throw std::invalid_argument("dims is 4; it must be 3 where the noise evolves");
@@ -174,7 +178,7 @@ void VolumeRecipe::validate() const {
     }
   }
   if (voxel) require_positive("voxel", *voxel, "world units");
-  if (edge) require_at_least("edge", *edge, 0.0, "world units");
+  if (edge) require_in_range("edge", *edge, 0.0, kFarthest, "world units");
   require_in_range("dim", dim, 1, 1 << 20, "voxels");
   validate_output(*this);
   validate_finish(*this);
@@ -227,6 +231,10 @@ std::vector<std::string> grid_names(const VolumeRecipe& recipe) {
     }
   }
   return names;
+}
+
+Vec<3> moved(const VolumeRecipe& recipe) {
+  return recipe.offset + recipe.time * recipe.wind;
 }
 
 int vertical_axis(const VolumeRecipe& recipe) {

@@ -104,7 +104,8 @@ struct VolumeRecipe : GridRecipe, Domain {
   int dims = 3;                 // 3, or 4: a frame of a noise that changes in time
   double time = 0.0;            // of the frame: in the noise's fourth axis, or of its Evolution; else 0
   ParameterGrids parameters{};  // of the noise, where they vary in space; of Output::value, without layers
-  Vec<3> offset{0.0};           // moves the noise, world units
+  Vec<3> offset{0.0};           // moves the noise, world units; +-1e9
+  Vec<3> wind{0.0};             // moves it as time passes, world units per unit of time; +-1e9
   bool band_limit = false;      // filter the noise at the size of the voxels: at_resolution()
   bool exact = false;           // sum impulses at every voxel, where fewer samples would do within the error
 
@@ -142,6 +143,9 @@ std::vector<NoiseRecipe> noises_of(const VolumeRecipe& recipe);
 
 // The names of all grids, in their order.
 std::vector<std::string> grid_names(const VolumeRecipe& recipe);
+
+// How far the noise has moved at the recipe's time, world units.
+Vec<3> moved(const VolumeRecipe& recipe);
 
 // The up axis: 1 or 2.
 int vertical_axis(const VolumeRecipe& recipe);

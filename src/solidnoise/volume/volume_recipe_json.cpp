@@ -180,6 +180,10 @@ VolumeRecipe volume_recipe_from_json(const Json& json) {
   return recipe;
 }
 
+std::span<const std::string_view> shaping_types() {
+  return kShapingTypes;
+}
+
 Json volume_recipe_schema() {
   Json schema = schema_of<VolumeRecipe>();
   Json& properties = schema["properties"];

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <optional>
+#include <span>
+#include <string_view>
 #include <tuple>
 #include <type_traits>
 
@@ -40,28 +42,33 @@ constexpr auto fields_of(std::type_identity<MeshShape>) {
                          .written_if([](const MeshShape& mesh) { return !mesh.digest.empty(); }));
 }
 
+// Within which noises of most frequencies can be evaluated, world units.
+inline constexpr double kFarthest = 1e9;
+
 constexpr auto fields_of(std::type_identity<Domain>) {
   return list_fields(
       field("shape", &Domain::shape,
-            "Which voxels there are: of the box, of the inside of a mesh, or of a grid"),
+            "Which voxels there are: of the box, of the sphere or ellipsoid in it, of the inside of a closed "
+            "mesh (.ply .obj .off .stl .om), or those of a grid"),
       field("box", &Domain::box, kFinite, "world units", "Two corners"),
       field("voxel", &Domain::voxel, kPositive, "world units", "Size of a voxel"),
-      field("dim", &Domain::dim, between(1, 1 << 20), "voxels", "Along the longest side, in place of voxel")
+      field("dim", &Domain::dim, between(1, 1 << 20), "voxels",
+            "Along the box's longest side, the first centre on it, in place of voxel")
           .in_place_of("voxel")
           .written_if([](const Domain& domain) { return !domain.voxel; }),
-      field("edge", &Domain::edge, at_least(0.0), "world units",
-            "Of densities: over which they end at the shape's surface; left out, two voxels, of a box none"));
+      field("edge", &Domain::edge, between(0.0, kFarthest), "world units",
+            "Width over which densities end at the shape's surface; left out, two voxels, of a box none"));
 }
 
 constexpr auto fields_of(std::type_identity<DensityScale>) {
   return list_fields(field("optical_depth", &DensityScale::optical_depth, kPositive, "",
-                           "Through the thickest column along the up axis")
+                           "Scale: density through the thickest column along the up axis")
                          .written_if([](const DensityScale& density) { return !density.peak; }),
                      field("peak", &DensityScale::peak, kPositive, "extinction per world unit",
-                           "Instead: the largest density")
+                           "Scale, instead: the largest density")
                          .in_place_of("optical_depth"),
                      field("factor", &DensityScale::factor, kPositive, "",
-                           "What densities are multiplied by, where that is known"));
+                           "Scale: what densities are multiplied by, as another volume's metadata has it"));
 }
 
 // Of a grid in both forms of recipes, the list's and the short one.
@@ -72,30 +79,33 @@ constexpr auto fields_of_any_grid() {
         return !grid.layers.empty();
       }),
       field("shaping", &Grid::shaping, "What becomes of the noise"),
-      field("output", &Grid::output, "value, gradient or both; curl; color; phase,intensity")
+      field("output", &Grid::output,
+            "value, gradient or both (value,gradient); curl: a velocity without divergence; color: three "
+            "independent noises; phase,intensity: of gabor-oriented noise")
           .written_if([](const Grid& grid) { return grid.output != std::vector{Output::value}; }),
-      field("speed", &Grid::speed, kPositive, "world units per second", "Of curl: root mean square")
+      field("speed", &Grid::speed, kPositive, "world units per second",
+            "Of curl: root mean square of the velocity")
           .written_if([](const Grid& grid) { return grid.speed != 1.0; }),
       field("drift", &Grid::drift, kFinite, "world units per second",
             "Of curl: a mean velocity that is added")
           .written_if([](const Grid& grid) { return grid.drift != Vec<3>(0.0); }),
       field("boundary", &Grid::boundary, "Of curl: a level set that nothing flows through"),
       field("boundary_width", &Grid::boundary_width, kPositive, "world units",
-            "Distance over which the velocity turns"),
+            "Distance from it over which the velocity turns along it; left out, 1 / frequency"),
       field("within", &Grid::within, "Clamped to 0..1, what the values are multiplied by"),
       field("sparse", &Grid::sparse, "Of raw values: leave voxels out that are 0")
           .written_if([](const Grid& grid) { return grid.sparse; }),
-      field("prune", &Grid::prune, between(0.0, 1.0), "of the largest density", "Leave out what is below")
+      field("prune", &Grid::prune, between(0.0, 1.0), "of the largest density",
+            "Leave out densities below this part")
           .written_if([](const Grid& grid) { return grid.prune != 0.0; }),
-      field("half", &Grid::half, "Store 16-bit floats"));
+      field("half", &Grid::half, "Store 16-bit floats: half the size, 3 digits"));
 }
 
 constexpr auto fields_of(std::type_identity<GridRecipe>) {
   using Grid = GridRecipe;
   return list_fields(
-      field("name", &Grid::grid, "Of the grid").written_if([](const Grid& grid) {
-        return !grid.grid.empty();
-      }),
+      field("name", &Grid::grid, "Name of the grid; left out, that of its output: density, vel, ...")
+          .written_if([](const Grid& grid) { return !grid.grid.empty(); }),
       field("noise", &Grid::own, "Of its own; left out, the recipe's"), fields_of_any_grid(),
       field("scale", &Grid::density, "What densities are scaled to").written_if([](const Grid& grid) {
         return !std::holds_alternative<RawShaping>(grid.shaping) || grid.density != DensityScale{};
@@ -109,13 +119,23 @@ constexpr auto fields_of(std::type_identity<VolumeRecipe>) {
           .written_if([](const Recipe& recipe) { return !recipe.description.empty(); }),
       field("noise", &Recipe::noise, "The noise"),
       field("dims", &Recipe::dims, between(3, 4), "",
-            "Of the noise; 4: a frame of a noise that changes in time"),
-      field("time", &Recipe::time, kFinite, "", "Of the frame"),
-      field("offset", &Recipe::offset, kFinite, "world units", "Moves the noise"),
-      field("band_limit", &Recipe::band_limit, "Filter the noise at the size of the voxels"),
-      field("exact", &Recipe::exact, "Sum impulses at every voxel"), part(&Recipe::parameters),
-      field("up", &Recipe::up, kUpAxisChoices, "The up axis"),
-      field("codec", &Recipe::codec, kCodecChoices, "Compression of the file"),
+            "Dimensions of the noise; 4: a frame is a slice of a noise of 4, which changes with time"),
+      field("time", &Recipe::time, kFinite, "",
+            "Of a noise that changes or moves (evolve, 4 dimensions, wind): the moment to make"),
+      field("offset", &Recipe::offset, between(-kFarthest, kFarthest), "world units", "Moves the noise"),
+      field("wind", &Recipe::wind, between(-kFarthest, kFarthest), "world units per unit of time",
+            "Moves the noise as time passes")
+          .written_if([](const Recipe& recipe) { return recipe.wind != Vec<3>(0.0); }),
+      field("band_limit", &Recipe::band_limit,
+            "Gabor noises: filter out what the voxels cannot hold, exactly, so that looks do not depend on "
+            "the resolution"),
+      field("exact", &Recipe::exact,
+            "Sum impulses at every voxel; without it, waves that voxels resolve well are interpolated from "
+            "fewer samples, within the error"),
+      part(&Recipe::parameters),
+      field("up", &Recipe::up, kUpAxisChoices, "The up axis, kept in the file; shapes stand on it"),
+      field("codec", &Recipe::codec, kCodecChoices,
+            "Compression of the file; zip gains nothing on fog volumes"),
       field("look", &Recipe::look, kLookChoices, "What a preview shows the volume as")
           .written_if([](const Recipe& recipe) { return recipe.look != PreviewLook::automatic; }),
       field("fields", &Recipe::fields,
@@ -147,6 +167,9 @@ Json to_json(const VolumeRecipe& recipe);
 // Throws std::invalid_argument with the path in the tree: another version, wrong type, unknown key, two keys
 // that contradict each other, value out of range.
 VolumeRecipe volume_recipe_from_json(const Json& json);
+
+// The words for the alternatives of Shaping, in their order.
+std::span<const std::string_view> shaping_types();
 
 // The JSON Schema of a volume.
 Json volume_recipe_schema();

@@ -9,15 +9,11 @@
 
 #include <fmt/format.h>
 
-#include "common/flag_set.h"
-#include "common/progress.h"
 #include "common/run_tool.h"
 #include "noisefit/commands.h"
-#include "noisefit/fit_limits.h"
-#include "noisefit/model_file.h"
+#include "noisefit/fit_flags.h"
 #include "solidnoise/analysis/exemplar/describe_fit.h"
 #include "solidnoise/analysis/exemplar/exemplar_sheet.h"
-#include "solidnoise/analysis/exemplar/fit_exemplar.h"
 #include "solidnoise/volume/topology/grid_frame.h"
 #include "solidnoise/volume/vdb/vdb_read.h"
 
@@ -34,44 +30,22 @@ constexpr char kDescription[] =
 constexpr int kLongestSide = 64;  // voxels, without --box
 constexpr int kLargestSide = 256;
 
-struct VolumeCommand {
+struct VolumeCommand : FitOptions {
   std::string in;
-  FitOutputs outputs;
-  FitLimits limits;
   std::string grid;
   std::optional<Box<3>> box;
-  ExemplarFitOptions fit;
-  int seed = 1;
-  bool quiet = false;
-
-  VolumeCommand() { fit.raw_values = true; }
 };
 
 void declare_flags(FlagSet& flags, VolumeCommand& command) {
   flags.argument("IN.vdb", "The volume", command.in);
-  flags.group("Flags");
-  keep(flags, "--out", "FILE.json", "Where the noise goes; - for the standard output", command.outputs.model);
-  keep(flags, "--preview", "FILE.png", "A sheet: slices of the volume, its Gaussian version and the noise",
-       command.outputs.preview);
-  flags.integer("--seed", "NUMBER", "Of the textures in the sheet (default 1)",
-                [&](int value) { command.seed = value; });
-  keep(flags, "--grid", "NAME", "The grid (default: the first of floats)", command.grid);
-  flags.numbers("--box", "X0 Y0 Z0 X1 Y1 Z1", 6,
-                "The part to learn from, world units (default: the middle, 64 voxels at most)",
-                [&](const std::vector<double>& v) {
-                  command.box = Box<3>{Vec<3>(v[0], v[1], v[2]), Vec<3>(v[3], v[4], v[5])};
-                });
-  flags.integer("--patch", "VOXELS", "Average over patches of this size (default: the whole box)",
-                [&](int value) { command.fit.patch = value; });
-  flags.number("--kappa", "RATIO", "Fewer components against accuracy, up to 1 (default 1/256 = 0.0039)",
-               [&](double value) { command.fit.spectrum.kappa = value; });
-  flags.toggle("--narrowest-band", "Components as narrow as one frequency, for periodic textures",
-               [&] { command.fit.spectrum.narrowest_band = true; });
-  flags.toggle("--force", "Replace a file that exists",
-               [&] { command.outputs.existing = Existing::replace; });
-  declare_limits(flags, command.limits);
-  flags.toggle("--quiet", "Print errors only", [&] { command.quiet = true; });
-  flags.footer("A Ctrl-C ends the fit early and keeps the last solution.");
+  declare_output_flags(flags, command, "A sheet: slices of the volume, its Gaussian version and the noise");
+  flags.keep("--grid", "NAME", "The grid (default: the first of floats)", command.grid);
+  flags.add(
+      {"--box", FlagForm<Box<3>>::names({}),
+       "The part to learn from, world units (default: the middle, 64 voxels at most)",
+       [&](const std::vector<std::string>& texts) { command.box = FlagForm<Box<3>>::read("--box", texts); }});
+  declare_patch_flag(flags, command, "VOXELS");
+  declare_fields(flags, command.fit.spectrum);
 }
 
 // The middle of a box, its sides cut to a length.
@@ -125,7 +99,7 @@ Image draw_sheet(const VolumeCommand& command, const Exemplar<3>& volume, const 
   return draw_exemplar_sheet(slice, fit.model,
                              {.title = std::filesystem::path(command.in).stem().string(),
                               .caption = describe_shortly(fit, seconds),
-                              .seed = static_cast<std::uint64_t>(command.seed),
+                              .seed = command.seed,
                               .black = *least,
                               .white = *largest});
 }
@@ -136,24 +110,15 @@ int run_volume(const std::vector<std::string>& arguments) {
   VolumeCommand command;
   FlagSet flags("noisefit volume", kDescription);
   declare_flags(flags, command);
-  flags.parse(arguments);
-  try {
-    flags.apply();
-    command.fit.validate();
-  } catch (const std::invalid_argument& error) {
-    throw UsageError(flags.name_flag(error.what()));
-  }
-  if (command.fit.patch != 0 && command.fit.patch < 16) {
-    throw UsageError(fmt::format("--patch is {}; it must be at least 16", command.fit.patch));
-  }
+  parse_fit(flags, arguments, command);
+  command.fit.raw_values = true;
   command.outputs.check({command.in});
 
   const std::vector<Exemplar<3>> exemplars{read_box(command)};
-  command.limits.check(static_cast<double>(exemplars.front().channels.front().values.size()));
+  require_fit_cost(command, static_cast<double>(exemplars.front().channels.front().values.size()));
   catch_interrupts();
   const Clock::time_point start = Clock::now();
-  TaskProgress progress(command.quiet ? ProgressBar::Visibility::hidden
-                                      : ProgressBar::Visibility::if_terminal);
+  TaskProgress progress(command.visibility());
   progress.begin("fitting");
   const ExemplarFit<3> fit = fit_exemplar<3>(exemplars, command.fit, &progress);
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();

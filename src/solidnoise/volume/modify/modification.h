@@ -43,10 +43,14 @@ struct Modification {
 
 constexpr auto fields_of(std::type_identity<Modification>) {
   return list_fields(
-      field("on", &Modification::on, "The grid to work on, in place of one of the recipe's own")
+      field("on", &Modification::on,
+            "Work on the active voxels of this grid, in place of one of the recipe's own; all else in its "
+            "file is "
+            "kept")
           .written_if([](const Modification& change) { return !change.on.file.empty(); }),
       field("displace", &Modification::displace, kFinite, "world units",
-            "Of a level set, in place of combine and amount: how far one sigma moves its surface"),
+            "Of a level set, in place of combine and amount: how far one sigma moves its surface along its "
+            "normals"),
       field("combine", &Modification::combine, kCombineChoices,
             "Noise n in place of value v; v + a n; v (1 + a n); or wear thin parts off")
           .in_place_of("displace")
@@ -56,8 +60,9 @@ constexpr auto fields_of(std::type_identity<Modification>) {
           .written_if([](const Modification& change) {
             return !change.displace && change.combine != Combine::replace;
           }),
-      field("mask", &Modification::mask, "Limits the change to where this is over 0"),
-      field("rest", &Modification::rest, "Rest positions, at which the noise is looked up"));
+      field("mask", &Modification::mask,
+            "Limits the change to where this is over 0 (floats, level set, bools or mask)"),
+      field("rest", &Modification::rest, "Rest positions (vec3s or vec3d), at which the noise is looked up"));
 }
 
 }  // namespace solidnoise

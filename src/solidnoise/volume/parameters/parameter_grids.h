@@ -60,17 +60,24 @@ struct ParameterGrids {
 };
 
 constexpr auto fields_of(std::type_identity<ParameterGrid>) {
-  return list_fields(part(&ParameterGrid::source),
-                     field("map", &ParameterGrid::map, "Values LOW and HIGH of the grid mean the other two"));
+  return list_fields(
+      part(&ParameterGrid::source),
+      field("map", &ParameterGrid::map,
+            "Its values LOW and HIGH mean A and B; between, linear, or of a frequency in equal ratios"));
 }
 
 constexpr auto fields_of(std::type_identity<ParameterGrids>) {
   using Grids = ParameterGrids;
   return list_fields(
-      field("frequency_grid", &Grids::frequency, "Frequency at each voxel, cycles per world unit"),
-      field("bandwidth_grid", &Grids::bandwidth, "Bandwidth at each voxel, 0.1 to 4 octaves"),
-      field("magnitude_grid", &Grids::magnitude, "What the noise is multiplied by at each voxel, sigmas"),
-      field("direction_grid", &Grids::direction, "Where the waves travel at each voxel: vectors"));
+      field("frequency_grid", &Grids::frequency,
+            "Gabor noises: frequency at each voxel (floats), cycles per world unit"),
+      field("bandwidth_grid", &Grids::bandwidth,
+            "Gabor noises: bandwidth at each voxel (floats), 0.1 to 4 octaves"),
+      field("magnitude_grid", &Grids::magnitude,
+            "Standard deviation at each voxel (floats), in sigmas of the noise"),
+      field(
+          "direction_grid", &Grids::direction,
+          "Where the waves travel at each voxel (vec3s or vec3d), of gabor-oriented noise of anisotropy 1"));
 }
 
 }  // namespace solidnoise

@@ -11,6 +11,7 @@
 #include <tbb/parallel_for.h>
 
 #include "solidnoise/analysis/periodogram.h"
+#include "solidnoise/core/moments.h"
 #include "solidnoise/image/color.h"
 
 namespace solidnoise {
@@ -64,7 +65,7 @@ DenseField<2> sample_slice(const SliceSource& source, const SlicePlane& plane, P
 }
 
 std::pair<double, double> shown_values(const SliceRecipe& recipe, const SliceField& field,
-                                       const DenseField<2>& slice) {
+                                       std::span<const DenseField<2>> channels) {
   if (recipe.values) return *recipe.values;
   if (field.sigma > 0.0) {
     switch (std::get<RawShaping>(recipe.recipe.shaping).range) {
@@ -76,8 +77,10 @@ std::pair<double, double> shown_values(const SliceRecipe& recipe, const SliceFie
         return {0.0, 1.0};
     }
   }
-  const auto [low, high] = std::minmax_element(slice.values.begin(), slice.values.end());
-  return *low < *high ? std::pair<double, double>(*low, *high) : std::pair(*low - 1.0, *low + 1.0);
+  Moments moments;
+  for (const DenseField<2>& slice : channels) moments.merge(Moments::of(slice.values));
+  const double low = moments.min();
+  return low < moments.max() ? std::pair(low, moments.max()) : std::pair(low - 1.0, low + 1.0);
 }
 
 Image slice_image(const SliceRecipe& recipe, const DenseField<2>& slice, std::pair<double, double> shown,

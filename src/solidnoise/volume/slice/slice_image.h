@@ -15,9 +15,9 @@ namespace solidnoise {
 // They are the same to the last bit for any number of threads. Throws Cancelled.
 DenseField<2> sample_slice(const SliceSource& source, const SlicePlane& plane, Progress* progress);
 
-// The values that are black and white in a picture of the slice.
+// The values that are black and white in a picture of the slice, of one channel or of several.
 std::pair<double, double> shown_values(const SliceRecipe& recipe, const SliceField& field,
-                                       const DenseField<2>& slice);
+                                       std::span<const DenseField<2>> channels);
 
 // What the pixels of a picture are: 0 to 1 for the eye, colours sRGB-encoded; or for floats, the values
 // themselves, colours in linear light.

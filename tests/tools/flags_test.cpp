@@ -1,0 +1,97 @@
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tools/refusal.h"
+#include "tools/run_vdbnoise.h"
+
+namespace solidnoise {
+namespace {
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(Help, IsAPageAndHasTheRestByGroupOrByWord) {
+  const std::string page = run_vdbnoise({"--help"}).out;
+  EXPECT_LT(std::count(page.begin(), page.end(), '\n'), 40);
+  EXPECT_TRUE(contains(page, "--out FILE.vdb") && contains(page, "--help-all")) << page;
+  EXPECT_FALSE(contains(page, "--boundary-width"));
+
+  const std::string all = run_vdbnoise({"--help-all"}).out;
+  EXPECT_TRUE(contains(all, "--boundary-width UNITS") && contains(all, "\nDensity:\n")) << all;
+
+  const std::string found = run_vdbnoise({"--help", "LACUNAR"}).out;
+  EXPECT_TRUE(found.starts_with("  --lacunarity ")) << found;
+  expect_refusal(run_vdbnoise({"--help", "zebra"}), {"", 2, {}, {"--help is zebra"}}, "vdbnoise");
+}
+
+// The default that a flag has is that of what it changes.
+TEST(Help, TellsTheDefaultsOfThePresetThatIsNamed) {
+  EXPECT_TRUE(contains(run_vdbnoise({"--help", "seed"}).out, "(default 4)"));
+  EXPECT_TRUE(contains(run_vdbnoise({"--preset", "smoke", "--help", "seed"}).out, "(default 2)"));
+  EXPECT_TRUE(contains(run_vdbnoise({"--raw", "--help", "frequency"}).out, "(default 8)"));
+}
+
+TEST(Commands, ThatAreMistypedAreSuggested) {
+  expect_refusal(run_vdbnoise({"analize", "x.vdb"}), {"", 2, {}, {"analize is no command", "mean analyze?"}},
+                 "vdbnoise");
+}
+
+TEST(Curves, AreOfFramesAndOfNumbersInTheirRange) {
+  const std::vector<Refusal> refusals{
+      {"WithoutFrames", 2, {"--density", "0:1,9:2"}, {"--density is 0:1,9:2, a curve", "give --frames"}},
+      {"OutOfRangeAtAKey", 2, {"--octaves", "0:1,9:99", "--frames", "0-1"}, {"--octaves is 99"}},
+      {"KeysBackwards", 2, {"--density", "9:1,0:2", "--frames", "0-1"}, {"--density is 9:1,0:2"}},
+      {"HalfAKey", 2, {"--density", "0:1,9", "--frames", "0-1"}, {"--density is 0:1,9; it must be"}},
+      {"NotOfTheRun", 2, {"--threads", "0:1,9:2", "--frames", "0-1"}, {"--threads is 0:1,9:2"}},
+      {"NotOfARate", 2, {"--evolve", "0:1,9:2", "--frames", "0-1"}, {"--evolve is 0:1,9:2"}},
+      {"AndARecipe",
+       2,
+       {"--density", "0:1,9:2", "--frames", "0-1", "--write-recipe", "r.json"},
+       {"--write-recipe is of one volume"}},
+  };
+  const TemporaryFolder folder;
+  for (const Refusal& refusal : refusals) {
+    SCOPED_TRACE(refusal.name);
+    std::vector<std::string> arguments{"--out", "x.#.vdb", "--dim", "8", "--quiet"};
+    arguments.insert(arguments.end(), refusal.arguments.begin(), refusal.arguments.end());
+    expect_refusal(run_vdbnoise(arguments, {.folder = folder.path()}), refusal, "vdbnoise");
+  }
+  EXPECT_TRUE(folder.names().empty());
+}
+
+// Flags of numbers are checked by the table's range before anything is looked up far away.
+TEST(Ranges, OfFlagsAreNamedByTheFlag) {
+  for (const auto& [flag, values] :
+       std::vector<std::pair<std::string, std::vector<std::string>>>{{"--offset", {"1e30", "0", "0"}},
+                                                                     {"--warp", {"1e30"}},
+                                                                     {"--size", {"1e300"}},
+                                                                     {"--wind", {"0", "1e30", "0"}}}) {
+    std::vector<std::string> arguments{"--raw", "--out", "x.vdb", "--dim", "8", flag};
+    arguments.insert(arguments.end(), values.begin(), values.end());
+    expect_refusal(run_vdbnoise(arguments), {"", 2, {}, {flag + " is 1", "between"}}, "vdbnoise");
+  }
+  expect_refusal(run_vdbnoise({"--edge", "1e30", "--shape", "sphere", "--out", "x.vdb"}),
+                 {"", 2, {}, {"--edge is 1", "between 0"}}, "vdbnoise");
+}
+
+TEST(StandardInput, IsAVolume) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run_vdbnoise({"--raw", "--dim", "12", "--quiet", "--out", folder.file("a.vdb")}).status, 0);
+  const auto piped = [&](const std::string& arguments) {
+    const std::string tool = in_build("tools/vdbnoise");
+    return RunningTool("/bin/sh", {"-c", "cat a.vdb | " + tool + " " + arguments}, {.folder = folder.path()})
+        .wait();
+  };
+  const ToolResult info = piped("info -");
+  EXPECT_TRUE(contains(info.out, "grid density: float")) << info.err;
+  EXPECT_EQ(piped("--on - --combine add --out b.vdb --quiet").status, 0);
+  EXPECT_EQ(piped("--on -:nothing --out c.vdb").status, 1);
+  EXPECT_EQ(folder.names(), (std::set<std::string>{"a.vdb", "b.vdb"}));
+}
+
+}  // namespace
+}  // namespace solidnoise

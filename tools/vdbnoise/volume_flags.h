@@ -1,0 +1,53 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "common/flag_form.h"
+#include "common/flag_set.h"
+#include "solidnoise/volume/volume_recipe.h"
+#include "vdbnoise/grid_flags.h"
+
+namespace solidnoise {
+
+// The recipe that the flags start from: that of --recipe, a .json file or a .vdb made by vdbnoise (its first
+// grid that carries one), or of a preset, `standard` unless they name one.
+VolumeRecipe choose_volume_recipe(const FlagSet& flags, const std::string& standard);
+
+// Outputs as "value,gradient".
+template <>
+struct FlagForm<std::vector<Output>> {
+  static constexpr auto kNumbers = Flag::Numbers::none;
+  static std::string names(std::string_view) { return "WHAT"; }
+  static std::vector<Output> read(const std::string&, const std::vector<std::string>& texts) {
+    return parse_outputs(texts[0]);
+  }
+  static std::string write(const std::vector<Output>& outputs) { return format_outputs(outputs); }
+};
+
+// Declares --output and what belongs to it: --speed, --boundary and --boundary-width. Another output takes
+// back the grid's name and whatever else belonged to the one before.
+void declare_output_flags(FlagSet& flags, VolumeRecipe& recipe);
+
+// Declares the flags of the recipe's shaping: --raw, and the fields of all shapings.
+void declare_shaping_flags(FlagSet& flags, VolumeRecipe& recipe);
+
+// Declares the flags that fold, warp and map the recipe's noise: they make a layer of it. To be applied after
+// those of the noise and its time.
+void declare_layer_flags(FlagSet& flags, VolumeRecipe& recipe);
+
+// Refuses the flags that have no effect on the recipe's layers, among them those of its noise. Throws
+// UsageError.
+void check_layer_flags(const FlagSet& flags, const VolumeRecipe& recipe,
+                       const std::vector<std::string>& noise_flags);
+
+// Declares the flags of noise that changes with time, but for --dims, which has to be declared before:
+// --time, --evolve, --loop, --wind. They act on
+// `recipe` after those of the noise, which may change its type.
+void declare_time_flags(FlagSet& flags, VolumeRecipe& recipe);
+
+// A message of the library by the name of the flag that it is about, as FlagSet::name_flag() has it; also one
+// about a period in time, or about positions that are too far away.
+std::string explain(const FlagSet& flags, const std::string& message);
+
+}  // namespace solidnoise
