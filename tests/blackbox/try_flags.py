@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""try_flags.py TOOLS_FOLDER PROJECT_FOLDER [--every N] [--only COMMAND] [--seed S]: reads --help of each program and subcommand, and gives
+"""try_flags.py TOOLS_FOLDER PROJECT_FOLDER [--every N] [--only COMMAND] [--seed S]: reads --help-all of each program and subcommand, and gives
 every flag that takes a value each of the values that break things, one at a time, to a small run that works without it.
 
 Whatever the value: no signal, an end within 10 s and 1 GB, status 0, 1 or 2; a failure says one line, without control characters, and
@@ -25,7 +25,8 @@ NUMBERS = ["0", "-1", "1e-320", "1e-308", "1e-30", "1e-6", "0.05", "1e6", "1e9",
 WORDS = ["", "x", "nan", "-1", "1e308", "../..", "/", "a\x1b[31mb", "é" * 2000, "%s%n", "8 8", ","]
 EXTREMES = {"FILE": WORDS + ["/dev/null", "/dev/zero", "missing.vdb", "{project}/README.md", "{project}/meshes"]}
 NUMBER_NAMES = re.compile(r"^(?:[XYZT][01]?|LOW|HIGH|A|B|COUNT|NUMBER|INTEGER|CYCLES|UNITS|OCTAVES|FREQUENCY|SPEED|RATE|TIME|DEPTH|PEAK|FACTOR|SIZE|"
-                          r"DEGREES|PIXELS|TIMES|WIDTH|SAMPLES|VERTICES|EDGE|SIGMAS?|KAPPA|DENSITY|LENGTH|SECONDS|AMOUNT|MINIMUM|MAXIMUM)$")
+                          r"DEGREES|PIXELS|TIMES|WIDTH|SAMPLES|VERTICES|EDGE|SIGMAS?|KAPPA|DENSITY|LENGTH|SECONDS|AMOUNT|MINIMUM|MAXIMUM|"
+                          r"VOXELS|TURNS|SPACINGS|WAVELENGTHS|EXTINCTION|COLUMNS|ROUNDS|VARIANCE)$")
 
 # A run of each command that works, with {out} in a folder of its own; {mesh}, {picture}, {volume} and {model} are small inputs.
 BASES = {
@@ -44,8 +45,8 @@ INPUT_NEXT = re.compile(r"^  (-[\w-]+,)?(--[\w-]+)((?: [^\s]+)*?)(?:\s{2,}|$)")
 
 
 def flags_of(program):
-    """[(flag, [placeholder])] of a command's --help."""
-    text = subprocess.run([*program, "--help"], capture_output=True, text=True, check=True).stdout
+    """[(flag, [placeholder])] of a command's --help-all."""
+    text = subprocess.run([*program, "--help-all"], capture_output=True, text=True, check=True).stdout
     found = [(match[2], match[3].split()) for match in map(INPUT_NEXT.match, text.split("\n")) if match]
     return [(flag, values) for flag, values in found if values and flag not in ("--threads", "--max-memory", "--out")]
 

@@ -88,8 +88,7 @@ class GridField final : public PointwiseField {
     for (std::size_t i = 0; i < points.size(); ++i) {
       const Vec<3>& p = points.positions[i];
       const openvdb::Vec3d world(p.x, p.y, p.z);
-      samples.values[i] =
-          value_of_(openvdb::tools::BoxSampler::sample(accessor, grid_->worldToIndex(world)));
+      samples.values[i] = value_of_(openvdb::tools::BoxSampler::sample(accessor, grid_->worldToIndex(world)));
     }
   }
 

@@ -22,10 +22,10 @@ struct SliceRecipe {
   enum class SpectrumScale { logarithmic, linear };
   enum class Component { x, y, z, length };
 
-  std::string file;     // a .vdb whose grid is sliced; empty: the recipe's noise is
-  std::string grid;     // of it; empty: the first one of floats or vectors
+  std::string file;                      // a .vdb whose grid is sliced; empty: the recipe's noise is
+  std::string grid;                      // of it; empty: the first one of floats or vectors
   std::optional<Component> component{};  // of a grid of vectors; none: all three, as colours
-  VolumeRecipe recipe;  // its `dims` may be 1 or 2 too
+  VolumeRecipe recipe;                   // its `dims` may be 1 or 2 too
   SlicePlane plane;
   bool wraps = false;  // the plane is one period of the noise along both axes
   bool line = false;   // of a single row, each of whose samples is evaluated by itself
@@ -70,11 +70,11 @@ struct SliceField {
   std::optional<Box<3>> bounds{};  // of a grid's active voxels
 };
 
-// The fields that are sliced, one for each channel of the picture: a grid of floats, or of vectors, interpolated
-// between its voxels, or a noise. One of a single dimension varies along x, one of two along x and y, and is constant
-// along the other axes. Noises that the pixels hold with room to spare are evaluated at fewer places and
-// interpolated, within the recipe's error (interpolate()); not on a line. Throws std::runtime_error (files)
-// and std::invalid_argument.
+// The fields that are sliced, one for each channel of the picture: a grid of floats, or of vectors,
+// interpolated between its voxels, or a noise. One of a single dimension varies along x, one of two along x
+// and y, and is constant along the other axes. Noises that the pixels hold with room to spare are evaluated
+// at fewer places and interpolated, within the recipe's error (interpolate()); not on a line. Throws
+// std::runtime_error (files) and std::invalid_argument.
 std::vector<SliceField> make_slice_fields(const SliceRecipe& slice);
 
 }  // namespace solidnoise

@@ -210,8 +210,7 @@ openvdb::GridBase::Ptr read_vector_grid(const std::filesystem::path& path, const
   return read_matching(path, name, "grid of vectors", is_vector);
 }
 
-openvdb::GridBase::Ptr read_float_or_vector_grid(const std::filesystem::path& path,
-                                                 const std::string& name) {
+openvdb::GridBase::Ptr read_float_or_vector_grid(const std::filesystem::path& path, const std::string& name) {
   return read_matching(path, name, "grid of floats or vectors",
                        [](const openvdb::GridBase& grid) { return is_float(grid) || is_vector(grid); });
 }

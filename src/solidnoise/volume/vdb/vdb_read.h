@@ -30,8 +30,9 @@ struct VdbSummary {
   std::vector<GridSummary> grids;               // in the file's order, at least one
 };
 
-// A path of "-" is the standard input. Each function throws std::runtime_error naming the path if the file cannot be read, is no .vdb, is damaged
-// as far as that shows (values have no checksums), has voxels of indices beyond +-2^30, or holds no grids.
+// A path of "-" is the standard input. Each function throws std::runtime_error naming the path if the file
+// cannot be read, is no .vdb, is damaged as far as that shows (values have no checksums), has voxels of
+// indices beyond +-2^30, or holds no grids.
 
 VdbSummary read_vdb_summary(const std::filesystem::path& path);
 
