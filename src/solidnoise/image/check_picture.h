@@ -8,8 +8,8 @@ namespace solidnoise {
 // Values (width x height x channels) that a picture may have to be read: a gigabyte of floats.
 inline constexpr std::size_t kMostPictureValues = std::size_t{1} << 28;
 
-// Refuses what has more, and sides of more than 2^20 pixels. Throws std::runtime_error, which says what is wrong
-// but not with which file, as all of these do.
+// Refuses what has more, and sides of more than 2^20 pixels. Throws std::runtime_error, which says what is
+// wrong but not with which file, as all of these do.
 void require_picture_size(double width, double height, double channels);
 
 // What OpenImageIO's reader of a format (its name) believes without looking, and takes memory for, before it
