@@ -10,6 +10,7 @@ import re
 import shutil
 import subprocess
 import sys
+import tempfile
 
 WARNINGS = ["-Wall", "-Wextra", "-Wconversion", "-pedantic", "-Wno-unused-variable", "-Werror"]
 COMPILERS = [compiler for compiler in ("g++", "clang++") if shutil.which(compiler)]
@@ -57,8 +58,12 @@ def main():
             continue
         flags = subprocess.run(["pkg-config", "--cflags", "--libs", f"solidnoise-{component}"], env=environment, check=True,
                                capture_output=True, text=True).stdout.split()
-        subprocess.run(["g++", project / "examples/consumer" / program, "-o", work / component, *flags], check=True)
-        subprocess.run([work / component], cwd=work, check=True, stdout=subprocess.DEVNULL)
+        folder = work / "packages" / component
+        folder.mkdir(parents=True, exist_ok=True)
+        subprocess.run(["g++", project / "examples/consumer" / program, "-o", folder / "program", *flags], check=True)
+        # What it writes must not be there yet.
+        with tempfile.TemporaryDirectory(dir=folder) as empty:
+            subprocess.run([folder / "program"], cwd=empty, check=True, stdout=subprocess.DEVNULL)
 
     print("\n".join(faults) or f"{len(names)} headers, {len(packages)} packages, {' and '.join(COMPILERS)}")
     sys.exit(1 if faults else 0)
