@@ -78,28 +78,19 @@ double volume_of(const std::array<CellAxis, Dim>& axes) {
 }  // namespace
 
 template <int Dim>
-ImpulseLayout<Dim> make_layout(const Strata& strata, double radius, const Vec<4>& period) {
+ImpulseLayout<Dim> make_layout(const StrataChoice& choice, double density, ImpulseSpread spread,
+                               double radius, const Vec<4>& period) {
+  if (spread == ImpulseSpread::poisson) {
+    const double wanted = density > 0.0
+                              ? density
+                              : density_for_excess_kurtosis(kDefaultKurtosis, choice.moments, choice.weights);
+    const auto axes = make_cells<Dim>(choice.radius, radius, period);
+    return {axes, {wanted * volume_of<Dim>(axes), false}, wanted};
+  }
+  const Strata strata = density > 0.0 ? choice.of_density(density) : choice.fewest();
   const auto axes = make_cells<Dim>(strata.side, radius, period);
   const double count = strata.count;
   return {axes, {count, true}, count / volume_of<Dim>(axes)};
-}
-
-template <int Dim>
-ImpulseLayout<Dim> make_poisson_layout(double density, double side, double radius, const Vec<4>& period) {
-  const auto axes = make_cells<Dim>(side, radius, period);
-  return {axes, {density * volume_of<Dim>(axes), false}, density};
-}
-
-template <int Dim>
-ImpulseLayout<Dim> choose_layout(const StrataChoice& choice, double impulses, ImpulseSpread spread,
-                                 double radius, const Vec<4>& period) {
-  const double density = impulse_density(Dim, impulses, choice.radius);
-  if (spread == ImpulseSpread::strata) {
-    return make_layout<Dim>(impulses > 0.0 ? choice.of_density(density) : choice.fewest(), radius, period);
-  }
-  const double fewest = impulses_for_quality(Dim, choice.radius, choice.moments, choice.weights);
-  return make_poisson_layout<Dim>(impulses > 0.0 ? density : impulse_density(Dim, fewest, choice.radius),
-                                  choice.radius, radius, period);
 }
 
 RadialPolynomial to_single_precision(const CompactKernel& kernel, const FactoredLimits& limits) {
@@ -119,17 +110,9 @@ RadialPolynomial to_single_precision(const CompactKernel& kernel, const Factored
   return polynomial;
 }
 
-template ImpulseLayout<1> make_layout<1>(const Strata&, double, const Vec<4>&);
-template ImpulseLayout<1> make_poisson_layout<1>(double, double, double, const Vec<4>&);
-template ImpulseLayout<1> choose_layout<1>(const StrataChoice&, double, ImpulseSpread, double, const Vec<4>&);
-template ImpulseLayout<2> make_layout<2>(const Strata&, double, const Vec<4>&);
-template ImpulseLayout<2> make_poisson_layout<2>(double, double, double, const Vec<4>&);
-template ImpulseLayout<2> choose_layout<2>(const StrataChoice&, double, ImpulseSpread, double, const Vec<4>&);
-template ImpulseLayout<3> make_layout<3>(const Strata&, double, const Vec<4>&);
-template ImpulseLayout<3> make_poisson_layout<3>(double, double, double, const Vec<4>&);
-template ImpulseLayout<3> choose_layout<3>(const StrataChoice&, double, ImpulseSpread, double, const Vec<4>&);
-template ImpulseLayout<4> make_layout<4>(const Strata&, double, const Vec<4>&);
-template ImpulseLayout<4> make_poisson_layout<4>(double, double, double, const Vec<4>&);
-template ImpulseLayout<4> choose_layout<4>(const StrataChoice&, double, ImpulseSpread, double, const Vec<4>&);
+template ImpulseLayout<1> make_layout<1>(const StrataChoice&, double, ImpulseSpread, double, const Vec<4>&);
+template ImpulseLayout<2> make_layout<2>(const StrataChoice&, double, ImpulseSpread, double, const Vec<4>&);
+template ImpulseLayout<3> make_layout<3>(const StrataChoice&, double, ImpulseSpread, double, const Vec<4>&);
+template ImpulseLayout<4> make_layout<4>(const StrataChoice&, double, ImpulseSpread, double, const Vec<4>&);
 
 }  // namespace solidnoise

@@ -30,21 +30,15 @@ struct ImpulseLayout {
   double side() const { return std::pow(count.mean / density, 1.0 / Dim); }
 };
 
-// The layout of strata, or of a Poisson process of a density in cells of a side. Along an axis with a period
-// cells are stretched or shrunk by the least that makes the period a whole number of them, so that it holds
-// exactly; strata keep their number of impulses, a Poisson process its density. Throws std::invalid_argument
-// for a period below two radii of the kernel: the noise would overlap itself, and its variance would not be
-// the one that is promised.
+// The layout of impulses of a density (world units^-Dim; 0: the fewest that look Gaussian,
+// StrataChoice::fewest or of a Poisson process kDefaultKurtosis). Along an axis with a period cells are
+// stretched or shrunk by the least that makes the period a whole number of them, so that it holds exactly;
+// strata keep their number of impulses, a Poisson process its density. Throws std::invalid_argument for a
+// period below two radii of the kernel: the noise would overlap itself, and its variance would not be the one
+// that is promised.
 template <int Dim>
-ImpulseLayout<Dim> make_layout(const Strata& strata, double radius, const Vec<4>& period);
-template <int Dim>
-ImpulseLayout<Dim> make_poisson_layout(double density, double side, double radius, const Vec<4>& period);
-
-// The layout that options ask for: `impulses` in the ball of choice.radius, 0 for the fewest that look
-// Gaussian (StrataChoice::fewest, impulses_for_quality).
-template <int Dim>
-ImpulseLayout<Dim> choose_layout(const StrataChoice& choice, double impulses, ImpulseSpread spread,
-                                 double radius, const Vec<4>& period);
+ImpulseLayout<Dim> make_layout(const StrataChoice& choice, double density, ImpulseSpread spread,
+                               double radius, const Vec<4>& period);
 
 // The kernel's polynomial as the vectorised loops take it: factored, which is quickest, within the limits
 // (rounding is measured, and must be below a hundredth of the kernel's own error too; nearly all kernels of
@@ -54,21 +48,13 @@ RadialPolynomial to_single_precision(const CompactKernel& kernel, const Factored
 // Streams of random numbers that a noise derives from its seed.
 enum SeedStream : std::uint64_t { kImpulseStream = 1, kOctaveStream = 1000, kChannelStream = 2000 };
 
-extern template ImpulseLayout<1> make_layout<1>(const Strata&, double, const Vec<4>&);
-extern template ImpulseLayout<1> make_poisson_layout<1>(double, double, double, const Vec<4>&);
-extern template ImpulseLayout<1> choose_layout<1>(const StrataChoice&, double, ImpulseSpread, double,
-                                                  const Vec<4>&);
-extern template ImpulseLayout<2> make_layout<2>(const Strata&, double, const Vec<4>&);
-extern template ImpulseLayout<2> make_poisson_layout<2>(double, double, double, const Vec<4>&);
-extern template ImpulseLayout<2> choose_layout<2>(const StrataChoice&, double, ImpulseSpread, double,
-                                                  const Vec<4>&);
-extern template ImpulseLayout<3> make_layout<3>(const Strata&, double, const Vec<4>&);
-extern template ImpulseLayout<3> make_poisson_layout<3>(double, double, double, const Vec<4>&);
-extern template ImpulseLayout<3> choose_layout<3>(const StrataChoice&, double, ImpulseSpread, double,
-                                                  const Vec<4>&);
-extern template ImpulseLayout<4> make_layout<4>(const Strata&, double, const Vec<4>&);
-extern template ImpulseLayout<4> make_poisson_layout<4>(double, double, double, const Vec<4>&);
-extern template ImpulseLayout<4> choose_layout<4>(const StrataChoice&, double, ImpulseSpread, double,
-                                                  const Vec<4>&);
+extern template ImpulseLayout<1> make_layout<1>(const StrataChoice&, double, ImpulseSpread, double,
+                                                const Vec<4>&);
+extern template ImpulseLayout<2> make_layout<2>(const StrataChoice&, double, ImpulseSpread, double,
+                                                const Vec<4>&);
+extern template ImpulseLayout<3> make_layout<3>(const StrataChoice&, double, ImpulseSpread, double,
+                                                const Vec<4>&);
+extern template ImpulseLayout<4> make_layout<4>(const StrataChoice&, double, ImpulseSpread, double,
+                                                const Vec<4>&);
 
 }  // namespace solidnoise

@@ -94,8 +94,9 @@ GaborNoise<Dim>::GaborNoise(const GaborNoiseOptions& options)
   unfiltered_energy_ = compact_.energy();
   // Impulses and amplitude are those of the noise before it is filtered, impulses those of unlimited kernels.
   const StrataChoice choice = strata_choice(kernel_, weights);
-  const ImpulseLayout<Dim> layout = choose_layout<Dim>(choice, options.impulses, options.impulses_process,
-                                                       compact_.radius(), options.period);
+  const ImpulseLayout<Dim> layout =
+      make_layout<Dim>(choice, solidnoise::impulse_density(Dim, options.impulses, choice.radius),
+                       options.impulses_process, compact_.radius(), options.period);
   density_ = layout.density;
   impulses_ = impulses_in_ball(Dim, density_, choice.radius);
   const double amplitude = 1.0 / std::sqrt(noise_variance(density_, unfiltered_energy_, weights));

@@ -100,8 +100,9 @@ OrientedGaborNoise<Dim>::OrientedGaborNoise(const OrientedGaborNoiseOptions& opt
   const KernelMoments moments = wave_moments(envelope_, Dim);
   // Impulses and amplitude are those of the noise before it is filtered, impulses those of unlimited kernels.
   const StrataChoice choice = strata_choice(kernel_);
-  const ImpulseLayout<Dim> layout = choose_layout<Dim>(choice, options.impulses, options.impulses_process,
-                                                       envelope_.radius(), options.period);
+  const ImpulseLayout<Dim> layout =
+      make_layout<Dim>(choice, solidnoise::impulse_density(Dim, options.impulses, choice.radius),
+                       options.impulses_process, envelope_.radius(), options.period);
   density_ = layout.density;
   impulses_ = impulses_in_ball(Dim, density_, choice.radius);
   const double amplitude = 1.0 / std::sqrt(noise_variance(density_, moments.second));

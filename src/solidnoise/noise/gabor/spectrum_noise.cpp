@@ -171,12 +171,8 @@ SpectrumNoise<Dim>::SpectrumNoise(const SpectrumNoiseOptions& options) {
   least_density_ = HUGE_VAL;
   std::vector<typename FractalNoise<Dim>::Octave> bands;
   for (std::size_t b = 0; b < shares.size(); ++b) {
-    const double density = budget.densities[b];
-    const StrataChoice& choice = shares[b].choice;
-    const double reach = envelopes[b].radius();
-    const auto layout = options.impulses_process == ImpulseSpread::strata
-                            ? make_layout<Dim>(choice.of_density(density), reach, options.period)
-                            : make_poisson_layout<Dim>(density, choice.radius, reach, options.period);
+    const auto layout = make_layout<Dim>(shares[b].choice, budget.densities[b], options.impulses_process,
+                                         envelopes[b].radius(), options.period);
     least_density_ = std::min(least_density_, layout.density);
     bands.push_back({std::make_unique<BandNoise<Dim>>(band_of(spectrum_, b), envelopes[b], layout, options,
                                                       derive_seed(options.seed, kBandStream + b)),

@@ -56,16 +56,13 @@ SurfaceGaborNoise::SurfaceGaborNoise(const SurfaceGaborOptions& options)
   const KernelMoments plane = family_->moments(kernel_);
   KernelMoments moments{plane.second * r * r * layer_window_moment(2) * options.layer * nominal,
                         plane.fourth * r * r * layer_window_moment(4) * options.layer * nominal};
-  const bool strata = options.impulses_process == ImpulseSpread::strata;
-  const double for_quality = density_for_excess_kurtosis(kDefaultKurtosis, choice.moments);
   const double wanted = options.impulses / support;
-  const double varying_density = options.impulses > 0.0 ? wanted : for_quality;
+  const auto layout = make_layout<3>(choice, wanted, options.impulses_process, r, Vec<4>(0.0));
+  const double varying_density =
+      wanted > 0.0 ? wanted : density_for_excess_kurtosis(kDefaultKurtosis, choice.moments);
   varying_excess_kurtosis_ = noise_excess_kurtosis(varying_density, moments);
-  const Strata cubes = options.impulses > 0.0 ? choice.of_density(wanted) : choice.fewest();
-  const ImpulseLayout<3> layout = strata ? make_layout<3>(cubes, r, Vec<4>(0.0))
-                                         : make_poisson_layout<3>(varying_density, nominal, r, Vec<4>(0.0));
   impulses_ = layout.density * support;
-  if (strata) {
+  if (layout.count.is_fixed) {
     moments.overlap =
         choice.averages->overlap(layout.side()) * std::pow(moments.second / choice.moments.second, 2);
   }

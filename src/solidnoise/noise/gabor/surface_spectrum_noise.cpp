@@ -114,12 +114,9 @@ SurfaceSpectrumNoise::SurfaceSpectrumNoise(const SpectrumNoiseOptions& options, 
     const double half_thickness = layer * choice.radius;
     const CompactKernel envelope = compact_gaussian(spectrum_.bands[b].a, 2, options.error);
     KernelMoments moments = layer_moments(envelope, half_thickness);
-    const double density = budget.densities[b];
-    const bool strata = options.impulses_process == ImpulseSpread::strata;
-    const ImpulseLayout<3> layout =
-        strata ? make_layout<3>(choice.of_density(density), envelope.radius(), Vec<4>(0.0))
-               : make_poisson_layout<3>(density, choice.radius, envelope.radius(), Vec<4>(0.0));
-    if (strata) moments.overlap = choice.averages->overlap(layout.side());
+    const auto layout =
+        make_layout<3>(choice, budget.densities[b], options.impulses_process, envelope.radius(), Vec<4>(0.0));
+    if (layout.count.is_fixed) moments.overlap = choice.averages->overlap(layout.side());
     excess_kurtosis_ += variance * variance * noise_excess_kurtosis(layout.density, moments);
     const double amplitude = std::sqrt(variance / noise_variance(layout.density, moments.second));
     bands_.emplace_back(spectrum_.bands[b], spectrum_.isotropic, envelope, half_thickness, amplitude, layout,

@@ -67,7 +67,8 @@ VaryingGaborNoise<Dim>::VaryingGaborNoise(const VaryingGaborOptions& options)
   const double r = radius(options.frequency, options.bandwidth);
   const StrataChoice choice = varying_choice<Dim>(options);
   const ImpulseLayout<Dim> layout =
-      choose_layout<Dim>(choice, options.impulses, options.impulses_process, r, Vec<4>(0.0));
+      make_layout<Dim>(choice, impulse_density(Dim, options.impulses, choice.radius),
+                       options.impulses_process, r, Vec<4>(0.0));
   impulses_ = impulses_in_ball(Dim, layout.density, choice.radius);
   KernelMoments moments = family_->moments(kernel_);
   moments.second *= std::pow(r, Dim);
