@@ -1,17 +1,12 @@
 #include "solidnoise/volume/preview/glow_preview.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <cstdint>
 #include <optional>
-#include <stdexcept>
 
 #include <openvdb/tools/Interpolation.h>
 #include <openvdb/tools/RayIntersector.h>
-#include <tbb/parallel_for.h>
 
-#include "solidnoise/core/check.h"
 #include "solidnoise/image/color.h"
 #include "solidnoise/volume/preview/light_field.h"
 #include "solidnoise/volume/preview/preview_view.h"
@@ -32,12 +27,6 @@ struct Scene {
   Vec3d ambient{0.0, 0.0, 0.0};  // linear light from all around
   Vec3d sun{0.0, 0.0, 0.0};      // linear light
 };
-
-void require_picture(const openvdb::FloatGrid& grid, const PreviewOptions& options) {
-  require_in_range("the preview's width", options.width, 16, 8192, "pixels");
-  require_in_range("the preview's height", options.height, 16, 8192, "pixels");
-  if (!grid.hasUniformVoxels()) throw std::invalid_argument("a preview needs voxels that are cubes");
-}
 
 double longest_side(const openvdb::FloatGrid& grid) {
   const openvdb::Coord dim = grid.evalActiveVoxelBoundingBox().dim();
@@ -115,19 +104,6 @@ class GlowPainter {
   double step_ = 1.0;  // voxels
 };
 
-Image paint(const openvdb::FloatGrid& hull, const Scene& scene, const PreviewOptions& options,
-            Progress* progress) {
-  const GlowPainter painter(hull, scene, options);
-  Image image(options.width, options.height, 3);
-  std::atomic<std::uint64_t> rows_done{0};
-  tbb::parallel_for(0, options.height, [&](int y) {
-    throw_if_cancelled(progress);
-    painter.paint_row(y, image);
-    if (progress != nullptr) progress->advance(++rows_done, static_cast<std::uint64_t>(options.height));
-  });
-  return image;
-}
-
 // Linear light of a black body, with 1 for the mean of its channels at 2000 K: Wien's law at 610, 549 and
 // 464 nm, white at 6500 K, and the light of all wavelengths after Stefan and Boltzmann.
 Vec3d black_body(double kelvin) {
@@ -166,7 +142,7 @@ Image render_fire(const FireGrids& fire, const PreviewOptions& options, Progress
       return matter;
     };
   };
-  return paint(*hull, scene, options, progress);
+  return paint(GlowPainter(*hull, scene, options), options, progress);
 }
 
 Image render_nebula(const openvdb::FloatGrid& density, const PreviewOptions& options, Progress* progress) {
@@ -189,7 +165,7 @@ Image render_nebula(const openvdb::FloatGrid& density, const PreviewOptions& opt
       return Matter{value, kLight * value * Vec3d(colour.x, colour.y, colour.z)};
     };
   };
-  return paint(density, scene, options, progress);
+  return paint(GlowPainter(density, scene, options), options, progress);
 }
 
 }  // namespace solidnoise

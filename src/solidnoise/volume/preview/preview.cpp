@@ -14,7 +14,6 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-#include "solidnoise/core/check.h"
 #include "solidnoise/volume/preview/preview_view.h"
 
 namespace solidnoise {
@@ -163,9 +162,7 @@ Film render_lights(const openvdb::FloatGrid& grid, const PreviewOptions& options
 }  // namespace
 
 Image render_preview(const openvdb::FloatGrid& grid, const PreviewOptions& options, Progress* progress) {
-  require_in_range("the preview's width", options.width, 16, 8192, "pixels");
-  require_in_range("the preview's height", options.height, 16, 8192, "pixels");
-  if (!grid.hasUniformVoxels()) throw std::invalid_argument("a preview needs voxels that are cubes");
+  require_picture(grid, options);
   const Film light = render_lights(grid, options, progress);
   throw_if_cancelled(progress);
   Image image(options.width, options.height, 3);
@@ -257,21 +254,11 @@ class SurfacePainter {
 }  // namespace
 
 Image render_surface(const openvdb::FloatGrid& level_set, const PreviewOptions& options, Progress* progress) {
-  require_in_range("the preview's width", options.width, 16, 8192, "pixels");
-  require_in_range("the preview's height", options.height, 16, 8192, "pixels");
+  require_picture(level_set, options);
   if (level_set.getGridClass() != openvdb::GRID_LEVEL_SET) {
     throw std::invalid_argument("the grid's class is not level set");
   }
-  if (!level_set.hasUniformVoxels()) throw std::invalid_argument("a preview needs voxels that are cubes");
-  const SurfacePainter painter(level_set, options);
-  Image image(options.width, options.height, 3);
-  std::atomic<std::uint64_t> rows_done{0};
-  tbb::parallel_for(0, options.height, [&](int y) {
-    throw_if_cancelled(progress);
-    painter.paint_row(y, image);
-    if (progress != nullptr) progress->advance(++rows_done, static_cast<std::uint64_t>(options.height));
-  });
-  return image;
+  return paint(SurfacePainter(level_set, options), options, progress);
 }
 
 }  // namespace solidnoise

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <vector>
+
+#include "solidnoise/core/check.h"
 
 namespace solidnoise {
 namespace {
@@ -98,6 +101,12 @@ float encode_light(double linear) {
     linear = 1.0 - (1.0 - kShoulder) * std::exp(-(linear - kShoulder) / (1.0 - kShoulder));
   const double encoded = linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
   return static_cast<float>(std::clamp(encoded, 0.0, 1.0));
+}
+
+void require_picture(const openvdb::FloatGrid& grid, const PreviewOptions& options) {
+  require_in_range("the preview's width", options.width, 16, 8192, "pixels");
+  require_in_range("the preview's height", options.height, 16, 8192, "pixels");
+  if (!grid.hasUniformVoxels()) throw std::invalid_argument("a preview needs voxels that are cubes");
 }
 
 }  // namespace solidnoise

@@ -1,5 +1,10 @@
 #pragma once
 
+#include <atomic>
+#include <cstdint>
+
+#include <tbb/parallel_for.h>
+
 #include "solidnoise/core/choices.h"
 #include "solidnoise/volume/preview/preview.h"
 #include "solidnoise/volume/vdb/openvdb.h"
@@ -41,5 +46,21 @@ openvdb::Vec3d sky(double height);
 
 // Linear light to display: highlights are rolled off above 0.6, then the sRGB curve (IEC 61966-2-1).
 float encode_light(double linear);
+
+// Throws std::invalid_argument for a picture of too few or too many pixels, or voxels that are not cubes.
+void require_picture(const openvdb::FloatGrid& grid, const PreviewOptions& options);
+
+// The picture whose rows painter.paint_row(y, image) fills, in parallel. Throws Cancelled.
+template <typename Painter>
+Image paint(const Painter& painter, const PreviewOptions& options, Progress* progress) {
+  Image image(options.width, options.height, 3);
+  std::atomic<std::uint64_t> rows_done{0};
+  tbb::parallel_for(0, options.height, [&](int y) {
+    throw_if_cancelled(progress);
+    painter.paint_row(y, image);
+    if (progress != nullptr) progress->advance(++rows_done, static_cast<std::uint64_t>(options.height));
+  });
+  return image;
+}
 
 }  // namespace solidnoise

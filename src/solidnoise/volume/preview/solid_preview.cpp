@@ -2,19 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 
 #include <openvdb/tools/Interpolation.h>
 #include <openvdb/tools/RayIntersector.h>
-#include <tbb/parallel_for.h>
 
-#include "solidnoise/core/check.h"
 #include "solidnoise/volume/preview/preview_view.h"
 
 namespace solidnoise {
@@ -222,18 +217,8 @@ class SolidPainter {
 
 Image render_solid(const FloatGrid& values, FloatGrid::ConstPtr body, const SolidLook& look,
                    const PreviewOptions& options, Progress* progress) {
-  require_in_range("the preview's width", options.width, 16, 8192, "pixels");
-  require_in_range("the preview's height", options.height, 16, 8192, "pixels");
-  if (!values.hasUniformVoxels()) throw std::invalid_argument("a preview needs voxels that are cubes");
-  const SolidPainter painter(values, body.get(), look, options);
-  Image image(options.width, options.height, 3);
-  std::atomic<std::uint64_t> rows_done{0};
-  tbb::parallel_for(0, options.height, [&](int y) {
-    throw_if_cancelled(progress);
-    painter.paint_row(y, image);
-    if (progress != nullptr) progress->advance(++rows_done, static_cast<std::uint64_t>(options.height));
-  });
-  return image;
+  require_picture(values, options);
+  return paint(SolidPainter(values, body.get(), look, options), options, progress);
 }
 
 }  // namespace solidnoise
