@@ -2,9 +2,16 @@
 
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <vector>
 
 namespace solidnoise {
+
+inline constexpr double kPi = std::numbers::pi;
+
+inline double squared(double x) {
+  return x * x;
+}
 
 // Nodes and weights on [-1, 1].
 struct QuadratureRule {

@@ -2,12 +2,12 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
+
+#include "solidnoise/core/numerics.h"
 
 namespace solidnoise {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 // Sum of q^k / (k! (n/2)(n/2 + 1)...(n/2 + k - 1)): the power series of both direction means, with

@@ -18,6 +18,13 @@ using Vec = glm::vec<Dim, double, glm::defaultp>;
 template <int Dim>
 using Index = glm::vec<Dim, std::int64_t, glm::defaultp>;
 
+template <int Dim>
+double squared_length(const Vec<Dim>& x) {
+  double sum = 0.0;
+  for (int axis = 0; axis < Dim; ++axis) sum += x[axis] * x[axis];
+  return sum;
+}
+
 // An axis-aligned box in world units; both corners belong to it.
 template <int Dim>
 struct Box {

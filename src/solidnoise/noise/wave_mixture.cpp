@@ -10,7 +10,7 @@
 namespace solidnoise {
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr double kRadiansPerCycle = 2.0 * std::numbers::pi;
 constexpr double kQuarter = 0.5 * std::numbers::pi;
 constexpr int kNodes = 10;  // per coordinate of a direction
 
@@ -46,7 +46,7 @@ double WaveMixture<Dim>::covariance(const Vec<Dim>& x) const {
     double angle = 0.0;
     double product = 1.0;
     for (int axis = 0; axis < Dim; ++axis) {
-      const double along_axis = kTurn * wave.frequency[axis] * x[axis];
+      const double along_axis = kRadiansPerCycle * wave.frequency[axis] * x[axis];
       angle += along_axis;
       product *= symmetry == Symmetry::mirror ? std::cos(along_axis) : 1.0;
     }
@@ -58,7 +58,7 @@ double WaveMixture<Dim>::covariance(const Vec<Dim>& x) const {
 
 template <int Dim>
 double WaveMixture<Dim>::slope_variance(const Wave& wave, int axis) const {
-  const double turns = kTurn * wave.frequency[axis];
+  const double turns = kRadiansPerCycle * wave.frequency[axis];
   return turns * turns + std::numbers::pi * a * a;
 }
 
@@ -72,7 +72,7 @@ AxisCovariance WaveMixture<Dim>::along(int axis, double step, int count) const {
     for (int other = 0; other < Dim; ++other) {
       if (other != axis) lateral += wave.variance * slope_variance(wave, other);
     }
-    const double turns = kTurn * wave.frequency[axis];
+    const double turns = kRadiansPerCycle * wave.frequency[axis];
     const std::complex<double> turn = std::polar(1.0, turns * step);
     std::complex<double> phasor(1.0);
     for (std::size_t k = 0; k < size; ++k, phasor *= turn) {

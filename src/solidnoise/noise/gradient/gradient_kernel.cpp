@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <vector>
 
 #include "solidnoise/core/numerics.h"
@@ -10,12 +9,6 @@
 
 namespace solidnoise {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
-
-double square(double x) {
-  return x * x;
-}
 
 // Integral of r^q t^p over 0 <= r <= 2, t = 1 - r^2/4: a Beta function, by the substitution u = r^2/4.
 double radial_moment(double q, double p) {
@@ -62,13 +55,6 @@ void for_each_offset(const Vec<Dim>& x, double spacing, const Visit& visit) {
   }
 }
 
-template <int Dim>
-double squared_length(const Vec<Dim>& v) {
-  double sum = 0.0;
-  for (int axis = 0; axis < Dim; ++axis) sum += v[axis] * v[axis];
-  return sum;
-}
-
 // How many points of the integer lattice have the squared length m, for m = 0 to `last`.
 std::vector<double> lattice_points_by_norm(int dim, int last) {
   std::vector<double> counts(static_cast<std::size_t>(last) + 1, 0.0);
@@ -106,7 +92,7 @@ template <int Dim>
 double GradientKernel<Dim>::value(double r) const {
   if (r >= kRadius) return 0.0;
   const double t = 1.0 - 0.25 * r * r;
-  return square(square(t)) * (c1_ * t - c2_);
+  return squared(squared(t)) * (c1_ * t - c2_);
 }
 
 template <int Dim>
@@ -145,7 +131,7 @@ double GradientKernel<Dim>::potential_transform_slope(double f) const {
 
 template <int Dim>
 double GradientKernel<Dim>::power_spectrum(double f) const {
-  return density_ * square(2.0 * kPi * f * potential_transform(f)) / Dim;
+  return density_ * squared(2.0 * kPi * f * potential_transform(f)) / Dim;
 }
 
 template <int Dim>
@@ -155,7 +141,7 @@ double GradientKernel<Dim>::find_peak(double power) const {
   double best = 0.0;
   double peak = 0.0;
   for (double f = kStep; f < kHighest; f += kStep) {
-    const double height = std::pow(f, power) * square(potential_transform(f));
+    const double height = std::pow(f, power) * squared(potential_transform(f));
     if (height > best) {
       best = height;
       peak = f;
@@ -172,8 +158,8 @@ template <int Dim>
 double GradientKernel<Dim>::variance_at(const Vec<Dim>& x) const {
   double sum = 0.0;
   for_each_offset<Dim>(x, spacing_, [&](const Vec<Dim>& offset) {
-    const double squared = squared_length<Dim>(offset);
-    sum += squared * square(value(std::sqrt(squared)));
+    const double norm = squared_length<Dim>(offset);
+    sum += norm * squared(value(std::sqrt(norm)));
   });
   return sum / Dim;
 }
@@ -210,15 +196,15 @@ double GradientKernel<Dim>::excess_kurtosis() const {
             c1_ * c1_ * ball_power_transform(Dim, 11, f));
   };
   // They fall as f^-9 or faster; at 6 cycles per unit their squares are below 1e-15 of the first.
-  const int last = static_cast<int>(square(6.0 * spacing_));
+  const int last = static_cast<int>(squared(6.0 * spacing_));
   const std::vector<double> counts = lattice_points_by_norm(Dim, last);
   double mean_squared_variance = 0.0;
   for (int m = 0; m <= last; ++m) {
     mean_squared_variance +=
-        counts[static_cast<std::size_t>(m)] * square(coefficient(std::sqrt(m) / spacing_));
+        counts[static_cast<std::size_t>(m)] * squared(coefficient(std::sqrt(m) / spacing_));
   }
   const double fourth_moment = 3.0 * mean_squared_variance - 6.0 / (n * n * (n + 2.0)) * fourth;
-  return fourth_moment / square(mean_variance()) - 3.0;
+  return fourth_moment / squared(mean_variance()) - 3.0;
 }
 
 template <int Dim>

@@ -38,7 +38,7 @@ using LookedUp = std::array<std::uint8_t, power(GradientTile::kMaxRows, Dim)>;
 
 // Samples of one axis of a tile: positions in radii from the lower corner of cell `base`; entries past the
 // last repeat it. `rows`: of lattice points that may reach them, from base - reach + 1.
-struct LocatedAxis {
+struct TileAxis {
   int count = 0;
   std::int64_t base = 0;
   int rows = 0;
@@ -49,12 +49,12 @@ struct LocatedAxis {
 template <int Dim>
 struct TileSpan {
   std::array<int, Dim> first{};
-  std::array<LocatedAxis, Dim> axes;
+  std::array<TileAxis, Dim> axes;
 };
 
 // Locates samples of an axis from `first`: as many as a tile takes, or fewer if they span too many cells.
 template <int Dim>
-LocatedAxis locate(const GradientField<Dim>& field, const Lattice<Dim>& lattice, int axis, int first) {
+TileAxis locate(const GradientField<Dim>& field, const Lattice<Dim>& lattice, int axis, int first) {
   constexpr std::int64_t kQuanta = CellAxis::kQuantaPerCell;
   const CellAxis& cells = field.axis(axis);
   const int role = gradient_role<Dim>(axis);
@@ -62,7 +62,7 @@ LocatedAxis locate(const GradientField<Dim>& field, const Lattice<Dim>& lattice,
   const std::int64_t most = (2 * field.reach_cells() + 1) * kQuanta;
   const float radii_per_quantum = field.cell_in_radii() / static_cast<float>(kQuanta);
 
-  LocatedAxis located;
+  TileAxis located;
   located.base = cells.quanta(lattice.coordinate(axis, first)) >> CellAxis::kFractionBits;
   std::int64_t last = 0;
   for (int i = 0; i < wanted; ++i) {
@@ -106,7 +106,7 @@ void place_samples(const GradientField<Dim>& field, const TileSpan<Dim>& span, G
 
   for (int axis = 0; axis < Dim; ++axis) {
     const int role = gradient_role<Dim>(axis);
-    const LocatedAxis& located = span.axes[static_cast<std::size_t>(axis)];
+    const TileAxis& located = span.axes[static_cast<std::size_t>(axis)];
     if (located.count > samples_per_group<Dim>(role)) tile.groups[role] = 2;
     tile.lattice.first[role] = static_cast<float>(1 - field.reach_cells()) * field.cell_in_radii();
     tile.lattice.rows[role] = located.rows;
@@ -120,7 +120,7 @@ void place_gradients(const GradientField<Dim>& field, const TileSpan<Dim>& span,
   CellBox<Dim> cells;
   bool is_known = !known.indices.empty();
   for (int axis = 0; axis < Dim; ++axis) {
-    const LocatedAxis& located = span.axes[static_cast<std::size_t>(axis)];
+    const TileAxis& located = span.axes[static_cast<std::size_t>(axis)];
     cells.first[axis] = located.base - field.reach_cells() + 1;
     cells.count[axis] = located.rows;
     is_known = is_known && cells.first[axis] >= known.cells.first[axis] &&

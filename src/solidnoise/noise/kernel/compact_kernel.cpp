@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 #include "solidnoise/core/numerics.h"
@@ -10,8 +9,6 @@
 
 namespace solidnoise {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 // Sum of c_k T_k(u), by Clenshaw's rule.
 double chebyshev_sum(const std::vector<double>& coefficients, double u) {

@@ -18,7 +18,6 @@
 namespace solidnoise {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr int kMostDegree = 400;  // of a fit at a given radius: what needs more cannot be fitted there
 
 // What is to be approximated: a radial function in n dimensions.
@@ -31,7 +30,7 @@ struct RadialFunction {
 };
 
 // What an impulse costs with a compact kernel: (degree + fixed) radius^dimensions.
-struct Cost {
+struct ImpulseCost {
   int fixed;
   int dimensions;
 
@@ -124,7 +123,7 @@ struct Choice {
 // Finds the cheapest degree and radius of one function and error, among the degrees of one basis.
 class Search {
  public:
-  Search(const RadialFunction& function, const TaperedBasis& basis, const Cost& cost, double error)
+  Search(const RadialFunction& function, const TaperedBasis& basis, const ImpulseCost& cost, double error)
       : function_(function), basis_(basis), cost_(cost), squared_error_(error * error) {}
 
   std::optional<Choice> cheapest();
@@ -142,7 +141,7 @@ class Search {
 
   const RadialFunction& function_;
   const TaperedBasis& basis_;
-  const Cost& cost_;
+  const ImpulseCost& cost_;
   double squared_error_;
 };
 
@@ -201,7 +200,7 @@ CompactKernel assemble(const RadialFunction& function, const TaperedBasis& basis
                        std::sqrt(1.0 - captured / function.energy));
 }
 
-CompactKernel best_compact(const RadialFunction& function, const Cost& cost, double error) {
+CompactKernel best_compact(const RadialFunction& function, const ImpulseCost& cost, double error) {
   // A polynomial of degree d in r^2 follows about d/2 cycles over the radius. With twice the degree that the
   // function's oscillation needs, the second attempt is rare.
   int degree = 16 + static_cast<int>(2.0 * kPi * function.frequency * function.tail_radius);
@@ -240,7 +239,7 @@ CompactKernel compact_kernel(const IsotropicGaborKernel<Dim>& kernel, double err
   require_in_range("error", error, 1e-5, 0.9, "relative RMS error");
   return best_compact({Dim, [&](double r) { return kernel.value(r); }, kernel.energy(),
                        kernel.radius_for_error(error), kernel.frequency()},
-                      Cost{4, Dim}, error);
+                      ImpulseCost{4, Dim}, error);
 }
 
 CompactKernel compact_envelope(double a, int dimensions, double error) {
@@ -253,8 +252,8 @@ CompactKernel compact_envelope(double a, int dimensions, double error) {
     return regularized_gamma_q(0.5, 2.0 * kPi * a * a * r * r) - own_error * own_error;
   };
   const double tail_radius = bisect(excess, 0.0, 4.0 / a);
-  return best_compact({1, gaussian, 1.0 / (std::numbers::sqrt2 * a), tail_radius, 0.0}, Cost{12, dimensions},
-                      own_error);
+  return best_compact({1, gaussian, 1.0 / (std::numbers::sqrt2 * a), tail_radius, 0.0},
+                      ImpulseCost{12, dimensions}, own_error);
 }
 
 template <int Dim>
@@ -274,7 +273,7 @@ CompactKernel compact_gaussian(double a, int dimensions, double error) {
   };
   const double energy = std::pow(std::numbers::sqrt2 * a, -dimensions);
   const double tail_radius = bisect(excess, 0.0, 4.0 / a);
-  return best_compact({dimensions, gaussian, energy, tail_radius, 0.0}, Cost{16, dimensions}, error);
+  return best_compact({dimensions, gaussian, energy, tail_radius, 0.0}, ImpulseCost{16, dimensions}, error);
 }
 
 template CompactKernel compact_kernel(const IsotropicGaborKernel<1>&, double);

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 
 #include "solidnoise/core/numerics.h"
 #include "solidnoise/core/special_functions.h"
@@ -12,14 +11,8 @@
 namespace solidnoise {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 double sinc(double x) {
   return x == 0.0 ? 1.0 : std::sin(kPi * x) / (kPi * x);
-}
-
-double square(double x) {
-  return x * x;
 }
 
 // Mean over the unit directions d of n dimensions of the product of sinc^2(u d_i), with a rule of as many
@@ -36,15 +29,15 @@ double mean_response(int n, double u) {
   };
   switch (n) {
     case 1:
-      return square(sinc(u));
+      return squared(sinc(u));
     case 2:
       return mean([u](double turn) {
         const double angle = 0.25 * kPi * turn;
-        return square(sinc(u * std::cos(angle)) * sinc(u * std::sin(angle)));
+        return squared(sinc(u * std::cos(angle)) * sinc(u * std::sin(angle)));
       });
     case 3:
       return mean([u](double height) {
-        return square(sinc(u * height)) * mean_response(2, u * std::sqrt(1.0 - height * height));
+        return squared(sinc(u * height)) * mean_response(2, u * std::sqrt(1.0 - height * height));
       });
     default:
       return mean([u](double share) {
@@ -126,13 +119,13 @@ double RadialAverages::transform(double frequency) const {
 // Trapezoids over frequencies: the integrand is smooth, and ends at 0.
 double RadialAverages::overlap(double side) const {
   const ResponseTable& response = ResponseTable::of(dimensions_);
-  double sum = dimensions_ == 1 ? 0.5 * square(transform_[0]) : 0.0;
+  double sum = dimensions_ == 1 ? 0.5 * squared(transform_[0]) : 0.0;
   for (std::size_t k = 1; k < transform_.size(); ++k) {
     const double f = static_cast<double>(k) * step_;
-    sum += std::pow(f, dimensions_ - 1) * square(transform_[k]) * response(f * side);
+    sum += std::pow(f, dimensions_ - 1) * squared(transform_[k]) * response(f * side);
   }
   // In two dimensions the integrand begins with a slope.
-  if (dimensions_ == 2) sum += step_ / 12.0 * square(transform_[0]);
+  if (dimensions_ == 2) sum += step_ / 12.0 * squared(transform_[0]);
   return unit_sphere_area(dimensions_) * step_ * sum;
 }
 
@@ -181,7 +174,7 @@ struct AxisMeans {
     }
     const auto sum_to = [&](int k) { return sums[static_cast<std::size_t>(std::clamp(k, 0, 2 * half))]; };
     for (int k = 0; k <= 2 * half + per_side; ++k) {
-      squares.push_back(step * square((sum_to(k) - sum_to(k - per_side)) / side));
+      squares.push_back(step * squared((sum_to(k) - sum_to(k - per_side)) / side));
     }
   }
 
@@ -227,7 +220,7 @@ double LayerAverages::overlap(double side) const {
     const double both_signs = i == 0 ? 1.0 : 2.0;
     for (std::size_t k = 1; k < plane.size(); ++k) {
       const double f = static_cast<double>(k) * in_plane_.step_;
-      sum += both_signs * square(normal[i]) * f * square(plane[k]) * response(side * std::hypot(f, z));
+      sum += both_signs * squared(normal[i]) * f * squared(plane[k]) * response(side * std::hypot(f, z));
     }
   }
   return 2.0 * kPi * in_plane_.step_ * across_.step_ * sum;

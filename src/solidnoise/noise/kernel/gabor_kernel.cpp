@@ -7,22 +7,11 @@
 namespace solidnoise {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
-double squared(double x) {
-  return x * x;
-}
-
 template <int Dim>
 double dot(const Vec<Dim>& x, const Vec<Dim>& y) {
   double sum = 0.0;
   for (int axis = 0; axis < Dim; ++axis) sum += x[axis] * y[axis];
   return sum;
-}
-
-template <int Dim>
-double squared_length(const Vec<Dim>& x) {
-  return dot<Dim>(x, x);
 }
 
 template <int Dim>

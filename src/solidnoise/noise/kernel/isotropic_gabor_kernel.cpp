@@ -11,12 +11,6 @@
 namespace solidnoise {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
-double squared(double x) {
-  return x * x;
-}
-
 // Panels for an oscillating integrand of this many cycles under a Gaussian about as wide as the interval.
 int panels_for(double cycles) {
   return 6 + static_cast<int>(cycles);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "solidnoise/core/check.h"
@@ -14,8 +13,6 @@
 
 namespace solidnoise {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 // Integral over the unit ball of function(r).
 template <typename Function>
