@@ -97,7 +97,7 @@ void write_planes(const fs::path& folder) {
 
 // Nanoseconds per sample of a procedure, at scattered points of three dimensions.
 template <typename Procedure>
-double nanoseconds(const Procedure& procedure) {
+double nanoseconds_per_sample(const Procedure& procedure) {
   constexpr int kPoints = 100000;
   volatile float sink = 0.0f;
   const double seconds = quickest(20, [&] {
@@ -121,12 +121,15 @@ void write_costs(const fs::path& folder) {
   const Pseudocode wide(Pseudocode::Projection::none, 1, 1);
   const Pseudocode projected(Pseudocode::Projection::onto_plane, 1, 1);
   const Pseudocode half(Pseudocode::Projection::onto_plane, 2, 1);
-  write_json(folder / "gradient_costs.json",
-             {{"chained", nanoseconds(chained)},
-              {"xor_tables", nanoseconds(xor_tables)},
-              {"wide", nanoseconds([&](const std::array<float, 3>& x) { return wide(x, normal); })},
-              {"projected", nanoseconds([&](const std::array<float, 3>& x) { return projected(x, normal); })},
-              {"half", nanoseconds([&](const std::array<float, 3>& x) { return half(x, normal, 2.0f); })}});
+  write_json(
+      folder / "gradient_costs.json",
+      {{"chained", nanoseconds_per_sample(chained)},
+       {"xor_tables", nanoseconds_per_sample(xor_tables)},
+       {"wide", nanoseconds_per_sample([&](const std::array<float, 3>& x) { return wide(x, normal); })},
+       {"projected",
+        nanoseconds_per_sample([&](const std::array<float, 3>& x) { return projected(x, normal); })},
+       {"half",
+        nanoseconds_per_sample([&](const std::array<float, 3>& x) { return half(x, normal, 2.0f); })}});
 }
 
 }  // namespace

@@ -77,7 +77,7 @@ void write_panels(const fs::path& folder) {
 }
 
 // The cells of the report are as wide as the radius where the Gaussian is at 5 %, so many impulses in each.
-double impulses_in_ball(int per_cell, double radius) {
+double impulses_in_disc(int per_cell, double radius) {
   const double cell = std::sqrt(std::log(20.0) / std::numbers::pi) / kGaussian;
   return std::numbers::pi * radius * radius / (cell * cell) * per_cell;
 }
@@ -92,7 +92,7 @@ template <template <int, typename> class Kernel>
 double seconds_of_procedure(int per_cell, int side) {
   const double cell = std::sqrt(std::log(20.0) / std::numbers::pi) / kGaussian;
   const reference::GaborProcedure<2, Kernel> noise({kFrequency, kGaussian}, cell,
-                                                   impulses_in_ball(per_cell, cell), 1);
+                                                   impulses_in_disc(per_cell, cell), 1);
   // A part of the picture, as its cost per point is that of all; the rest would take minutes.
   constexpr int kRows = 16;
   volatile double sink = 0.0;
@@ -108,7 +108,7 @@ double seconds_of_procedure(int per_cell, int side) {
 }
 
 // Table I, one thread.
-void write_speed(const fs::path& folder) {
+void write_report_speed(const fs::path& folder) {
   Table table{{"side", "impulses", "anisotropic", "isotropic", "isotropic_kernel", "procedure_isotropic",
                "procedure_isotropic_kernel"},
               {}};
@@ -118,11 +118,11 @@ void write_speed(const fs::path& folder) {
       OrientedGaborNoiseOptions all = oriented_options(0.0);
       GaborNoiseOptions isotropic = isotropic_options();
       along.impulses =
-          impulses_in_ball(per_cell, OrientedGaborNoise<2>(along).kernel().radius_for_error(kNominalError));
+          impulses_in_disc(per_cell, OrientedGaborNoise<2>(along).kernel().radius_for_error(kNominalError));
       all.impulses =
-          impulses_in_ball(per_cell, OrientedGaborNoise<2>(all).kernel().radius_for_error(kNominalError));
+          impulses_in_disc(per_cell, OrientedGaborNoise<2>(all).kernel().radius_for_error(kNominalError));
       isotropic.impulses =
-          impulses_in_ball(per_cell, GaborNoise<2>(isotropic).kernel().radius_for_error(kNominalError));
+          impulses_in_disc(per_cell, GaborNoise<2>(isotropic).kernel().radius_for_error(kNominalError));
       table.rows.push_back({static_cast<double>(side), static_cast<double>(per_cell),
                             seconds_of(OrientedGaborNoise<2>(along), side),
                             seconds_of(OrientedGaborNoise<2>(all), side),
@@ -137,7 +137,7 @@ void write_speed(const fs::path& folder) {
 }  // namespace
 
 Items implementation_report_items() {
-  return {{"report", write_panels}, {"report_speed", write_speed}};
+  return {{"report", write_panels}, {"report_speed", write_report_speed}};
 }
 
 }  // namespace solidnoise::papers

@@ -267,7 +267,7 @@ void add_speeds(Table& table) {
 }
 
 // Sections III-C and IV-B: times.
-void write_speed(const fs::path& folder) {
+void write_kernel_speed(const fs::path& folder) {
   Table table{{"n", "comparison", "anisotropic_impulses", "isotropic_impulses", "anisotropic_procedure",
                "isotropic_procedure", "anisotropic_block", "isotropic_block"},
               {}};
@@ -299,7 +299,7 @@ Items improving_gabor_noise_items() {
   return {{"kernels", write_kernels},  {"radii", write_radii},           {"errors", write_errors},
           {"noise1d", write_noise<1>}, {"noise2d", write_noise<2>},      {"noise3d", write_noise<3>},
           {"noise4d", write_noise<4>}, {"truncation", write_truncation}, {"transition", write_transition},
-          {"strip", write_strip},      {"plane", write_plane},           {"kernel_speed", write_speed},
+          {"strip", write_strip},      {"plane", write_plane},           {"kernel_speed", write_kernel_speed},
           {"perlin", write_perlin},    {"impulses", write_impulses}};
 }
 

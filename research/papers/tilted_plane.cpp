@@ -8,10 +8,10 @@
 namespace solidnoise::papers {
 namespace {
 
-constexpr double kHeight = 1.0;     // of the eye above the plane
-constexpr double kFocus = 1.2;      // distance of the picture, in its widths
-constexpr double kFrequency = 2.5;  // cycles per unit of height
-constexpr double kFilter = 0.5;     // standard deviation, pixels
+constexpr double kHeight = 1.0;           // of the eye above the plane
+constexpr double kFocus = 1.2;            // distance of the picture, in its widths
+constexpr double kHeightFrequency = 2.5;  // cycles per unit of height
+constexpr double kFilter = 0.5;           // standard deviation, pixels
 
 // The row of the plane that a row of pixels sees.
 struct Row {
@@ -30,7 +30,7 @@ Row row_at(const TiltedPlaneOptions& options, int row) {
 
 GaborNoise<2> make_noise(const TiltedPlaneOptions& options, double filter) {
   GaborNoiseOptions noise;
-  noise.frequency = kFrequency;
+  noise.frequency = kHeightFrequency;
   noise.error = 0.005;
   noise.impulses = 32.0;
   noise.seed = options.seed;
@@ -102,7 +102,7 @@ TiltedPlane tilted_plane(const TiltedPlaneOptions& options) {
     put_row(plane.sampled, row, sampled);
     put_row(plane.filtered, row, closed);
     put_row(plane.averaged, row, averaged);
-    plane.cycles_per_pixel.push_back(kFrequency * seen.along);
+    plane.cycles_per_pixel.push_back(kHeightFrequency * seen.along);
     plane.sampled_rms.push_back(root_mean_square(sampled));
     plane.filtered_rms.push_back(root_mean_square(closed));
     plane.expected_rms.push_back(std::sqrt(filtered.variance()));

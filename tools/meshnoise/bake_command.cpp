@@ -28,7 +28,7 @@
 namespace solidnoise {
 namespace {
 
-constexpr char kDescription[] =
+constexpr char kBakeDescription[] =
     "meshnoise bake puts procedural noise onto a surface, as vertex colours, without texture coordinates.\n"
     "  meshnoise bake in.ply --out out.ply                                  rust\n"
     "  meshnoise bake in.ply --out out.ply --frequency 4..32                ... finer where the surface "
@@ -221,7 +221,7 @@ void bake_file(const std::string& in, const BakeOptions& options) {
 int run_bake(const std::vector<std::string>& arguments) {
   BakeOptions options;
   std::string in;
-  FlagSet flags("meshnoise bake", kDescription);
+  FlagSet flags("meshnoise bake", kBakeDescription);
   flags.optional_argument("IN", "The mesh: .ply, .obj, .off, .stl or .om", in);
   declare_bake_flags(flags, options);
   flags.version(kMeshnoise);

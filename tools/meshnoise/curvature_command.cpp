@@ -19,7 +19,7 @@
 namespace solidnoise {
 namespace {
 
-constexpr char kDescription[] =
+constexpr char kCurvatureDescription[] =
     "meshnoise curvature shows the curvature of a surface as vertex colours, and puts it into a .ply as "
     "numbers:\n"
     "mean_curvature, gaussian_curvature, k1, k2 (1 / world unit; positive where the surface bulges out).";
@@ -32,7 +32,7 @@ int run_curvature(const std::vector<std::string>& arguments) {
   std::string preview;
   CurvatureRecipe recipe;
   RunOptions options;
-  FlagSet flags("meshnoise curvature", kDescription);
+  FlagSet flags("meshnoise curvature", kCurvatureDescription);
   flags.argument("IN", "The mesh: .ply, .obj, .off, .stl or .om", in);
   flags.keep("--out", "FILE",
              "Where the mesh goes: .ply, .obj, .off or .om; - for a .ply on the standard output", out);

@@ -19,7 +19,7 @@
 namespace solidnoise {
 namespace {
 
-constexpr char kDescription[] =
+constexpr char kEditDescription[] =
     "noisefit edit changes a spectrum file: the components of one group, or all of them. What is asked for "
     "is\n"
     "done in the order in which it is listed here.";
@@ -130,7 +130,7 @@ void declare_flags(FlagSet& flags, EditCommand& command) {
 
 int run_edit(const std::vector<std::string>& arguments) {
   EditCommand command;
-  FlagSet flags("noisefit edit", kDescription);
+  FlagSet flags("noisefit edit", kEditDescription);
   declare_flags(flags, command);
   flags.parse(arguments);
   flags.apply();

@@ -20,7 +20,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr char kDescription[] =
+constexpr char kFitDescription[] =
     "noisefit turns pictures of a texture into a procedural noise that looks like it: its power spectrum as\n"
     "a few hundred numbers, in a file that vdbnoise and meshnoise take as --noise.\n"
     "  noisefit IN.png ... --out OUT.json    learns from one or several exemplars\n"
@@ -137,7 +137,7 @@ int fit_planar(const FitCommand& command, const std::vector<Exemplar<2>>& exempl
 
 int run_fit(const std::vector<std::string>& arguments) {
   FitCommand command;
-  FlagSet flags("noisefit", kDescription);
+  FlagSet flags("noisefit", kFitDescription);
   declare_flags(flags, command);
   parse_fit(flags, arguments, command);
   command.fit.raw_values = command.reading.raw_values;

@@ -25,7 +25,7 @@
 namespace solidnoise {
 namespace {
 
-constexpr char kDescription[] =
+constexpr char kAnalyzeDescription[] =
     "Measures a grid of an OpenVDB file and prints JSON: moments, histogram beside the Gaussian, radial "
     "power\n"
     "spectrum beside the closed form of the recipe that the file carries.";
@@ -83,7 +83,7 @@ int run_analyze(const std::vector<std::string>& arguments) {
   std::string grid_name;
   std::string plot;
   RunOptions options;
-  FlagSet flags("vdbnoise analyze", kDescription);
+  FlagSet flags("vdbnoise analyze", kAnalyzeDescription);
   flags.argument("FILE", "The .vdb", file);
   flags.keep("--grid", "NAME", "The grid to measure (default: the first one of floats)", grid_name);
   flags.keep("--plot", "FILE.png",

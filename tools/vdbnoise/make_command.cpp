@@ -28,7 +28,7 @@
 namespace solidnoise {
 namespace {
 
-constexpr char kDescription[] =
+constexpr char kMakeDescription[] =
     "vdbnoise makes volumes of procedural noise, as OpenVDB files.\n"
     "  vdbnoise --preset smoke --seed 7 --dim 384 --out smoke.vdb --preview smoke.png   makes smoke\n"
     "  vdbnoise merge FILE... --out whole.vdb   joins parts made by --shard or --region\n"
@@ -250,7 +250,7 @@ int make(MakeOptions options) {
 
 int run_make(const std::vector<std::string>& arguments) {
   MakeOptions options;
-  FlagSet flags("vdbnoise", kDescription);
+  FlagSet flags("vdbnoise", kMakeDescription);
   const std::vector<std::string> noise_flags = declare_make_flags(flags, options);
   flags.version(kVdbnoise);
   flags.parse(arguments);

@@ -15,7 +15,7 @@
 namespace solidnoise {
 namespace {
 
-constexpr char kDescription[] =
+constexpr char kMergeDescription[] =
     "Joins the parts of a volume, made by --shard or --region, to what vdbnoise makes of the recipe in one\n"
     "piece, bit for bit.\n"
     "  vdbnoise merge part1.vdb part2.vdb --out whole.vdb";
@@ -28,7 +28,7 @@ int run_merge(const std::vector<std::string>& arguments) {
   std::string preview;
   VdbWriteOptions write;
   RunOptions options;
-  FlagSet flags("vdbnoise merge", kDescription);
+  FlagSet flags("vdbnoise merge", kMergeDescription);
   flags.arguments("FILE...", "The parts, in any order", files);
   flags.keep("--out", "FILE.vdb", "Where the grid goes; - for the standard output", out);
   flags.keep("--preview", "FILE.png", "A picture of the volume, rendered by OpenVDB", preview);

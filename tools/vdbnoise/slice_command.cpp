@@ -22,7 +22,7 @@
 namespace solidnoise {
 namespace {
 
-constexpr char kDescription[] =
+constexpr char kSliceDescription[] =
     "Makes a picture of a plane through a noise, or through a grid of an OpenVDB file; or a line of "
     "samples.\n"
     "  vdbnoise slice --out noise.png\n"
@@ -120,7 +120,7 @@ void make_slice(SliceOptions options) {
 
 int run_slice(const std::vector<std::string>& arguments) {
   SliceOptions options;
-  FlagSet flags("vdbnoise slice", kDescription);
+  FlagSet flags("vdbnoise slice", kSliceDescription);
   const std::vector<std::string> noise_flags = declare_slice_flags(flags, options);
   flags.parse(arguments);
   options.recipe = choose_volume_recipe(flags, "raw");

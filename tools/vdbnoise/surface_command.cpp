@@ -19,7 +19,7 @@
 namespace solidnoise {
 namespace {
 
-constexpr char kDescription[] =
+constexpr char kSurfaceDescription[] =
     "Makes the level set of a closed mesh: distances to its surface, negative inside. For --displace and\n"
     "--boundary; and, of a wide band, for --frequency-grid.\n"
     "  vdbnoise surface bunny.obj --out bunny.vdb --band 0.2";
@@ -66,7 +66,7 @@ TriangleMesh read_triangles(const std::string& file) {
 
 int run_surface(const std::vector<std::string>& arguments) {
   SurfaceOptions options;
-  FlagSet flags("vdbnoise surface", kDescription);
+  FlagSet flags("vdbnoise surface", kSurfaceDescription);
   declare(flags, options);
   flags.parse(arguments);
   flags.apply();

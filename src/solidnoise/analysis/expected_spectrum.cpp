@@ -74,14 +74,14 @@ void smooth_axis(std::vector<double>& values, ArrayShape<Dim>& shape, int axis, 
 // The density at one frequency of the sampled field: the sum over its images.
 template <int Dim>
 double folded(const SpectralDensity<Dim>& density, const Vec<Dim>& frequency, const Vec<Dim>& rate) {
-  constexpr int kImages = 3;
+  constexpr int kMostImages = 3;
   glm::vec<Dim, int> first(0);
   glm::vec<Dim, int> last(0);
   for (int axis = 0; axis < Dim; ++axis) {
     const double low = (-density.reach - frequency[axis]) / rate[axis];
     const double high = (density.reach - frequency[axis]) / rate[axis];
-    first[axis] = static_cast<int>(std::max(std::ceil(low), -double{kImages}));
-    last[axis] = static_cast<int>(std::min(std::floor(high), double{kImages}));
+    first[axis] = static_cast<int>(std::max(std::ceil(low), -double{kMostImages}));
+    last[axis] = static_cast<int>(std::min(std::floor(high), double{kMostImages}));
     if (last[axis] < first[axis]) return 0.0;
   }
   double sum = 0.0;

@@ -30,14 +30,14 @@ std::size_t checked_size(std::size_t values, std::span<const int> counts) {
 // that each cache line that is read serves all of them.
 void transform_axis(std::span<Complex> data, int count, std::size_t stride, FftDirection direction) {
   if (count == 1) return;
-  constexpr std::size_t kLines = 8;
+  constexpr std::size_t kLinesAtOnce = 8;
   const std::size_t length = static_cast<std::size_t>(count);
   const Plan plan(length, direction == FftDirection::inverse);
-  std::vector<Complex> gathered(kLines * length);
+  std::vector<Complex> gathered(kLinesAtOnce * length);
   std::vector<Complex> transformed(length);
   for (std::size_t block = 0; block < data.size(); block += stride * length) {
-    for (std::size_t first = 0; first < stride; first += kLines) {
-      const std::size_t lines = std::min(kLines, stride - first);
+    for (std::size_t first = 0; first < stride; first += kLinesAtOnce) {
+      const std::size_t lines = std::min(kLinesAtOnce, stride - first);
       Complex* const base = data.data() + block + first;
       for (std::size_t i = 0; i < length; ++i) {
         for (std::size_t line = 0; line < lines; ++line)

@@ -190,10 +190,10 @@ SpectralDensity<Dim> axial_density(const Noise<Dim>& noise, const Vec<Dim>& axis
 
   // The spacing is halved until that changes little; the finer table's error is some 16 times smaller yet.
   constexpr double kChange = 1e-3;
-  constexpr std::size_t kLargest = 384;
+  constexpr std::size_t kMostIntervals = 384;
   std::size_t intervals = 24;
   auto table = std::make_shared<const AxialTable>(reach / 24.0, intervals + 3, power);
-  while (intervals < kLargest) {
+  while (intervals < kMostIntervals) {
     intervals *= 2;
     const double spacing = reach / static_cast<double>(intervals);
     const auto finer = std::make_shared<const AxialTable>(spacing, intervals + 3, power);

@@ -16,7 +16,7 @@ namespace solidnoise {
 namespace {
 
 constexpr std::uint64_t kPileStream = 0x636c6f7564;  // "cloud"
-constexpr double kTau = 2.0 * std::numbers::pi;
+constexpr double kFullTurn = 2.0 * std::numbers::pi;
 
 // A hill of the outline that the puffs are piled under; lengths in half widths and heights of the pile.
 struct Tower {
@@ -48,11 +48,11 @@ class PileMaker {
   double between(double low, double high) { return low + (high - low) * random_.next_unit(); }
 
   void raise_towers() {
-    const double turn = between(0.0, kTau);
+    const double turn = between(0.0, kFullTurn);
     const double off_centre = between(0.0, 0.25);
     towers_[0] = {off_centre * std::cos(turn), off_centre * std::sin(turn), 1.0, 0.5};
     for (std::size_t i = 1; i < towers_.size(); ++i) {
-      const double angle = turn + kTau * (static_cast<double>(i) + between(-0.25, 0.25)) / 4.0;
+      const double angle = turn + kFullTurn * (static_cast<double>(i) + between(-0.25, 0.25)) / 4.0;
       const double distance = between(0.4, 0.7);
       const double height = between(0.3, 0.75);
       const double radius = between(0.3, 0.45);
@@ -72,7 +72,7 @@ class PileMaker {
 
   // Tries to put one large puff at random. The first stands in the middle of the highest tower.
   void add_puff() {
-    const double angle = between(0.0, kTau);
+    const double angle = between(0.0, kFullTurn);
     const double distance = std::sqrt(between(0.0, 1.0));
     const double level = std::max(0.0, between(-0.5, 1.0));
     const double growth = between(0.7, 1.25);
@@ -103,10 +103,10 @@ class PileMaker {
   // Buds on the upper and outer side of a large puff, where they are not inside of another one.
   void add_buds(Puff parent, std::size_t index) {
     constexpr int kBuds = 14;
-    const double turn = between(0.0, kTau);
+    const double turn = between(0.0, kFullTurn);
     for (int i = 0; i < kBuds; ++i) {
       const double up = 1.0 - 1.35 * (i + between(0.0, 1.0)) / kBuds;
-      const double angle = turn + i * std::numbers::phi * kTau + between(-0.5, 0.5);
+      const double angle = turn + i * std::numbers::phi * kFullTurn + between(-0.5, 0.5);
       const double size = between(0.26, 0.52);
       const double out = std::sqrt(1.0 - up * up);
       const Vec<3> direction{out * std::cos(angle), up, out * std::sin(angle)};
@@ -125,7 +125,7 @@ class PileMaker {
   }
 
   void lean() {
-    const double angle = between(0.0, kTau);
+    const double angle = between(0.0, kFullTurn);
     const double shift = pile_.lean * between(0.5, 1.0);
     for (Puff& puff : puffs_) {
       puff.centre.x += shift * puff.centre.y * std::cos(angle);

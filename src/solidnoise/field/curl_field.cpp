@@ -42,11 +42,11 @@ class Potentials {
 };
 
 // The ramp and its derivative.
-struct Ramp {
+struct BoundaryRamp {
   double value = 0.0;
   double slope = 0.0;
 
-  explicit Ramp(double r) {
+  explicit BoundaryRamp(double r) {
     const double s = std::clamp(r, -1.0, 1.0);
     const double s2 = s * s;
     value = 0.125 * s * (15.0 - 10.0 * s2 + 3.0 * s2 * s2);
@@ -132,7 +132,7 @@ class CurlField final : public Field<3> {
   Vec<3> bent(const Vec<3>& velocity, const SmoothDistance::Jet& jet, const Potentials& potentials,
               std::size_t sample) const {
     const double reach = options_.boundary->reach();
-    const Ramp ramp(jet.distance / reach);
+    const BoundaryRamp ramp(jet.distance / reach);
     Vec<3> psi;
     Vec<3> normal_slope(0.0);  // the gradient of g.psi
     for (std::size_t c = 0; c < 3; ++c) {

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <stdexcept>
 #include <utility>
 
 #include <glm/geometric.hpp>
 
+#include "solidnoise/core/numerics.h"
 #include "solidnoise/field/field_tables.h"
 #include "solidnoise/field/pointwise_field.h"
 
@@ -103,10 +103,9 @@ struct VeinMap {
   double along(int axis, double coordinate) const { return wave[axis] * coordinate; }
 
   float operator()(float n, double layer) const {
-    constexpr double kTau = 2.0 * std::numbers::pi;
     const double phase = layer + shaping.turbulence * n;
     // Whole turns are taken off in double precision, so that veins far from the origin are as smooth as here.
-    const float level = 0.5f + 0.5f * std::cos(static_cast<float>(kTau * (phase - std::floor(phase))));
+    const float level = 0.5f + 0.5f * std::cos(static_cast<float>(2.0 * kPi * (phase - std::floor(phase))));
     const float floor = static_cast<float>(shaping.floor);
     return floor + (1.0f - floor) * std::pow(level, static_cast<float>(shaping.sharpness));
   }

@@ -19,7 +19,7 @@
 namespace solidnoise {
 namespace {
 
-constexpr std::uint64_t kMostVertices = std::numeric_limits<std::int32_t>::max();  // of OpenMesh's
+constexpr std::uint64_t kMostHandles = std::numeric_limits<std::int32_t>::max();  // of OpenMesh's
 
 class OffCheck {
  public:
@@ -99,7 +99,7 @@ class OffCheck {
     face_count_ = *faces;
     // A vertex takes six bytes at least, "0 0 0" and the end of its line, a face two; the last end may lack.
     const std::uint64_t bytes = lines_.rest().size() + 1;
-    if (vertex_count_ > kMostVertices || vertex_count_ > bytes / 6) {
+    if (vertex_count_ > kMostHandles || vertex_count_ > bytes / 6) {
       lines_.refuse(fmt::format("{} vertices are promised, but there is no room for them", vertex_count_));
     }
     if (face_count_ > (bytes - 6 * vertex_count_) / 2) {

@@ -18,7 +18,7 @@ namespace {
 
 using namespace OpenMesh::IO::OMFormat;
 
-constexpr std::size_t kHeaderBytes = 16;
+constexpr std::size_t kOmHeaderBytes = 16;
 constexpr std::uint64_t kMostElements = std::numeric_limits<std::int32_t>::max();  // of OpenMesh's
 
 // What the format calls the types of numbers; those of OpenMesh can make a property of.
@@ -40,7 +40,7 @@ class OmCheck {
 
   CheckedOm check() {
     check_header();
-    checked_.bytes = bytes_.substr(0, kHeaderBytes);
+    checked_.bytes = bytes_.substr(0, kOmHeaderBytes);
     while (reader_.left() >= chunk_header_size()) {
       begin_ = bytes_.size() - reader_.left();
       Chunk::Header chunk{};
@@ -64,7 +64,7 @@ class OmCheck {
   std::uint32_t faces() const { return checked_.header.n_faces_; }
 
   void check_header() {
-    if (reader_.left() < kHeaderBytes || reader_.take_bytes(2) != "OM") {
+    if (reader_.left() < kOmHeaderBytes || reader_.take_bytes(2) != "OM") {
       refuse("is not an OM file: it does not begin with 'OM'");
     }
     Header& header = checked_.header;

@@ -13,9 +13,6 @@
 namespace solidnoise {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr TextColor kNoColor{kNan, kNan, kNan, kNan};
-
 // Row `vertex` of a table that grows to have it.
 template <typename Row>
 Row& row_of(std::vector<Row>& rows, OpenMesh::VertexHandle vertex, const Row& missing = {}) {
@@ -151,7 +148,7 @@ void MeshImporter::set_color(OpenMesh::VertexHandle vertex, const TextColor& col
 }
 
 void MeshImporter::set_color(OpenMesh::VertexHandle vertex, const OpenMesh::Vec3uc& color) {
-  set_color(vertex, TextColor{double(color[0]), double(color[1]), double(color[2]), kNan});
+  set_color(vertex, TextColor{double(color[0]), double(color[1]), double(color[2]), kNoNumber});
 }
 
 void MeshImporter::set_color(OpenMesh::VertexHandle vertex, const OpenMesh::Vec4uc& color) {
@@ -159,7 +156,7 @@ void MeshImporter::set_color(OpenMesh::VertexHandle vertex, const OpenMesh::Vec4
 }
 
 void MeshImporter::set_color(OpenMesh::VertexHandle vertex, const OpenMesh::Vec3f& color) {
-  set_color(vertex, TextColor{color[0], color[1], color[2], kNan});
+  set_color(vertex, TextColor{color[0], color[1], color[2], kNoNumber});
 }
 
 void MeshImporter::set_color(OpenMesh::VertexHandle vertex, const OpenMesh::Vec4f& color) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -58,6 +59,9 @@ inline constexpr std::array<std::string_view, 2> kTextureNames{"s", "t"};
 
 // Colours as text files have them: a row of red, green, blue, alpha per vertex.
 using TextColor = std::array<double, 4>;
+// What is not in the text is not a number.
+inline constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+inline constexpr TextColor kNoColor{kNoNumber, kNoNumber, kNoNumber, kNoNumber};
 
 // A property of type float32 of numbers from a text, which are rounded to it.
 VertexProperty text_property(std::string_view name, std::vector<double> values);

@@ -16,9 +16,6 @@
 namespace solidnoise {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr TextColor kNoColor{kNan, kNan, kNan, kNan};
-
 // By ourselves: OpenMesh's reader stops without a word at what is no number, drops faces of vertices that are
 // not there, has floats only, and gives no comments, which hold recipes; its writer refuses colours.
 class ObjReader {
@@ -99,7 +96,7 @@ class ObjReader {
       has_alpha_ = has_alpha_ || count == 7;
       colored_ += 1;
       colors_.resize(positions.size(), kNoColor);
-      colors_.back() = {numbers[3], numbers[4], numbers[5], count == 7 ? numbers[6] : kNoColor[3]};
+      colors_.back() = {numbers[3], numbers[4], numbers[5], count == 7 ? numbers[6] : kNoNumber};
     }
   }
 

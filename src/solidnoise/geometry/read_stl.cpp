@@ -23,9 +23,9 @@
 namespace solidnoise {
 namespace {
 
-constexpr std::size_t kHeaderBytes = 80;
+constexpr std::size_t kStlHeaderBytes = 80;
 constexpr std::size_t kFacetBytes = 50;  // a normal and three corners of three floats each, and 16 bits
-constexpr std::size_t kFirstFacet = kHeaderBytes + sizeof(std::uint32_t);
+constexpr std::size_t kFirstFacet = kStlHeaderBytes + sizeof(std::uint32_t);
 
 // A file's facets as OpenMesh's reader takes them, in bytes or in words.
 struct CheckedStl {
@@ -36,7 +36,7 @@ struct CheckedStl {
 };
 
 std::uint64_t promised_facets(std::string_view bytes) {
-  return ByteReader(bytes.substr(kHeaderBytes), std::endian::little).take<std::uint32_t>();
+  return ByteReader(bytes.substr(kStlHeaderBytes), std::endian::little).take<std::uint32_t>();
 }
 
 // Programs write binary files that begin with `solid`, too. What tells them apart is the length that the

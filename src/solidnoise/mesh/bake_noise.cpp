@@ -107,18 +107,6 @@ VaryingParameter as_parameter(const VertexNumber& number) {
   return {std::make_shared<VertexField>(std::vector<std::span<const float>>{number.values}), least, greatest};
 }
 
-using Components = std::array<std::vector<float>, 3>;
-
-Components components_of(std::span<const Vec<3>> vectors) {
-  Components components;
-  for (const Vec<3>& vector : vectors) {
-    for (int axis = 0; axis < 3; ++axis) {
-      components[static_cast<std::size_t>(axis)].push_back(static_cast<float>(vector[axis]));
-    }
-  }
-  return components;
-}
-
 // What stands for the numbers of all vertices. Where each has its own, the constant may be anything.
 double typical(const VertexNumber& number, const Interval& allowed) {
   return number.varies() && !allowed.contains(number.constant) ? 1.0 : number.constant;

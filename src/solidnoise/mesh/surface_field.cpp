@@ -17,21 +17,8 @@
 namespace solidnoise {
 namespace {
 
-using Components = std::array<std::vector<float>, 3>;
-
 std::array<std::span<const float>, 3> spans_of(const Components& components) {
   return {components[0], components[1], components[2]};
-}
-
-Components components_of(std::span<const Vec<3>> vectors) {
-  Components components;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    components[axis].reserve(vectors.size());
-    for (const Vec<3>& vector : vectors) {
-      components[axis].push_back(static_cast<float>(vector[static_cast<int>(axis)]));
-    }
-  }
-  return components;
 }
 
 // What the fields of a kernel say at some points; empty where there is no field.
@@ -185,6 +172,17 @@ SurfaceKernel scaled(const SurfaceKernel& kernel, double ratio) {
 }
 
 }  // namespace
+
+Components components_of(std::span<const Vec<3>> vectors) {
+  Components components;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    components[axis].reserve(vectors.size());
+    for (const Vec<3>& vector : vectors) {
+      components[axis].push_back(static_cast<float>(vector[static_cast<int>(axis)]));
+    }
+  }
+  return components;
+}
 
 void VertexField::evaluate(const Points<3>& points, const Samples<3>& samples) const {
   if (points.vertices.size() != points.size()) {

@@ -13,6 +13,10 @@
 
 namespace solidnoise {
 
+// Vectors' coordinates, axis by axis.
+using Components = std::array<std::vector<float>, 3>;
+Components components_of(std::span<const Vec<3>> vectors);
+
 // Numbers that a mesh's vertices have, as a field of the points that are vertices (Points::vertices): one
 // channel for each span. The numbers belong to somebody else. Throws std::invalid_argument where points are
 // no vertices.

@@ -50,7 +50,7 @@ bool contains(const VolumeRecipe& recipe, Output output) {
 }
 
 // How many noises like its own a short form's outputs are made of.
-int channels_of(const VolumeRecipe& recipe) {
+int channel_count(const VolumeRecipe& recipe) {
   if (contains(recipe, Output::curl) || contains(recipe, Output::color)) return 3;
   return contains(recipe, Output::phase) || contains(recipe, Output::intensity) ? 2 : 1;
 }
@@ -142,10 +142,10 @@ Cost volume_cost(const VolumeRecipe& recipe, const VolumePlan& plan, int threads
   Cost cost;
   for (const VolumeRecipe& grid : recipes_of_grids(recipe)) {
     const VolumeRecipe resolved = at_resolution(grid, plan.frame.voxel_size());
-    cost.seconds += voxels_of(plan) * channels_of(grid) * seconds_per_voxel(grid);
+    cost.seconds += voxels_of(plan) * channel_count(grid) * seconds_per_voxel(grid);
     for (const NoiseRecipe& noise : noises_of(resolved)) {
       const Cost of_noise = noise_cost(resolved, noise, plan, threads);
-      for (int channel = 0; channel < channels_of(grid); ++channel) cost += of_noise;
+      for (int channel = 0; channel < channel_count(grid); ++channel) cost += of_noise;
     }
   }
   cost.bytes += kProgramBytes + kWriting * static_cast<double>(plan.memory);

@@ -22,7 +22,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr char kDescription[] =
+constexpr char kVolumeDescription[] =
     "noisefit volume turns a box of a grid of floats into a noise in 3D that looks like it, waves of all "
     "directions\n"
     "in their own strength.";
@@ -108,7 +108,7 @@ Image draw_sheet(const VolumeCommand& command, const Exemplar<3>& volume, const 
 
 int run_volume(const std::vector<std::string>& arguments) {
   VolumeCommand command;
-  FlagSet flags("noisefit volume", kDescription);
+  FlagSet flags("noisefit volume", kVolumeDescription);
   declare_flags(flags, command);
   parse_fit(flags, arguments, command);
   command.fit.raw_values = true;

@@ -14,7 +14,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr int kFewestSamples = 16;
+constexpr int kSmallestPatch = 16;
 
 bool is_fast(int count) {
   if (count % 2 != 0) return false;
@@ -72,16 +72,16 @@ void for_each_patch(std::span<const Exemplar<Dim>> exemplars, const glm::vec<Dim
 }  // namespace
 
 int fast_count(int count) {
-  while (count > kFewestSamples && !is_fast(count)) --count;
+  while (count > kSmallestPatch && !is_fast(count)) --count;
   return count;
 }
 
 template <int Dim>
 CrossSpectra<Dim> cross_spectra(std::span<const Exemplar<Dim>> exemplars, int patch) {
   if (exemplars.empty()) throw std::invalid_argument("there is no exemplar");
-  if (patch != 0 && patch < kFewestSamples) {
+  if (patch != 0 && patch < kSmallestPatch) {
     throw std::invalid_argument(
-        fmt::format("patch is {}; it must be at least {}, or 0 for none", patch, kFewestSamples));
+        fmt::format("patch is {}; it must be at least {}, or 0 for none", patch, kSmallestPatch));
   }
   CrossSpectra<Dim> result;
   result.count = exemplars.front().shape().count;

@@ -158,7 +158,6 @@ template SpectrumFit fit_spectrum<3>(const PowerSpectrum<3>&, double, const Spec
 namespace {
 
 constexpr double kLargestKappa = 1.0 / 64.0;  // of a weak channel
-constexpr double kNoVariance = 1e-15;         // of that of all channels
 
 // The channels' progress as that of one task.
 class SharedProgress {

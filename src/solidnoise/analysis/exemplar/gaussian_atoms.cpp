@@ -13,8 +13,8 @@ namespace solidnoise {
 namespace {
 
 // Responses below this share of the largest one are left out: they change nothing in double precision.
-constexpr double kNegligible = 1e-17;
-constexpr int kImages = 3;  // of the Gaussian on the torus, to each side
+constexpr double kNegligibleResponse = 1e-17;
+constexpr int kTorusImages = 3;  // of the Gaussian on the torus, to each side
 
 std::size_t to_size(int value) {
   return static_cast<std::size_t>(value);
@@ -24,7 +24,7 @@ std::size_t to_size(int value) {
 std::vector<double> sampled_gaussian(double a, double step, int count) {
   std::vector<double> result(to_size(count), 0.0);
   for (int k = 0; k < count; ++k) {
-    for (int image = -kImages; image <= kImages; ++image) {
+    for (int image = -kTorusImages; image <= kTorusImages; ++image) {
       const double f = step * (k + image * count);
       result[to_size(k)] += std::exp(-2.0 * std::numbers::pi * f * f / (a * a));
     }
@@ -95,7 +95,7 @@ GaussianAtoms::GaussianAtoms(const FrequencyGrid& grid, std::vector<AtomBand> ba
         const int folded = static_cast<int>(t) % counts[axis];
         axes[axis].folded.push_back(folded);
         axes[axis].mirrored.push_back(mirrored(folded, counts[axis]));
-        if (std::abs(axes[axis].response[t]) > kNegligible * axis_sum) {
+        if (std::abs(axes[axis].response[t]) > kNegligibleResponse * axis_sum) {
           axes[axis].used.push_back(static_cast<int>(t));
         }
       }
@@ -156,7 +156,7 @@ void GaussianAtoms::add_band(std::size_t band, std::span<const double> small, st
   const Counts3 counts = band_counts(band);
   const std::array<Axis, 3>& axes = axes_[band];
   const double along_first = axes[0].response[row];
-  if (std::abs(along_first) <= kNegligible * axes[0].response[0]) return;
+  if (std::abs(along_first) <= kNegligibleResponse * axes[0].response[0]) return;
   const int first = static_cast<int>(row) % counts[0];
   const bool mirror = first > counts[0] / 2;
   const int small_first = mirror ? counts[0] - first : first;

@@ -54,14 +54,14 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr int kImages = 2;  // of the samples' band of frequencies, to each side
-constexpr double kNegligible = 1e-12;
+constexpr int kBandImages = 2;  // of the samples' band of frequencies, to each side
+constexpr double kNegligibleHeight = 1e-12;
 
 // exp(-2 pi (f - w)^2 / a^2) at the frequencies of one axis, with images.
 std::vector<double> gaussian_row(double a, double w, double step, int count) {
   std::vector<double> row(static_cast<std::size_t>(count), 0.0);
   for (int k = 0; k < count; ++k) {
-    for (int image = -kImages; image <= kImages; ++image) {
+    for (int image = -kBandImages; image <= kBandImages; ++image) {
       const double f = (step * (k + image * count) - w) / a;
       row[static_cast<std::size_t>(k)] += std::exp(-2.0 * std::numbers::pi * f * f);
     }
@@ -79,7 +79,7 @@ void add_gaussian(const std::array<std::vector<double>, Dim>& rows, double heigh
       factor *= rows[axis][index % rows[axis].size()];
       index /= rows[axis].size();
     }
-    if (factor < kNegligible * height) continue;
+    if (factor < kNegligibleHeight * height) continue;
     for (std::size_t i = 0; i < last_count; ++i) sum[start + i] += factor * rows[Dim - 1][i];
   }
 }

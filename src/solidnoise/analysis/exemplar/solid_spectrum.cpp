@@ -17,7 +17,7 @@
 namespace solidnoise {
 namespace {
 
-constexpr int kWedges = 8;           // of directions, opposite ones taken as one
+constexpr int kWidestWedges = 8;     // of directions, opposite ones taken as one
 constexpr double kIsotropic = 0.2;   // differences of their power that are none
 constexpr double kDeviations = 4.0;  // of a wedge's scatter, below which a difference may be chance
 constexpr double kAttainable = 0.2;  // residual above which slices look different
@@ -94,8 +94,8 @@ Eigen::VectorXd descend(const Eigen::MatrixXd& gram, const Eigen::VectorXd& targ
 
 // The largest relative difference of a wedge's power from the mean that its scatter does not explain.
 double anisotropy_of(const PowerSpectrum<2>& periodogram) {
-  std::array<double, kWedges> power{};
-  std::array<double, kWedges> squares{};
+  std::array<double, kWidestWedges> power{};
+  std::array<double, kWidestWedges> squares{};
   const double lowest = 1.5 * std::max(periodogram.frequency_step(0), periodogram.frequency_step(1));
   const double highest = 0.5 / std::max(periodogram.step.x, periodogram.step.y);
   for (std::size_t i = 0; i < periodogram.density.size(); ++i) {
@@ -103,14 +103,15 @@ double anisotropy_of(const PowerSpectrum<2>& periodogram) {
     if (glm::length(f) < lowest || glm::length(f) > highest) continue;
     double turn = std::atan2(f.y, f.x) / std::numbers::pi;
     turn -= std::floor(turn);
-    const auto wedge = std::min<std::size_t>(kWedges - 1, static_cast<std::size_t>(turn * kWedges));
+    const auto wedge =
+        std::min<std::size_t>(kWidestWedges - 1, static_cast<std::size_t>(turn * kWidestWedges));
     power[wedge] += periodogram.density[i];
     squares[wedge] += periodogram.density[i] * periodogram.density[i];
   }
   double mean = 0.0;
-  for (const double value : power) mean += value / kWedges;
+  for (const double value : power) mean += value / kWidestWedges;
   double largest = 0.0;
-  for (std::size_t w = 0; w < kWedges; ++w) {
+  for (std::size_t w = 0; w < kWidestWedges; ++w) {
     const double difference = std::abs(power[w] / mean - 1.0);
     // Values of a periodogram scatter by themselves, f and -f alike; their squares are twice too large.
     const double scatter = std::sqrt(squares[w] / periodogram.independent_blocks) / mean;

@@ -17,7 +17,7 @@ namespace {
 
 using openvdb::FloatGrid;
 using openvdb::FloatTree;
-using Leaf = FloatTree::LeafNodeType;
+using FloatLeaf = FloatTree::LeafNodeType;
 using Leaves = openvdb::tree::LeafManager<FloatTree>;
 
 // One value; all that is the same for all of them is made once.
@@ -69,7 +69,7 @@ FilledGrid fill_grid_at_points(const FloatGrid& grid, const Field<3>& field, con
   filled.grid->setTree(std::make_shared<FloatTree>(grid.tree(), 0.0f, openvdb::TopologyCopy()));
   Leaves leaves(filled.grid->tree());
   std::atomic<std::uint64_t> done{0};
-  leaves.foreach ([&](Leaf& leaf, std::size_t) {
+  leaves.foreach ([&](FloatLeaf& leaf, std::size_t) {
     throw_if_cancelled(progress);
     const std::optional<RestPositions> own_rest = rest ? std::optional(*rest) : std::nullopt;
     std::vector<Vec<3>> positions;
@@ -91,8 +91,8 @@ FilledGrid fill_grid_at_points(const FloatGrid& grid, const Field<3>& field, con
 void combine_values(FloatGrid& grid, const FloatGrid& noise, const Combination& combination) {
   const Combiner combine(grid, combination);
   Leaves leaves(grid.tree());
-  leaves.foreach ([&](Leaf& leaf, std::size_t) {
-    const Leaf& noise_leaf = *noise.tree().probeConstLeaf(leaf.origin());
+  leaves.foreach ([&](FloatLeaf& leaf, std::size_t) {
+    const FloatLeaf& noise_leaf = *noise.tree().probeConstLeaf(leaf.origin());
     const std::optional<GridMask> mask = combination.mask ? std::optional(*combination.mask) : std::nullopt;
     for (auto voxel = leaf.beginValueOn(); voxel; ++voxel) {
       const float result = combine(*voxel, noise_leaf.getValue(voxel.pos()));

@@ -162,7 +162,6 @@ namespace {
 using openvdb::FloatGrid;
 using openvdb::FloatTree;
 using openvdb::MaskTree;
-using Leaf = FloatTree::LeafNodeType;
 using Leaves = openvdb::tree::LeafManager<FloatTree>;
 
 // Cuts the band to values under `background`, which takes the background's place. Tiles are not in it.
@@ -171,7 +170,7 @@ void cut_band(FloatGrid& grid, float background) {
   tile.setMaxDepth(FloatGrid::ValueOnIter::LEAF_DEPTH - 1);
   for (; tile; ++tile) tile.setValueOff();
   Leaves leaves(grid.tree());
-  leaves.foreach ([&](Leaf& leaf, std::size_t) {
+  leaves.foreach ([&](FloatLeaf& leaf, std::size_t) {
     for (auto value = leaf.beginValueOn(); value; ++value) {
       if (std::abs(*value) >= background) value.setValueOff();
     }
@@ -186,8 +185,8 @@ bool is_cut(const FloatGrid& grid) {
   const float background = grid.background();
   std::atomic<bool> cut{true};
   openvdb::tree::LeafManager<const FloatTree> leaves(grid.tree());
-  leaves.foreach ([&](const Leaf& leaf, std::size_t) {
-    for (unsigned voxel = 0; voxel < Leaf::SIZE; ++voxel) {
+  leaves.foreach ([&](const FloatLeaf& leaf, std::size_t) {
+    for (unsigned voxel = 0; voxel < FloatLeaf::SIZE; ++voxel) {
       const float size = std::abs(leaf.getValue(voxel));
       if (leaf.isValueOn(voxel) ? !(size < background) : size != background) cut = false;
     }
@@ -200,11 +199,11 @@ void restore_outside(FloatGrid& grid, const FloatGrid& original, const MaskTree&
   FloatTree& tree = grid.tree();
   for (auto leaf = original.tree().cbeginLeaf(); leaf; ++leaf) tree.touchLeaf(leaf->origin());
   Leaves leaves(tree);
-  leaves.foreach ([&](Leaf& leaf, std::size_t) {
+  leaves.foreach ([&](FloatLeaf& leaf, std::size_t) {
     const MaskTree::LeafNodeType* const kept = mask.probeConstLeaf(leaf.origin());
-    const Leaf* const old = original.tree().probeConstLeaf(leaf.origin());
+    const FloatLeaf* const old = original.tree().probeConstLeaf(leaf.origin());
     const float tile = original.tree().getValue(leaf.origin());
-    for (unsigned voxel = 0; voxel < Leaf::SIZE; ++voxel) {
+    for (unsigned voxel = 0; voxel < FloatLeaf::SIZE; ++voxel) {
       if (kept != nullptr && kept->isValueOn(voxel)) continue;
       leaf.setValueOnly(voxel, old != nullptr ? old->getValue(voxel) : tile);
       leaf.setActiveState(voxel, old != nullptr && old->isValueOn(voxel));

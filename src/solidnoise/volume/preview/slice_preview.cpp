@@ -16,7 +16,7 @@
 namespace solidnoise {
 namespace {
 
-using Color = std::array<float, 3>;
+using Rgb = std::array<float, 3>;
 
 constexpr int kLongestSide = 480;
 constexpr int kStreak = 18;  // pixels, to each side
@@ -94,7 +94,7 @@ Image draw(const Slice& slice, const ColorAt& color) {
   Image image(slice.width() * scale, slice.height() * scale, 3);
   tbb::parallel_for(0, image.height, [&](int row) {
     for (int column = 0; column < image.width; ++column) {
-      const Color found = color((column + 0.5) / scale, (image.height - row - 0.5) / scale, 1.0 / scale);
+      const Rgb found = color((column + 0.5) / scale, (image.height - row - 0.5) / scale, 1.0 / scale);
       for (int channel = 0; channel < 3; ++channel) {
         image.at(column, row, channel) = std::clamp(found[static_cast<std::size_t>(channel)], 0.0f, 1.0f);
       }
@@ -139,7 +139,7 @@ Image draw_vectors(const MeasuredGrid& measured, UpAxis up) {
     mean_square += moments.mean() * moments.mean() + moments.sigma() * moments.sigma();
   }
   const float full = mean_square > 0.0 ? static_cast<float>(0.5 / std::sqrt(mean_square)) : 0.0f;
-  return draw(slice, [&](double x, double y, double pixel) -> Color {
+  return draw(slice, [&](double x, double y, double pixel) -> Rgb {
     const float length = std::min(full * slice.at(x, y).length(), 1.0f);
     const float light = 0.65f + 0.35f * streak(slice, x, y, pixel);
     return {light * (0.1f + 0.9f * length), light * (0.2f + 0.7f * length), light * (0.55f - 0.25f * length)};
@@ -152,9 +152,9 @@ Image draw_colors(const MeasuredGrid& measured, const RawShaping& range, UpAxis 
   float white = 3.0f;
   if (range.range == RawShaping::Range::signed_values) black = -1.0f, white = 1.0f;
   if (range.range == RawShaping::Range::unit) black = 0.0f, white = 1.0f;
-  return draw(slice, [&](double x, double y, double) -> Color {
+  return draw(slice, [&](double x, double y, double) -> Rgb {
     const openvdb::Vec3s value = slice.at(x, y);
-    Color color;
+    Rgb color;
     for (int i = 0; i < 3; ++i) color[static_cast<std::size_t>(i)] = (value[i] - black) / (white - black);
     return color;
   });
@@ -163,8 +163,8 @@ Image draw_colors(const MeasuredGrid& measured, const RawShaping& range, UpAxis 
 // In the colours of the exemplar.
 Image draw_exemplar(const MeasuredGrid& measured, const ExemplarModel& exemplar, UpAxis up) {
   const Slice slice(*measured.grid, up);
-  return draw(slice, [&](double x, double y, double) -> Color {
-    Color color;
+  return draw(slice, [&](double x, double y, double) -> Rgb {
+    Rgb color;
     for (int i = 0; i < 3; ++i) {
       const auto channel = static_cast<std::size_t>(i);
       const float value = std::clamp(slice.at(x, y)[i], 0.0f, 1.0f);
@@ -179,7 +179,7 @@ Image draw_phasor(const Volume& volume, const std::vector<Output>& outputs, UpAx
   const Slice second(*volume.grids.back().grid, up);
   const bool phase_first = outputs.front() == Output::phase;
   const bool both = outputs.size() > 1;
-  return draw(first, [&](double x, double y, double) -> Color {
+  return draw(first, [&](double x, double y, double) -> Rgb {
     // The phase jumps, so that nothing may be taken between its values.
     const float a = first.nearest(x, y).x();
     const float b = second.nearest(x, y).x();
@@ -187,7 +187,7 @@ Image draw_phasor(const Volume& volume, const std::vector<Output>& outputs, UpAx
     const float light = 0.5f * intensity;
     if (!both && !phase_first) return {light, light, light};
     const float phase = phase_first ? a : b;
-    Color color;
+    Rgb color;
     for (std::size_t i = 0; i < 3; ++i) {
       const float third = static_cast<float>(i) * 2.0f * std::numbers::pi_v<float> / 3.0f;
       color[i] = light * (0.5f + 0.5f * std::cos(phase - third));

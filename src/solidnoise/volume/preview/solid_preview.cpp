@@ -21,9 +21,9 @@ using Intersector = openvdb::tools::VolumeRayIntersector<FloatGrid>;
 using Ray = Intersector::RayType;
 using Sampler = openvdb::tools::BoxSampler;
 
-const Vec3d kSun(0.92, 0.87, 0.78);
-const Vec3d kSkyLight(0.34, 0.37, 0.42);
-const Vec3d kGroundLight(0.17, 0.16, 0.15);  // from below
+const Vec3d kKeyLight(0.92, 0.87, 0.78);
+const Vec3d kFillLight(0.34, 0.37, 0.42);
+const Vec3d kBounceLight(0.17, 0.16, 0.15);  // from below
 
 // Before which it stands; `height` from 0 at the bottom of the picture.
 Vec3d studio(double height) {
@@ -188,14 +188,14 @@ class SolidPainter {
     const float value = Sampler::sample(values, hit.place - 1.2 * hit.normal);
     const Color colour = look_.ramp.linear((value - look_.least) / (look_.most - look_.least));
     const double above = 0.5 + 0.5 * hit.normal.dot(vertical_);
-    const Vec3d light =
-        std::max(0.0, hit.normal.dot(to_sun_)) * kSun + above * kSkyLight + (1.0 - above) * kGroundLight;
+    const Vec3d light = std::max(0.0, hit.normal.dot(to_sun_)) * kKeyLight + above * kFillLight +
+                        (1.0 - above) * kBounceLight;
     Vec3d seen = light * Vec3d(colour.x, colour.y, colour.z);
     if (look_.is_polished) {
       constexpr double kSharpness = 60.0;
       const Vec3d half = (to_sun_ - direction).unit();
-      seen += 0.25 * std::pow(std::max(0.0, hit.normal.dot(half)), kSharpness) * kSun;
-      seen += 0.10 * std::pow(1.0 + std::min(0.0, hit.normal.dot(direction)), 3) * kSkyLight;
+      seen += 0.25 * std::pow(std::max(0.0, hit.normal.dot(half)), kSharpness) * kKeyLight;
+      seen += 0.10 * std::pow(1.0 + std::min(0.0, hit.normal.dot(direction)), 3) * kFillLight;
     }
     return seen;
   }

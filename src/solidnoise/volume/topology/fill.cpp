@@ -128,7 +128,7 @@ constexpr std::size_t kManyLeaves = 64 * 512;  // 64 full groups
 
 // Leaves that are evaluated together, some five thousand voxels: most of what fields can share, while what
 // they keep for each voxel stays so small that the memory for it is not fetched anew each time.
-constexpr std::size_t kLeavesAtOnce = 10;
+constexpr std::size_t kLeavesOfBlock = 10;
 
 // Leaves that share a block: a run of indices in the list of grouped leaves.
 struct Group {
@@ -206,9 +206,9 @@ class Filler {
     // Evaluate them.
     if (!wanted.empty()) {
       const std::unique_ptr<FieldBlock<3>> block = field_.block(frame_.bounds(box));
-      for (std::size_t i = 0; i < wanted.size(); i += kLeavesAtOnce) {
+      for (std::size_t i = 0; i < wanted.size(); i += kLeavesOfBlock) {
         throw_if_cancelled(progress_);
-        fill_leaves(*block, std::span(wanted).subspan(i, std::min(kLeavesAtOnce, wanted.size() - i)));
+        fill_leaves(*block, std::span(wanted).subspan(i, std::min(kLeavesOfBlock, wanted.size() - i)));
       }
     }
     if (progress_ != nullptr) progress_->advance(done_ += group.end - group.begin, grouped_.leaves.size());

@@ -92,10 +92,6 @@ openvdb::GridBase::Ptr copy_memory(GridFile& source, const char* kind, bool suit
   return source.memory->deepCopyGrid();
 }
 
-bool is_float(const openvdb::GridBase& grid) {
-  return grid.isType<openvdb::FloatGrid>();
-}
-
 }  // namespace
 
 GridFile grid_in_memory(openvdb::GridBase::ConstPtr grid) {
@@ -112,7 +108,7 @@ openvdb::GridBase::Ptr read_grid(GridFile& source, const std::string& flag) {
 
 openvdb::FloatGrid::Ptr read_float_grid(GridFile& source, const std::string& flag) {
   if (source.memory) {
-    return openvdb::gridPtrCast<openvdb::FloatGrid>(copy_memory(source, "float", is_float(*source.memory)));
+    return openvdb::gridPtrCast<openvdb::FloatGrid>(copy_memory(source, "float", has_floats(*source.memory)));
   }
   return read_noted(source, flag,
                     [](const auto& file, const auto& grid) { return read_float_grid(file, grid); });
@@ -120,9 +116,7 @@ openvdb::FloatGrid::Ptr read_float_grid(GridFile& source, const std::string& fla
 
 openvdb::GridBase::Ptr read_vector_grid(GridFile& source, const std::string& flag) {
   if (source.memory) {
-    const bool is_vector =
-        source.memory->isType<openvdb::Vec3SGrid>() || source.memory->isType<openvdb::Vec3DGrid>();
-    return copy_memory(source, "vec3s or vec3d", is_vector);
+    return copy_memory(source, "vec3s or vec3d", has_vectors(*source.memory));
   }
   return read_noted(source, flag,
                     [](const auto& file, const auto& grid) { return read_vector_grid(file, grid); });
@@ -130,7 +124,7 @@ openvdb::GridBase::Ptr read_vector_grid(GridFile& source, const std::string& fla
 
 VdbFile read_grids_around(GridFile& source, const std::string& flag, std::size_t& target) {
   target = 0;
-  if (source.memory) return {{}, {copy_memory(source, "float", is_float(*source.memory))}};
+  if (source.memory) return {{}, {copy_memory(source, "float", has_floats(*source.memory))}};
   VdbFile file = read_grids(source.file);
   target = find_float_grid(source.file, file, source.grid);
   note_digest(source.file, flag, source.digest);

@@ -162,12 +162,6 @@ std::string listed(const std::string& name, const openvdb::GridBase& grid) {
       fmt::format("{}: has no {}{}; it has {}", path.string(), kind, wanted, fmt::join(others, ", ")));
 }
 
-bool is_float(const openvdb::GridBase& grid) {
-  return grid.isType<openvdb::FloatGrid>();
-}
-bool is_vector(const openvdb::GridBase& grid) {
-  return grid.isType<openvdb::Vec3SGrid>() || grid.isType<openvdb::Vec3DGrid>();
-}
 constexpr char kGridOfFloats[] = "grid of floats";
 
 // Reads the first grid that has the name, or any name if it is empty, and whose header `suits`. `kind` says
@@ -188,6 +182,14 @@ openvdb::GridBase::Ptr read_matching(const std::filesystem::path& path, const st
 
 }  // namespace
 
+bool has_floats(const openvdb::GridBase& grid) {
+  return grid.isType<openvdb::FloatGrid>();
+}
+
+bool has_vectors(const openvdb::GridBase& grid) {
+  return grid.isType<openvdb::Vec3SGrid>() || grid.isType<openvdb::Vec3DGrid>();
+}
+
 VdbSummary read_vdb_summary(const std::filesystem::path& path) {
   const std::unique_ptr<VdbReader> reader = open_vdb(path);
   return guarded(path, [&] {
@@ -203,16 +205,16 @@ openvdb::GridBase::Ptr read_grid(const std::filesystem::path& path, const std::s
 }
 
 openvdb::FloatGrid::Ptr read_float_grid(const std::filesystem::path& path, const std::string& name) {
-  return openvdb::gridPtrCast<openvdb::FloatGrid>(read_matching(path, name, kGridOfFloats, is_float));
+  return openvdb::gridPtrCast<openvdb::FloatGrid>(read_matching(path, name, kGridOfFloats, has_floats));
 }
 
 openvdb::GridBase::Ptr read_vector_grid(const std::filesystem::path& path, const std::string& name) {
-  return read_matching(path, name, "grid of vectors", is_vector);
+  return read_matching(path, name, "grid of vectors", has_vectors);
 }
 
 openvdb::GridBase::Ptr read_float_or_vector_grid(const std::filesystem::path& path, const std::string& name) {
   return read_matching(path, name, "grid of floats or vectors",
-                       [](const openvdb::GridBase& grid) { return is_float(grid) || is_vector(grid); });
+                       [](const openvdb::GridBase& grid) { return has_floats(grid) || has_vectors(grid); });
 }
 
 VdbFile read_grids(const std::filesystem::path& path) {
@@ -234,7 +236,7 @@ std::size_t find_float_grid(const std::filesystem::path& path, const VdbFile& fi
   std::vector<std::string> others;
   for (std::size_t i = 0; i < file.grids.size(); ++i) {
     const openvdb::GridBase& grid = *file.grids[i];
-    if ((name.empty() || grid.getName() == name) && is_float(grid)) return i;
+    if ((name.empty() || grid.getName() == name) && has_floats(grid)) return i;
     others.push_back(listed(grid.getName(), grid));
   }
   refuse_none(path, kGridOfFloats, name, others);

@@ -30,6 +30,10 @@ struct VdbSummary {
   std::vector<GridSummary> grids;               // in the file's order, at least one
 };
 
+// Whether a grid's values are floats (stored as half or not), or vectors, vec3s or vec3d.
+bool has_floats(const openvdb::GridBase& grid);
+bool has_vectors(const openvdb::GridBase& grid);
+
 // A path of "-" is the standard input. Each function throws std::runtime_error naming the path if the file
 // cannot be read, is no .vdb, is damaged as far as that shows (values have no checksums), has voxels of
 // indices beyond +-2^30, or holds no grids.
