@@ -19,6 +19,7 @@
 #include "solidnoise/field/pointwise_field.h"
 #include "solidnoise/noise/registry/noise_recipe.h"
 #include "support/message_of.h"
+#include "volume/wave_grid.h"
 
 namespace solidnoise {
 namespace {
@@ -116,14 +117,6 @@ double mean_error_of_gradient(const FloatGrid& grid) {
     count += 1.0;
   }
   return sum / count;
-}
-
-bool same_values(const FloatGrid& a, const FloatGrid& b) {
-  if (!a.tree().hasSameTopology(b.tree()) || a.background() != b.background()) return false;
-  for (auto value = a.cbeginValueAll(); value; ++value) {
-    if (b.tree().getValue(value.getCoord()) != *value) return false;
-  }
-  return true;
 }
 
 // Trilinear interpolation errs by up to 1/8 of the sum of second derivatives along the axes, per voxel: that

@@ -1,0 +1,157 @@
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <random>
+#include <stdexcept>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "solidnoise/volume/vdb/vdb_read.h"
+#include "solidnoise/volume/vdb/vdb_write.h"
+#include "support/message_of.h"
+#include "support/temporary_folder.h"
+#include "volume/wave_grid.h"
+
+namespace solidnoise {
+namespace {
+
+TEST(ReadVdb, RefusesVoxelsWhoseDistanceHasNoIndex) {
+  const TemporaryFolder folder;
+  const auto path = folder / "far.vdb";
+  const auto grid = openvdb::FloatGrid::create();
+  for (const int x : {-(1 << 30), 1 << 30}) grid->tree().setValue(openvdb::Coord(x, 0, 0), 1.0f);
+  write_vdb(path, {grid}, {});
+  const auto says = [&](const auto& read) { return message_of<std::runtime_error>(read); };
+  for (const std::string& message : {says([&] { read_float_grid(path); }), says([&] { read_grids(path); }),
+                                     says([&] { read_vdb_summary(path); })}) {
+    EXPECT_TRUE(contains(message, path.string() + ": ")) << message;
+    EXPECT_TRUE(contains(message, "voxels of index -1073741824 to 1073741824")) << message;
+  }
+}
+
+TEST(ReadVdb, NamesFilesThatAreNotGrids) {
+  const TemporaryFolder folder;
+  const auto refused = [&](const std::filesystem::path& path) {
+    return message_of<std::runtime_error>([&] { read_vdb_summary(path); });
+  };
+  EXPECT_TRUE(contains(refused(folder / "none.vdb"), "none.vdb: cannot be read: No such file"));
+  EXPECT_TRUE(contains(refused(folder / ""), "is a folder"));
+  folder.write("empty.vdb", "");
+  EXPECT_TRUE(contains(refused(folder / "empty.vdb"), "empty.vdb: is not a .vdb, or damaged"));
+  folder.write("text.vdb", "just some text, but more than twenty bytes of it");
+  EXPECT_TRUE(contains(refused(folder / "text.vdb"), "text.vdb: is not a .vdb, or damaged"));
+  write_vdb(folder / "zero.vdb", {}, {});
+  EXPECT_TRUE(contains(refused(folder / "zero.vdb"), "zero.vdb: holds no grids"));
+}
+
+// Reading it may succeed, or fail as documented; anything else ends the test program.
+bool reads(const std::filesystem::path& path) {
+  try {
+    read_vdb_summary(path);
+    read_float_grid(path, "density");
+    return true;
+  } catch (const std::runtime_error& error) {
+    EXPECT_TRUE(contains(error.what(), path.filename().string())) << error.what();
+    return false;
+  }
+}
+
+TEST(ReadVdb, RefusesAFileThatIsCutAnywhere) {
+  const TemporaryFolder folder;
+  write_vdb(folder / "whole.vdb", {wave_grid(0.5)}, {.codec = Codec::none});
+  const std::string whole = folder.read("whole.vdb");
+  for (std::size_t length = 0; length < whole.size(); length += 1 + length / 50) {
+    folder.write("cut.vdb", whole.substr(0, length));
+    EXPECT_FALSE(reads(folder / "cut.vdb")) << length << " of " << whole.size();
+  }
+}
+
+TEST(ReadVdb, SurvivesDamagedBytes) {
+  const TemporaryFolder folder;
+  const auto grid = wave_grid(0.3);
+  std::mt19937_64 random(1);
+  for (const Codec codec : {Codec::none, Codec::zip, Codec::blosc}) {
+    grid->setSaveFloatAsHalf(codec == Codec::blosc);
+    grid->setGridClass(openvdb::GRID_UNKNOWN);  // zip is not used on fog volumes
+    write_vdb(folder / "whole.vdb", {grid}, {.codec = codec, .existing = Existing::replace});
+    const std::string whole = folder.read("whole.vdb");
+    int refused = 0;
+    for (int trial = 0; trial < 200; ++trial) {
+      std::string damaged = whole;
+      // The first kilobyte holds metadata; masks, sizes and values follow.
+      const std::size_t byte = random() % std::min<std::size_t>(damaged.size(), trial % 2 == 0 ? 1000 : ~0u);
+      damaged[byte] = trial % 4 < 2 ? static_cast<char>(random()) : static_cast<char>(~damaged[byte]);
+      folder.write("damaged.vdb", damaged);
+      refused += !reads(folder / "damaged.vdb");
+    }
+    EXPECT_GT(refused, 40);  // so that the errors' path was tried
+  }
+}
+
+TEST(ReadVdb, RefusesAChunkOfValuesThatIsLargerThanItsMemory) {
+  const TemporaryFolder folder;
+  const auto grid = openvdb::FloatGrid::create(0.0f);
+  grid->tree().setValueOn(openvdb::Coord(1), 2.0f);
+  write_vdb(folder / "whole.vdb", {grid}, {.codec = Codec::blosc});
+  std::string bytes = folder.read("whole.vdb");
+  // The file ends with the leaf's chunk: its size, then Blosc's header of 16 bytes and the only value.
+  const std::size_t chunk = 16 + sizeof(float);
+  const std::size_t at = bytes.size() - chunk - sizeof(std::int64_t);
+  std::int64_t size = 0;
+  std::memcpy(&size, bytes.data() + at, sizeof(size));
+  ASSERT_EQ(size, static_cast<std::int64_t>(chunk));
+  size = -1000000;  // negative: so many bytes that are not compressed
+  std::memcpy(bytes.data() + at, &size, sizeof(size));
+  folder.write("damaged.vdb", bytes + std::string(1000000, 'x'));
+  const auto refusal = message_of<std::runtime_error>([&] { read_grid(folder / "damaged.vdb"); });
+  EXPECT_TRUE(contains(refusal, "damaged.vdb: is not a .vdb, or damaged: a chunk of values has a wrong size"))
+      << refusal;
+}
+
+TEST(ReadVdb, RefusesAFileOfANewerVersion) {
+  const TemporaryFolder folder;
+  write_vdb(folder / "whole.vdb", {wave_grid(0.3)}, {});
+  std::string bytes = folder.read("whole.vdb");
+  ++bytes[sizeof(std::int64_t)];  // the version follows the magic number
+  folder.write("newer.vdb", bytes);
+  const auto refusal = message_of<std::runtime_error>([&] { read_vdb_summary(folder / "newer.vdb"); });
+  EXPECT_TRUE(contains(refusal, "newer.vdb: is not a .vdb, or damaged: it was written by an OpenVDB newer"))
+      << refusal;
+}
+
+TEST(ReadVdb, ReadsGridsThatShareATree) {
+  const TemporaryFolder folder;
+  const auto density = wave_grid(0.5);
+  const auto shared = density->copy();
+  shared->setName("shared");
+  write_vdb(folder / "two.vdb", {density, shared}, {});
+  EXPECT_TRUE(same_values(*read_float_grid(folder / "two.vdb", "density"), *density));
+  EXPECT_TRUE(same_values(*read_float_grid(folder / "two.vdb", "shared"), *density));
+}
+
+TEST(ReadVdb, ReadsGridsOfEveryUsualType) {
+  const TemporaryFolder folder;
+  const auto roundtrip = [&]<typename GridType>(typename GridType::Ptr grid) {
+    grid->setName("grid");
+    grid->tree().addTile(2, openvdb::Coord(512), grid->background(), true);
+    for (int i = 0; i < 40; ++i) grid->tree().setActiveState(openvdb::Coord(3 * i, i * i, -i), true);
+    for (const Codec codec : {Codec::none, Codec::zip, Codec::blosc}) {
+      write_vdb(folder / "grid.vdb", {grid}, {.codec = codec, .existing = Existing::replace});
+      const auto read = openvdb::gridPtrCast<GridType>(read_grid(folder / "grid.vdb"));
+      ASSERT_NE(read, nullptr) << grid->type();
+      EXPECT_TRUE(read->tree().hasSameTopology(grid->tree())) << grid->type();
+    }
+  };
+  roundtrip.operator()<openvdb::BoolGrid>(openvdb::BoolGrid::create(false));
+  roundtrip.operator()<openvdb::MaskGrid>(openvdb::MaskGrid::create(false));
+  roundtrip.operator()<openvdb::Int32Grid>(openvdb::Int32Grid::create(1));
+  roundtrip.operator()<openvdb::Int64Grid>(openvdb::Int64Grid::create(1));
+  roundtrip.operator()<openvdb::DoubleGrid>(openvdb::DoubleGrid::create(1.0));
+  roundtrip.operator()<openvdb::Vec3IGrid>(openvdb::Vec3IGrid::create(openvdb::Vec3i(1)));
+  roundtrip.operator()<openvdb::Vec3SGrid>(openvdb::Vec3SGrid::create(openvdb::Vec3s(1)));
+  roundtrip.operator()<openvdb::Vec3DGrid>(openvdb::Vec3DGrid::create(openvdb::Vec3d(1)));
+}
+
+}  // namespace
+}  // namespace solidnoise
