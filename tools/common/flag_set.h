@@ -18,7 +18,9 @@ namespace solidnoise {
 // The flags of a command, in groups, and what each does. Parsing and applying are two steps, so that a
 // command can load what the flags then override: parse() checks the command line, apply() runs the actions of
 // the flags that were given, in the order in which they were declared. Where help was asked for apply()
-// gives it instead, with the defaults of what was loaded.
+// gives it instead, with the defaults of what was loaded. Read here, not by CLI11: that takes the file of
+// `--period 2 2 2 cloud.vdb` for a period, a flag for the value that the one before it lacks and `-:GRID` for
+// a flag.
 class FlagSet {
  public:
   FlagSet(std::string command, std::string description);
