@@ -29,7 +29,7 @@ GradientField<Dim>::GradientField(const GradientNoiseOptions& options, const std
   // In units of the radius, 2, a term's s(|d|) (G . d) is t^4 (t - c2/c1) times (2 c1 G) . d.
   const double factor = 2.0 * shape.c1 * shape.amplitude;
   for (int role = 0; role < kGradientRoles; ++role) {
-    const int axis = axis_of_role<Dim>(role);
+    const int axis = axis_of_gradient_role<Dim>(role);
     if (axis < 0) continue;
     for (std::size_t i = 0; i < kGradients; ++i) {
       gradients_[i][role] = static_cast<float>(factor * lattice_.gradients()[i][axis]);

@@ -85,24 +85,25 @@ TileAxis locate(const GradientField<Dim>& field, const Lattice<Dim>& lattice, in
 template <int Dim>
 void place_samples(const GradientField<Dim>& field, const TileSpan<Dim>& span, GradientTile& tile) {
   constexpr int kFastRun = kFastLanes<Dim>;
-  const float* fast = span.axes[axis_of_role<Dim>(kFast)].position.data();
+  const float* fast = span.axes[axis_of_gradient_role<Dim>(kFast)].position.data();
   for (int group = 0; group < 2; ++group) {
     for (int lane = 0; lane < GradientTile::kLanes; ++lane) {
       tile.fast[group][lane] = fast[group * kFastRun + lane % kFastRun];
     }
   }
   if constexpr (Dim >= 2) {
-    std::copy_n(span.axes[axis_of_role<Dim>(kSlow)].position.data(), 2 * GradientTile::kSlow, tile.slow[0]);
+    std::copy_n(span.axes[axis_of_gradient_role<Dim>(kSlow)].position.data(), 2 * GradientTile::kSlow,
+                tile.slow[0]);
   }
   if constexpr (Dim >= 3) {
-    const float* mid = span.axes[axis_of_role<Dim>(kMid)].position.data();
+    const float* mid = span.axes[axis_of_gradient_role<Dim>(kMid)].position.data();
     for (int group = 0; group < 2; ++group) {
       for (int lane = 0; lane < GradientTile::kLanes; ++lane) {
         tile.mid[group][lane] = mid[group * kMidLanes<Dim> + lane / kFastRun];
       }
     }
   }
-  if constexpr (Dim == 4) tile.outer = span.axes[axis_of_role<Dim>(kOuter)].position[0];
+  if constexpr (Dim == 4) tile.outer = span.axes[axis_of_gradient_role<Dim>(kOuter)].position[0];
 
   for (int axis = 0; axis < Dim; ++axis) {
     const int role = gradient_role<Dim>(axis);

@@ -15,7 +15,7 @@ static_assert(kGradientRoles == kRoles);
 
 // The axis that has a role in Dim dimensions, or -1.
 template <int Dim>
-constexpr int axis_of_role(int role) {
+constexpr int axis_of_gradient_role(int role) {
   if (role == kFast) return Dim >= 3 ? 2 : Dim - 1;
   if (role == kMid) return Dim >= 3 ? 1 : -1;
   if (role == kSlow) return Dim >= 2 ? 0 : -1;
@@ -26,7 +26,7 @@ constexpr int axis_of_role(int role) {
 template <int Dim>
 constexpr int gradient_role(int axis) {
   int role = 0;
-  while (axis_of_role<Dim>(role) != axis) ++role;
+  while (axis_of_gradient_role<Dim>(role) != axis) ++role;
   return role;
 }
 
