@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "solidnoise/core/vec.h"
 #include "support/golden.h"
 
 namespace solidnoise {
@@ -45,6 +46,25 @@ struct SmallProblem {
   }
 };
 
+// The spectrum that lags are the transform of, by definition: their mean times cos(2 pi k.t/n) over all lags.
+std::vector<double> spectrum_of(const std::vector<double>& lags, const FrequencyGrid& grid) {
+  const auto [n0, n1, n2] = grid.count;
+  std::vector<double> spectrum(grid.size(), 0.0);
+  for (std::size_t t = 0; t < lags.size(); ++t) {
+    const int t0 = static_cast<int>(t) / (n1 * n2);
+    const double both_signs = t0 == 0 || 2 * t0 == n0 ? 1.0 : 2.0;  // -t is stored too, or not
+    const Vec<3> turns(double(t0) / n0, double(static_cast<int>(t) / n2 % n1) / n1,
+                       double(static_cast<int>(t) % n2) / n2);
+    for (std::size_t i = 0; i < spectrum.size(); ++i) {
+      const int k = static_cast<int>(i);
+      const double turn = k / (n1 * n2) * turns.x + k / n2 % n1 * turns.y + k % n2 * turns.z;
+      spectrum[i] += both_signs * lags[t] * std::cos(2.0 * std::numbers::pi * turn) /
+                     static_cast<double>(spectrum.size());
+    }
+  }
+  return spectrum;
+}
+
 // The golden figures are in double precision; the transforms round at 1e-15 of the largest value.
 TEST(GaussianAtoms, MeetTheGoldenNormAndCorrelation) {
   const SmallProblem problem;
@@ -59,10 +79,10 @@ TEST(GaussianAtoms, MeetTheGoldenNormAndCorrelation) {
   EXPECT_LE(2.0 * problem.atoms.norm_squared(), 1.011 * norm);
 }
 
-TEST(GaussianAtoms, TransformBackAndForth) {
+TEST(GaussianAtoms, TransformASpectrumAsDefined) {
   const SmallProblem problem;
   const std::vector<double> spectrum = problem.spectrum();
-  const std::vector<double> back = problem.atoms.spectrum_of(problem.atoms.lags_of(spectrum));
+  const std::vector<double> back = spectrum_of(problem.atoms.lags_of(spectrum), problem.atoms.grid());
   for (std::size_t i = 0; i < spectrum.size(); ++i) EXPECT_NEAR(back[i], spectrum[i], 1e-13);
 }
 
@@ -97,7 +117,7 @@ TEST(GaussianAtoms, CorrelateIsTheTransposeOfSynthesize) {
         }
         EXPECT_EQ(atoms.sum(one), 1.0);
         atoms.synthesize(one, lags);
-        const std::vector<double> spectrum = atoms.spectrum_of(lags);
+        const std::vector<double> spectrum = spectrum_of(lags, grid);
         std::vector<double> expected(spectrum.size(), 0.0);
         double energy = 0.0;
         for (std::size_t k = 0; k < expected.size(); ++k) {

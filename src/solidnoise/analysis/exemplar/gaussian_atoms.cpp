@@ -238,23 +238,6 @@ std::vector<double> GaussianAtoms::lags_of(std::span<const double> spectrum) con
   return lags;
 }
 
-std::vector<double> GaussianAtoms::spectrum_of(std::span<const double> lags) const {
-  const Counts3& n = grid_.count;
-  const Counts3 stored = half_counts(n, HalfAxis::last);
-  std::vector<double> half(element_count(stored));
-  transform_.to_frequencies(lags, half);
-  std::vector<double> result(grid_.size());
-  for (std::size_t i = 0; i < result.size(); ++i) {
-    Counts3 at = position_of(i, n);
-    if (at[2] >= stored[2]) {
-      for (std::size_t axis = 0; axis < 3; ++axis) at[axis] = mirrored(at[axis], n[axis]);
-    }
-    result[i] = half[to_size(at[0] * n[1] + at[1]) * to_size(stored[2]) + to_size(at[2])] /
-                static_cast<double>(grid_.size());
-  }
-  return result;
-}
-
 double GaussianAtoms::dot(std::span<const double> lags_a, std::span<const double> lags_b) const {
   const std::size_t row_size = to_size(grid_.count[1]) * to_size(grid_.count[2]);
   const std::size_t rows = to_size(grid_.count[0] / 2 + 1);

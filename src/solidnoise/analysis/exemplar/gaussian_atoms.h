@@ -63,9 +63,9 @@ class GaussianAtoms {
   // x = S^T r for the spectrum r with this transform.
   void correlate(std::span<const double> lags, Coefficients& x) const;
 
-  // The transform of a spectrum (all frequencies, last axis fastest, even) and back.
+  // The transform of a spectrum (all frequencies, last axis fastest, even): R(t), of which R(-t) is the same,
+  // with the lags of the first axis from 0 to half of its count.
   std::vector<double> lags_of(std::span<const double> spectrum) const;
-  std::vector<double> spectrum_of(std::span<const double> lags) const;
   // sum over all frequencies of the product of two spectra.
   double dot(std::span<const double> lags_a, std::span<const double> lags_b) const;
 
