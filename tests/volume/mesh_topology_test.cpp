@@ -68,6 +68,10 @@ double volume(const TriangleMesh& mesh) {
   return sum / 6.0;
 }
 
+Topology mesh_topology(const GridFrame& frame, const TriangleMesh& mesh, Progress* progress = nullptr) {
+  return mesh_voxels(frame, mesh, 0.0, progress).topology;
+}
+
 TEST(MeshTopology, OfACubeIsTheTopologyOfTheBox) {
   const GridFrame frame(0.1);
   const Box<3> box{{-1.23, 0.41, 2.27}, {0.88, 1.96, 3.02}};  // no face lies on voxel centres

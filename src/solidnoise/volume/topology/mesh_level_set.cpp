@@ -160,8 +160,4 @@ MeshVoxels mesh_voxels(const GridFrame& frame, const TriangleMesh& mesh, double 
   return voxels;
 }
 
-Topology mesh_topology(const GridFrame& frame, const TriangleMesh& mesh, Progress* progress) {
-  return mesh_voxels(frame, mesh, 0.0, progress).topology;
-}
-
 }  // namespace solidnoise

@@ -20,7 +20,6 @@ struct MeshVoxels {
 };
 MeshVoxels mesh_voxels(const GridFrame& frame, const TriangleMesh& mesh, double outside,
                        Progress* progress = nullptr);
-Topology mesh_topology(const GridFrame& frame, const TriangleMesh& mesh, Progress* progress = nullptr);
 
 // The level set of a closed mesh (OpenVDB's meshToVolume): distances to its surface in world units, negative
 // inside, up to `band` on both sides; beyond, the grid's background is band or -band. Far from the surface
