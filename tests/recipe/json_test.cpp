@@ -89,8 +89,9 @@ TEST(Json, MessagesShowLittleOfALongValueAndNoControlCharacters) {
   std::string umlauts;
   for (int i = 0; i < 100; ++i) umlauts += "\u00fc";
   EXPECT_EQ(shown(umlauts), std::string(1, '"').append(umlauts, 0, 78).append("..."));
-  EXPECT_LT(message_of("{\"a\": " + std::string(5000, 'x') + "}").size(), 250u);
-  EXPECT_LT(message_of("{\"a\": \"" + std::string(5000, 'x')).size(), 250u);
+  const std::string value(5000, 'x');
+  EXPECT_LT(message_of("{\"a\": " + value + "}").size(), 250u);
+  EXPECT_LT(message_of("{\"a\": \"" + value).size(), 250u);
 }
 
 }  // namespace
