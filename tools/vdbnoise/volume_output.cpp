@@ -58,17 +58,6 @@ void warn_of_tiles(const VolumeRecipe& recipe, const Vec<3>& voxel, std::ostream
   }
 }
 
-// The second derivatives of a cheap isotropic kernel have a step at its radius, which differences see.
-void warn_of_divergence(const VolumeRecipe& recipe, std::ostream& stream) {
-  constexpr double kSmoothError = 0.001;
-  const auto* const gabor = std::get_if<GaborNoiseOptions>(&recipe.noise.noise);
-  if (recipe.output.front() != Output::curl || !gabor || gabor->error <= kSmoothError) return;
-  stream << fmt::format(
-      "vdbnoise: warning: with --noise gabor and --error {} finite differences will find some divergence; "
-      "--noise gabor-oriented or --error {} have less\n",
-      gabor->error, kSmoothError);
-}
-
 // Impulses that turn about once in a loop are all opposite to themselves in the middle of it.
 void warn_of_loop(const VolumeRecipe& recipe, std::ostream& stream) {
   constexpr double kLeastCorrelation = -0.25;
@@ -93,7 +82,6 @@ void warn_of_resolution(const VolumeRecipe& recipe, const VolumePlan& plan, std:
   warn_of_aliasing(recipe, plan, stream);
   warn_of_tiles(recipe, plan.frame.voxel_size(), stream);
   for (const VolumeRecipe& single : recipes_of_grids(recipe)) {
-    warn_of_divergence(single, stream);
     warn_of_loop(single, stream);
   }
 }

@@ -10,7 +10,7 @@
 namespace solidnoise {
 
 // Writes a line where the voxels do not suit the noise: they cannot hold its frequencies, or its period is
-// not a whole number of them; or where a velocity has divergence that they can see.
+// not a whole number of them.
 void warn_of_resolution(const VolumeRecipe& recipe, const VolumePlan& plan, std::ostream& stream);
 
 // Refuses names that outputs cannot have: a grid's must end in .vdb or be "-", which may not be a terminal, a

@@ -64,8 +64,9 @@ class Noise : public Field<Dim> {
   void evaluate(const Lattice<Dim>& lattice, const Samples<Dim>& samples) const;
 };
 
-// Covariance of the values at places `displacement` apart, world units: the inverse Fourier transform of the
-// power spectrum. 0 for noises that are not stationary (gradient noise).
+// Covariance of the values at places `displacement` apart, world units, of the noise without truncation: the
+// transform of power_spectrum(), which is that of the compact kernels, is within the noise's error of it. 0
+// for noises that are not stationary (gradient noise).
 template <int Dim>
 double covariance(const Noise<Dim>& noise, const Vec<Dim>& displacement);
 

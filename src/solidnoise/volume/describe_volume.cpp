@@ -78,11 +78,6 @@ Json describe_plans(const std::vector<InterpolationPlan<3>>& plans) {
   return parts;
 }
 
-bool wants_gradient(const VolumeRecipe& recipe) {
-  return std::any_of(recipe.output.begin(), recipe.output.end(),
-                     [](Output output) { return output == Output::gradient || output == Output::curl; });
-}
-
 // Predicted root mean square errors relative to the noise's standard deviation, and to that of its gradient
 // where there is one in the volume. Not of noises without an error.
 void describe_error(const VolumeRecipe& recipe, const Noise<3>& noise, const GridFrame& frame, Json& json) {
@@ -100,7 +95,7 @@ void describe_error(const VolumeRecipe& recipe, const Noise<3>& noise, const Gri
   json["error"]["interpolation"] = std::sqrt(interpolation);
   json["error"]["total"] = std::sqrt(truncation + interpolation);
   json["evaluation"] = describe_plans(plans);
-  if (!wants_gradient(recipe)) return;
+  if (!has_gradient(recipe)) return;
   const auto of_gradient = planner.plan(allowed, Quantity::gradient);
   const Vec<3> power = noise.gradient_variance();
   double error = 0.0;
@@ -125,7 +120,7 @@ Json describe_noise(const VolumeRecipe& recipe, const VolumePlan& plan, double l
   Json json = Json::object();
   json["type"] = noise_type(recipe.noise);
   json["dims"] = recipe.dims;
-  describe_kernel(recipe.noise, recipe.dims, json);
+  describe_kernel(has_gradient(recipe) ? bounding_gradient(recipe.noise) : recipe.noise, recipe.dims, json);
   json["octaves"] = recipe.noise.fractal.octaves;
 
   if (evolves(recipe.noise)) describe_evolution(recipe.noise, json["evolution"]);

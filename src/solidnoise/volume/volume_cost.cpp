@@ -115,9 +115,7 @@ Cost noise_cost(const VolumeRecipe& recipe, const NoiseRecipe& of, const VolumeP
     const Cost cost = cost_at_points(*noise, voxels);
     return {cost.seconds, cost.bytes * threads};
   }
-  const Quantity quantity = contains(recipe, Output::gradient) || contains(recipe, Output::curl)
-                                ? Quantity::gradient
-                                : Quantity::values;
+  const Quantity quantity = has_gradient(recipe) ? Quantity::gradient : Quantity::values;
   const double error = recipe.exact ? 0.0 : ErrorBudget(error_of(of)).interpolation;
   const LatticeFrame<3> lattice = voxel_lattice(single, plan.frame);
   Cost cost = cost_on_lattice(

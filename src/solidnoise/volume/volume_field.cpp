@@ -33,11 +33,12 @@ using NoisePtr = std::shared_ptr<const Noise<3>>;
 // The noise that `make(dimensions, noise recipe)` makes, as it is in the volume: at its time and place.
 template <typename Make>
 std::shared_ptr<const Noise<3>> make_framed(const VolumeRecipe& recipe, const Make& make) {
+  const NoiseRecipe of = has_gradient(recipe) ? bounding_gradient(recipe.noise) : recipe.noise;
   std::shared_ptr<const Noise<3>> noise;
   if (recipe.dims == 3) {
-    noise = make(std::integral_constant<int, 3>(), at_time(recipe.noise, recipe.time));
+    noise = make(std::integral_constant<int, 3>(), at_time(of, recipe.time));
   } else {
-    noise = slice(make(std::integral_constant<int, 4>(), recipe.noise), recipe.time);
+    noise = slice(make(std::integral_constant<int, 4>(), of), recipe.time);
   }
   const Vec<3> by = moved(recipe);
   return by == Vec<3>(0.0) ? noise : move_noise<3>(noise, by);

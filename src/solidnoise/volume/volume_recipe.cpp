@@ -212,6 +212,10 @@ GridRecipe& grid_of(VolumeRecipe& recipe, std::size_t i) {
   return recipe.grids.empty() ? recipe : recipe.grids[i];
 }
 
+bool has_gradient(const VolumeRecipe& recipe) {
+  return contains(recipe.output, Output::gradient) || contains(recipe.output, Output::curl);
+}
+
 std::vector<NoiseRecipe> noises_of(const VolumeRecipe& recipe) {
   std::vector<NoiseRecipe> noises{recipe.noise};
   if (!recipe.layers.empty()) noises = noises_of(recipe.layers, recipe.noise, recipe.fields);

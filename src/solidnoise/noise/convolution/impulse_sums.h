@@ -152,27 +152,17 @@ Derivatives derivatives_of(const Samples<Dim>& samples) {
 void cull_impulses(const ImpulseRun& run, const CullBox& box, ImpulseList& list);
 void cull_impulses(const ImpulseList& impulses, const PointCull& cull, ImpulseList& list);
 
-// A radial function of compact support, w t^2 P(t) with t = 1 - s and s the squared distance in radii; 0 for
-// s >= 1.
+// P of a CompactKernel in single precision: a sum is w t^3 P(v) with t = 1 - s and s the squared distance in
+// radii, 0 for s >= 1.
 struct RadialPolynomial {
-  enum class Form { factored, chebyshev };
-
-  Form form = Form::factored;
-  float leading = 1.0f;      // a factor of P
-  std::vector<float> value;  // coefficients: of a FactoredPolynomial, or in Chebyshev polynomials of 2 t - 1
-  std::vector<float> derivative;  // in Chebyshev polynomials: of dP/dt; else not used
-};
-
-// Up to where a sum takes factored polynomials: the degrees that it is compiled for, and what rounding may
-// add to a kernel, relative RMS.
-struct FactoredLimits {
-  int degree;
-  double rounding;
+  bool power = true;         // P in powers of v, of an even degree; or t P in Chebyshev polynomials of 2 v
+  std::vector<float> value;  // coefficients, from degree 0
+  std::vector<float> derivative;  // in Chebyshev polynomials: of d(t P)/dv; else not used
 };
 
 // Sums of an isotropic kernel. Attribute 0 of the list is the impulse's weight.
 struct RadialSum {
-  static constexpr FactoredLimits kFactored{12, 1e-5};
+  static constexpr int kMostDegree = 12;  // in powers, that the sum is compiled for
 
   std::array<float, kRoles> scale{};  // cells to radii; 0 for roles that the noise does not have
   RadialPolynomial kernel;
@@ -182,11 +172,11 @@ void sum_radial(const RadialSum& sum, const ImpulseList& list, const SampleBrick
 void sum_radial(const RadialSum& sum, const ImpulseList& list, const SampleCluster& cluster,
                 Derivatives derivatives, ClusterSums& sums);
 
-// Sums of oriented kernels: cos(2 pi (w . d + phase)) times one envelope t^2 P(t) per axis, t = 1 - (d /
+// Sums of oriented kernels: cos(2 pi (w . d + phase)) times one envelope t^3 P(v) per axis, t = 1 - (d /
 // H)^2. Attributes of the list: w along x, y and z in cycles per cell, the phase in cycles, w along t.
 struct OrientedSum {
-  static constexpr FactoredLimits kFactored{6, 1e-6};
-  static constexpr int kPhase = 3;  // attributes
+  static constexpr int kMostDegree = 6;  // likewise
+  static constexpr int kPhase = 3;       // attributes
   static constexpr int wave(Role role) { return role == kT ? kPhase + 1 : role; }
 
   std::array<float, kRoles> scale{};  // cells to half-widths H; 0 for roles that the noise does not have

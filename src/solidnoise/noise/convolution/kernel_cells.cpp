@@ -2,13 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <stdexcept>
 #include <vector>
 
 #include <fmt/format.h>
-
-#include "solidnoise/noise/kernel/factored_polynomial.h"
 
 namespace solidnoise {
 namespace {
@@ -23,23 +20,6 @@ std::vector<double> chebyshev_derivative(std::span<const double> coefficients) {
   for (double& value : derivative) value *= 2.0;
   return derivative;
 }
-
-// The factored form of the kernel's polynomial, if it is one that is compiled, and accurate enough.
-std::optional<FactoredPolynomial> factored(const CompactKernel& kernel, const FactoredLimits& limits) {
-  if (kernel.degree() < 1 || kernel.degree() > limits.degree) return std::nullopt;
-  // Of such a leading coefficient nothing is left in single precision: there is no use in its roots.
-  if (std::abs(kernel.chebyshev_coefficients().back()) < 1e-9 * std::abs(kernel.value(0.0)))
-    return std::nullopt;
-  const FactoredPolynomial polynomial(kernel.chebyshev_coefficients());
-  const double rounding = kernel.rounding_error(
-      [&](float t) { return static_cast<float>(polynomial.leading()) * polynomial.monic(t); });
-  const bool accurate = rounding <= std::fmin(limits.rounding, 0.01 * kernel.relative_error());
-  return accurate ? std::optional(polynomial) : std::nullopt;
-}
-
-}  // namespace
-
-namespace {
 
 template <int Dim>
 std::array<CellAxis, Dim> make_cells(double side, double radius, const Vec<4>& period) {
@@ -93,17 +73,17 @@ ImpulseLayout<Dim> make_layout(const StrataChoice& choice, double density, Impul
   return {axes, {count, true}, count / volume_of<Dim>(axes)};
 }
 
-RadialPolynomial to_single_precision(const CompactKernel& kernel, const FactoredLimits& limits) {
+RadialPolynomial to_single_precision(const CompactKernel& kernel, int most_degree) {
+  const auto single = [](std::span<const double> from) {
+    return std::vector<float>(from.begin(), from.end());
+  };
   RadialPolynomial polynomial;
-  if (const auto product = factored(kernel, limits)) {
-    polynomial.form = RadialPolynomial::Form::factored;
-    polynomial.leading = static_cast<float>(product->leading());
-    polynomial.value.assign(product->coefficients().begin(), product->coefficients().end());
+  polynomial.power = kernel.well_conditioned() && kernel.degree() <= most_degree;
+  if (polynomial.power) {
+    polynomial.value = single(kernel.power_coefficients());
+    const int even = std::max(2, (kernel.degree() + 1) / 2 * 2);
+    polynomial.value.resize(static_cast<std::size_t>(even) + 1, 0.0f);
   } else {
-    const auto single = [](std::span<const double> from) {
-      return std::vector<float>(from.begin(), from.end());
-    };
-    polynomial.form = RadialPolynomial::Form::chebyshev;
     polynomial.value = single(kernel.chebyshev_coefficients());
     polynomial.derivative = single(chebyshev_derivative(kernel.chebyshev_coefficients()));
   }

@@ -40,10 +40,9 @@ template <int Dim>
 ImpulseLayout<Dim> make_layout(const StrataChoice& choice, double density, ImpulseSpread spread,
                                double radius, const Vec<4>& period);
 
-// The kernel's polynomial as the vectorised loops take it: factored, which is quickest, within the limits
-// (rounding is measured, and must be below a hundredth of the kernel's own error too; nearly all kernels of
-// the degrees that are compiled are), else as a sum of Chebyshev polynomials.
-RadialPolynomial to_single_precision(const CompactKernel& kernel, const FactoredLimits& limits);
+// The kernel's polynomial as the vectorised loops take it: in powers where these are accurate enough and the
+// loops are compiled for the degree, else by Clenshaw's rule.
+RadialPolynomial to_single_precision(const CompactKernel& kernel, int most_degree);
 
 // Streams of random numbers that a noise derives from its seed.
 enum SeedStream : std::uint64_t { kImpulseStream = 1, kOctaveStream = 1000, kChannelStream = 2000 };

@@ -85,7 +85,7 @@ class OrientedTerms {
 template <class Samples, class SamplesSums>
 HWY_INLINE void SumOriented(const OrientedSum& sum, const ImpulseList& list, const Samples& samples,
                             Derivatives derivatives, SamplesSums& sums) {
-  WithPolynomial<OrientedSum::kFactored.degree>(sum.envelope, [&](const auto& polynomial) {
+  WithPolynomial<OrientedSum::kMostDegree>(sum.envelope, [&](const auto& polynomial) {
     using Polynomial = std::decay_t<decltype(polynomial)>;
     if constexpr (std::is_same_v<Samples, SampleBrick>) {
       derivatives == Derivatives::none

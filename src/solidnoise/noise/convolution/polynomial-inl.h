@@ -6,7 +6,6 @@
 #include <hwy/highway.h>
 
 #include "solidnoise/noise/convolution/impulse_sums.h"
-#include "solidnoise/noise/kernel/factored_polynomial.h"
 
 #if defined(SOLIDNOISE_POLYNOMIAL_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef SOLIDNOISE_POLYNOMIAL_INL
@@ -34,92 +33,56 @@ struct Jet {
   V value, slope;
 };
 
-// A product of factors (see FactoredPolynomial), of a degree known to the compiler: its coefficients stay in
+// A polynomial in powers of v = t - 1/2, of a degree known to the compiler: its coefficients stay in
 // registers. Whether slopes are used or not, values are the same.
 template <int kDegree>
-struct Factored {
+struct Horner {
   template <class D>
   class Bound {
    public:
     using V = hn::Vec<D>;
+    static constexpr int kTaper = 3;  // the power of t that makes a kernel of it
 
     HWY_INLINE Bound(D d, const RadialPolynomial& polynomial) {
-      leading = hn::Set(d, polynomial.leading);
-      for (int k = 0; k < kDegree; ++k) a_[k] = hn::Set(d, polynomial.value[static_cast<std::size_t>(k)]);
+      for (int k = 0; k <= kDegree; ++k) {
+        coefficients_[k] = hn::Set(d, polynomial.value[static_cast<std::size_t>(k)]);
+      }
     }
 
-    HWY_INLINE V value(D d, V x) const { return jet(d, x).value; }
+    HWY_INLINE V value(D d, V t) const { return jet(d, t).value; }
 
-    HWY_INLINE Jet<V> jet(D d, V x) const {
-      constexpr FactoredPolynomial::Shape kShape(kDegree);
-      Jet<V> product;
-      bool first = true;
-      const auto multiply = [&](const Jet<V>& factor) HWY_ATTR {
-        if (!first) {
-          product.slope = hn::MulAdd(product.value, factor.slope, hn::Mul(product.slope, factor.value));
-          product.value = hn::Mul(product.value, factor.value);
-        } else {
-          product = factor;
-        }
-        first = false;
-      };
-      if constexpr (kShape.sextics > 0) multiply(sextic(d, x, a_));
-      if constexpr (kShape.sextics > 1) multiply(sextic(d, x, a_ + 6));
-      static_assert(kShape.sextics <= 2);
-      const V* const rest = a_ + 6 * kShape.sextics;
-      if constexpr (kShape.even == 4) multiply(quartic(d, x, rest));
-      if constexpr (kShape.even == 2) multiply(quadratic(x, rest));
-      if constexpr (kShape.linear == 1) multiply({hn::Add(x, rest[kShape.even]), hn::Set(d, 1.0f)});
-      return product;
+    HWY_INLINE Jet<V> jet(D d, V t) const {
+      const V v = hn::Sub(t, hn::Set(d, 0.5f));
+      Jet<V> sum{hn::MulAdd(coefficients_[kDegree], v, coefficients_[kDegree - 1]), coefficients_[kDegree]};
+      for (int k = kDegree - 2; k >= 0; --k) {
+        sum.slope = hn::MulAdd(sum.slope, v, sum.value);
+        sum.value = hn::MulAdd(sum.value, v, coefficients_[k]);
+      }
+      return sum;
     }
-
-    V leading;
 
    private:
-    static HWY_INLINE Jet<V> quadratic(V x, const V* a) {
-      const V s = hn::Add(x, a[0]);
-      return {hn::MulAdd(s, x, a[1]), hn::Add(s, x)};
-    }
-
-    static HWY_INLINE Jet<V> quartic(D d, V x, const V* a) {
-      const Jet<V> z = quadratic(x, a);
-      const V y = hn::Add(hn::Add(x, a[2]), z.value);
-      const V y_slope = hn::Add(z.slope, hn::Set(d, 1.0f));
-      return {hn::MulAdd(y, z.value, a[3]), hn::MulAdd(y, z.slope, hn::Mul(y_slope, z.value))};
-    }
-
-    static HWY_INLINE Jet<V> sextic(D, V x, const V* a) {
-      const Jet<V> z = quadratic(x, a);
-      const V l = hn::Add(x, a[2]);
-      const Jet<V> w{hn::MulAdd(l, z.value, a[3]), hn::MulAdd(l, z.slope, z.value)};
-      const V y = hn::Add(hn::Add(w.value, a[4]), z.value);
-      const V y_slope = hn::Add(w.slope, z.slope);
-      return {hn::MulAdd(y, w.value, a[5]), hn::MulAdd(y, w.slope, hn::Mul(y_slope, w.value))};
-    }
-
-    V a_[kDegree];
+    V coefficients_[kDegree + 1];
   };
 };
 
-// A sum of Chebyshev polynomials of u = 2 x - 1, by Clenshaw's recurrence: stable for any degree.
+// A sum of Chebyshev polynomials of 2 v, by Clenshaw's recurrence: stable for any degree.
 struct Clenshaw {
   template <class D>
   class Bound {
    public:
     using V = hn::Vec<D>;
+    static constexpr int kTaper = 2;
 
-    HWY_INLINE Bound(D d, const RadialPolynomial& polynomial)
-        : leading(hn::Set(d, polynomial.leading)), polynomial_(polynomial) {}
+    HWY_INLINE Bound(D, const RadialPolynomial& polynomial) : polynomial_(polynomial) {}
 
-    HWY_INLINE V value(D d, V x) const { return sum(d, x, polynomial_.value); }
+    HWY_INLINE V value(D d, V t) const { return sum(d, t, polynomial_.value); }
 
-    HWY_INLINE Jet<V> jet(D d, V x) const { return {value(d, x), sum(d, x, polynomial_.derivative)}; }
-
-    V leading;
+    HWY_INLINE Jet<V> jet(D d, V t) const { return {value(d, t), sum(d, t, polynomial_.derivative)}; }
 
    private:
-    static HWY_INLINE V sum(D d, V x, const std::vector<float>& coefficients) {
-      const V v = hn::Sub(x, hn::Set(d, 0.5f));
+    static HWY_INLINE V sum(D d, V t, const std::vector<float>& coefficients) {
+      const V v = hn::Sub(t, hn::Set(d, 0.5f));
       const V u = hn::Add(v, v);
       const V twice_u = hn::Add(u, u);
       V next = hn::Zero(d);
@@ -136,42 +99,45 @@ struct Clenshaw {
   };
 };
 
-// w t^2 P(t) and, where wanted, its derivative by t, of one vector of samples and one impulse; but for the
-// leading coefficient of P.
+// The kernel w t^3 P(v) and, where wanted, its derivative by t, of one vector of samples and one impulse.
 template <Derivatives kDerivatives, class D, class Polynomial, class V = hn::Vec<D>>
-struct RadialTerm {
-  HWY_INLINE RadialTerm(D d, const Polynomial& polynomial, V t, V weight)
-      : weighted_t(hn::Mul(t, weight)), weighted_t2(hn::Mul(weighted_t, t)) {
+class RadialTerm {
+ public:
+  HWY_INLINE RadialTerm(D d, const Polynomial& polynomial, V t, V weight) : lower_(weight) {
+    for (int k = 1; k < Polynomial::kTaper; ++k) lower_ = hn::Mul(lower_, t);
+    taper_ = hn::Mul(lower_, t);
     if constexpr (kDerivatives == Derivatives::none) {
-      factor = {polynomial.value(d, t), hn::Zero(d)};
+      factor_ = {polynomial.value(d, t), hn::Zero(d)};
     } else {
-      factor = polynomial.jet(d, t);
+      factor_ = polynomial.jet(d, t);
     }
   }
 
-  HWY_INLINE V value() const { return hn::Mul(weighted_t2, factor.value); }
-  HWY_INLINE V add_to(V sum) const { return hn::MulAdd(weighted_t2, factor.value, sum); }
+  HWY_INLINE V value() const { return hn::Mul(taper_, factor_.value); }
+  HWY_INLINE V add_to(V sum) const { return hn::MulAdd(taper_, factor_.value, sum); }
 
   HWY_INLINE V derivative() const {
-    return hn::MulAdd(weighted_t2, factor.slope, hn::Mul(hn::Add(weighted_t, weighted_t), factor.value));
+    const V power = hn::Set(D(), static_cast<float>(Polynomial::kTaper));
+    return hn::MulAdd(taper_, factor_.slope, hn::Mul(hn::Mul(lower_, power), factor_.value));
   }
 
-  V weighted_t;
-  V weighted_t2;
-  Jet<V> factor;
+ private:
+  V lower_;  // w t^(kTaper - 1)
+  V taper_;  // w t^kTaper
+  Jet<V> factor_;
 };
 
-// Calls the evaluator compiled for the polynomial, which is of at most that degree if it is factored.
+// Calls the evaluator compiled for the polynomial, whose degree in powers is even and at most that.
 template <int kHighestDegree, class Call>
 HWY_INLINE void WithPolynomial(const RadialPolynomial& polynomial, Call&& call) {
-  if (polynomial.form == RadialPolynomial::Form::chebyshev) return call(Clenshaw());
+  if (!polynomial.power) return call(Clenshaw());
   const auto with_degree = [&]<int kDegree>(const auto& self) {
     if constexpr (kDegree < kHighestDegree) {
-      if (polynomial.value.size() > kDegree) return self.template operator()<kDegree + 1>(self);
+      if (polynomial.value.size() > kDegree + 1) return self.template operator()<kDegree + 2>(self);
     }
-    call(Factored<kDegree>());
+    call(Horner<kDegree>());
   };
-  with_degree.template operator()<1>(with_degree);
+  with_degree.template operator()<2>(with_degree);
 }
 
 }  // namespace HWY_NAMESPACE

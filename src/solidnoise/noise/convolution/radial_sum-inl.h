@@ -233,11 +233,11 @@ class VectorSum {
   }
 
   // `start`: where the plane of the column is in its brick.
-  HWY_INLINE void store(V leading, const Unit& start, BrickSums& sums) const {
+  HWY_INLINE void store(const Unit& start, BrickSums& sums) const {
     const D d;
-    store_in(hn::Mul(leading, value_), start, sums.value);
+    store_in(value_, start, sums.value);
     if constexpr (kDerivatives == Derivatives::gradient) {
-      const V chain = hn::Mul(hn::Set(d, -2.0f), leading);  // d t / d offset = -2 offset
+      const V chain = hn::Set(d, -2.0f);  // d t / d offset = -2 offset
       store_in(hn::Mul(chain, gx_), start, sums.gradient[kX]);
       store_in(hn::Mul(chain, gy_), start, sums.gradient[kY]);
       store_in(hn::Mul(chain, gz_), start, sums.gradient[kZ]);
@@ -295,11 +295,11 @@ HWY_INLINE void SumUnit(const RadialPolynomial& kernel, const PreparedImpulses& 
         }
       }
     }
-    low0.store(polynomial.leading, unit, sums);
-    low1.store(polynomial.leading, next, sums);
+    low0.store(unit, sums);
+    low1.store(next, sums);
     if constexpr (kTwo) {
-      high0.store(polynomial.leading, unit, sums);
-      high1.store(polynomial.leading, next, sums);
+      high0.store(unit, sums);
+      high1.store(next, sums);
     }
   }
 }
@@ -357,9 +357,9 @@ class RadialTerms {
 
   HWY_INLINE void store(int lane, ClusterSums& sums) const {
     const PointTag d;
-    hn::Store(hn::Mul(polynomial_.leading, value_), d, sums.value + lane);
+    hn::Store(value_, d, sums.value + lane);
     if constexpr (kDerivatives == Derivatives::gradient) {
-      const V chain = hn::Mul(hn::Set(d, -2.0f), polynomial_.leading);  // d t / d offset = -2 offset
+      const V chain = hn::Set(d, -2.0f);  // d t / d offset = -2 offset
       for (int role = 0; role < kRoles; ++role) {
         hn::Store(hn::Mul(chain, gradient_[role]), d, sums.gradient[role] + lane);
       }
@@ -380,7 +380,7 @@ class RadialTerms {
 
 inline void SumRadial(const RadialSum& sum, const ImpulseList& list, const SampleBrick& brick,
                       Derivatives derivatives, BrickSums& sums) {
-  WithPolynomial<RadialSum::kFactored.degree>(sum.kernel, [&](const auto& polynomial) {
+  WithPolynomial<RadialSum::kMostDegree>(sum.kernel, [&](const auto& polynomial) {
     using Polynomial = std::decay_t<decltype(polynomial)>;
     if (derivatives == Derivatives::none) {
       SumRadialBrick<Polynomial, Derivatives::none>(sum, list, brick, sums);
@@ -392,7 +392,7 @@ inline void SumRadial(const RadialSum& sum, const ImpulseList& list, const Sampl
 
 inline void SumRadialScattered(const RadialSum& sum, const ImpulseList& list, const SampleCluster& cluster,
                                Derivatives derivatives, ClusterSums& sums) {
-  WithPolynomial<RadialSum::kFactored.degree>(sum.kernel, [&](const auto& polynomial) {
+  WithPolynomial<RadialSum::kMostDegree>(sum.kernel, [&](const auto& polynomial) {
     using Polynomial = std::decay_t<decltype(polynomial)>;
     if (derivatives == Derivatives::none) {
       SumTerms<RadialTerms<Polynomial, Derivatives::none>>(sum, cluster, list, sums);

@@ -12,6 +12,7 @@
 #include "solidnoise/core/special_functions.h"
 #include "solidnoise/noise/convolution/impulse_sums.h"
 #include "solidnoise/noise/convolution/kernel_cells.h"
+#include "solidnoise/noise/kernel/compact_gradient.h"
 #include "solidnoise/noise/kernel/gabor_parameters.h"
 #include "solidnoise/noise/kernel/impulse_statistics.h"
 #include "solidnoise/noise/kernel/impulse_strata.h"
@@ -49,6 +50,11 @@ class WeightDraw {
   ImpulseWeights weights_;
   std::optional<ImpulseTurns> turns_;
 };
+
+template <int Dim>
+CompactKernel fit(const IsotropicGaborKernel<Dim>& kernel, double error, const GaborNoiseOptions& options) {
+  return options.bounds_gradient ? compact_with_gradient(kernel, error) : compact_kernel(kernel, error);
+}
 
 // An isotropic kernel times a random weight.
 class WeightedKernel final : public ImpulseKernel {
@@ -88,7 +94,7 @@ GaborNoise<Dim>::GaborNoise(const GaborNoiseOptions& options)
     : options_(validated(options)),
       kernel_(IsotropicGaborKernel<Dim>::with_unit_peak(
           options.frequency, gaussian_parameter(options.frequency, options.bandwidth))),
-      compact_(solidnoise::compact_kernel(kernel_, options.error)) {
+      compact_(fit(kernel_, options.error, options)) {
   const WeightMoments at_rest = weight_moments(options.weights);
   const WeightMoments weights = options.evolution.moves() ? turning(at_rest) : at_rest;
   unfiltered_energy_ = compact_.energy();
@@ -115,7 +121,7 @@ GaborNoise<Dim>::GaborNoise(const GaborNoiseOptions& options)
     excess_kurtosis_ = noise_excess_kurtosis(density_, moments, weights);
     kernel =
         std::make_shared<WeightedKernel>(RadialSum{support_scale<Dim>(layout.in_cells(compact_.radius())),
-                                                   to_single_precision(compact_, RadialSum::kFactored)},
+                                                   to_single_precision(compact_, RadialSum::kMostDegree)},
                                          WeightDraw(options.weights, options.evolution));
   }
   convolution_ = std::make_shared<SparseConvolution<Dim>>(
@@ -130,7 +136,7 @@ bool GaborNoise<Dim>::filter_kernel() {
   const FilteredShare share{std::sqrt(filtered.energy() / kernel_.energy()), kernel_.a() / filtered.a()};
   if (share.nothing(options_.error)) return false;
   kernel_ = filtered;
-  compact_ = solidnoise::compact_kernel(filtered, share.error(options_.error));
+  compact_ = fit(filtered, share.error(options_.error), options_);
   return true;
 }
 

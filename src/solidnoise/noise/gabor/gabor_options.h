@@ -10,9 +10,10 @@ namespace solidnoise {
 
 // Parameters of Gabor noise made of isotropic kernels (every impulse the same, up to its weight).
 struct GaborNoiseOptions {
-  double frequency = 8.0;  // principal frequency F0, cycles per world unit; > 0
-  double bandwidth = 1.0;  // width of the band at half amplitude, octaves; 0.05 to 4
-  double error = 0.02;     // relative RMS error against the kernel of infinite support; 1e-4 to 0.5
+  double frequency = 8.0;        // principal frequency F0, cycles per world unit; > 0
+  double bandwidth = 1.0;        // width of the band at half amplitude, octaves; 0.05 to 4
+  double error = 0.02;           // relative RMS error against the kernel of infinite support; 1e-4 to 0.5
+  bool bounds_gradient = false;  // whether the gradient's error is within `error`, too, relative to itself
   double impulses =
       0.0;  // mean impulses under one kernel, N; 0: the fewest that look Gaussian, see the noise
   ImpulseSpread impulses_process = ImpulseSpread::strata;
@@ -30,9 +31,10 @@ struct GaborNoiseOptions {
 
 // Parameters of Gabor noise made of oriented kernels with random phase.
 struct OrientedGaborNoiseOptions {
-  double frequency = 8.0;  // principal frequency F0, cycles per world unit; > 0
-  double bandwidth = 1.0;  // width of the band at half amplitude, octaves; 0.05 to 4
-  double error = 0.02;     // relative RMS error against the kernel of infinite support; 1e-4 to 0.5
+  double frequency = 8.0;        // principal frequency F0, cycles per world unit; > 0
+  double bandwidth = 1.0;        // width of the band at half amplitude, octaves; 0.05 to 4
+  double error = 0.02;           // relative RMS error against the kernel of infinite support; 1e-4 to 0.5
+  bool bounds_gradient = false;  // whether the gradient's error is within `error`, too, relative to itself
   double impulses =
       0.0;  // mean impulses under one kernel, N; 0: the fewest that look Gaussian, see the noise
   ImpulseSpread impulses_process = ImpulseSpread::strata;

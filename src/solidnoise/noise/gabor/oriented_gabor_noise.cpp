@@ -10,6 +10,7 @@
 #include "solidnoise/core/numerics.h"
 #include "solidnoise/core/special_functions.h"
 #include "solidnoise/noise/convolution/kernel_cells.h"
+#include "solidnoise/noise/kernel/compact_gradient.h"
 #include "solidnoise/noise/kernel/gabor_parameters.h"
 #include "solidnoise/noise/kernel/impulse_statistics.h"
 
@@ -25,6 +26,11 @@ DirectionCone<Dim> make_directions(const OrientedGaborNoiseOptions& options) {
     throw std::invalid_argument("direction has no component along the axes of this noise");
   }
   return {axis, options.anisotropy};
+}
+
+template <int Dim>
+CompactKernel fit_envelope(double a, double frequency, double error, bool bounds_gradient) {
+  return bounds_gradient ? compact_with_gradient(a, frequency, Dim, error) : compact_envelope(a, Dim, error);
 }
 
 // Draws the waves of impulses, at the time of an evolution.
@@ -95,7 +101,7 @@ OrientedGaborNoise<Dim>::OrientedGaborNoise(const OrientedGaborNoiseOptions& opt
       kernel_(1.0, gaussian_parameter(options.frequency, options.bandwidth),
               options.frequency * directions_.axis()),
       frequency_(options.frequency),
-      envelope_(compact_envelope(kernel_.a(), Dim, options.error)),
+      envelope_(fit_envelope<Dim>(kernel_.a(), frequency_, options.error, options.bounds_gradient)),
       radius_(kernel_.radius_for_error(options.error)) {
   const KernelMoments moments = wave_moments(envelope_, Dim);
   // Impulses and amplitude are those of the noise before it is filtered, impulses those of unlimited kernels.
@@ -118,7 +124,7 @@ OrientedGaborNoise<Dim>::OrientedGaborNoise(const OrientedGaborNoiseOptions& opt
     excess_kurtosis_ = noise_excess_kurtosis(density_, filtered);
     kernel = std::make_shared<WaveKernel<Dim, WaveDraw<Dim>>>(
         OrientedSum{support_scale<Dim>(layout.in_cells(envelope_.radius())),
-                    to_single_precision(envelope_, OrientedSum::kFactored)},
+                    to_single_precision(envelope_, OrientedSum::kMostDegree)},
         WaveDraw<Dim>(directions_, frequency_, options.evolution, phase_shift), layout.axes);
   }
   convolution_ = std::make_shared<SparseConvolution<Dim>>(
@@ -135,7 +141,8 @@ bool OrientedGaborNoise<Dim>::filter_kernel() {
   if (share.nothing(options_.error)) return false;
   kernel_ = filtered;
   frequency_ = glm::length(filtered.frequency());
-  envelope_ = compact_envelope(filtered.a(), Dim, share.error(options_.error));
+  envelope_ =
+      fit_envelope<Dim>(filtered.a(), frequency_, share.error(options_.error), options_.bounds_gradient);
   radius_ = filtered.radius_for_error(share.error(options_.error));
   return true;
 }

@@ -55,6 +55,14 @@ double variance_of(const SpectrumBand& band) {
   return sum;
 }
 
+double rms_frequency(const SpectrumBand& band) {
+  double sum = 0.0;
+  for (const SpectrumComponent& component : band.components) {
+    sum += component.variance * glm::dot(component.frequency, component.frequency);
+  }
+  return std::sqrt(sum / variance_of(band));
+}
+
 GaborSpectrum of_unit_variance(const GaborSpectrum& spectrum) {
   GaborSpectrum result = spectrum;
   const double variance = spectrum.variance();

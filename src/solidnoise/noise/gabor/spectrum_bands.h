@@ -51,6 +51,8 @@ inline constexpr double kExamplePlaceKurtosis = 1.0 / 160.0;
 ImpulseBudget share_impulses(std::span<const BandShare> bands, double impulses, ImpulseSpread spread);
 
 double variance_of(const SpectrumBand& band);
+// Root mean square of the components' frequencies, by variance; cycles per world unit.
+double rms_frequency(const SpectrumBand& band);
 
 // The spectrum scaled to a variance of 1, without bands that have none.
 GaborSpectrum of_unit_variance(const GaborSpectrum& spectrum);

@@ -18,7 +18,7 @@
 #include "solidnoise/noise/gabor/gabor_entries.h"
 #include "solidnoise/noise/gabor/oriented_gabor_noise.h"
 #include "solidnoise/noise/gabor/spectrum_bands.h"
-#include "solidnoise/noise/kernel/compact_kernel.h"
+#include "solidnoise/noise/kernel/compact_gradient.h"
 #include "solidnoise/noise/kernel/gabor_kernel.h"
 #include "solidnoise/noise/kernel/impulse_statistics.h"
 
@@ -60,7 +60,7 @@ class BandNoise final : public Noise<Dim> {
     const double reach = envelope.radius();
     auto kernel = std::make_shared<WaveKernel<Dim, SpectrumWaveDraw<Dim>>>(
         OrientedSum{support_scale<Dim>(layout.in_cells(reach)),
-                    to_single_precision(envelope, OrientedSum::kFactored)},
+                    to_single_precision(envelope, OrientedSum::kMostDegree)},
         SpectrumWaveDraw<Dim>(spectrum_.bands.front(), spectrum_.isotropic, options.evolution), layout.axes);
     convolution_ = std::make_unique<SparseConvolution<Dim>>(
         ImpulseProcess<Dim>(layout.axes, layout.count, derive_seed(seed, kImpulseStream)), kernel,
@@ -162,7 +162,9 @@ SpectrumNoise<Dim>::SpectrumNoise(const SpectrumNoiseOptions& options) {
   std::vector<CompactKernel> envelopes;
   std::vector<BandShare> shares;
   for (const SpectrumBand& band : spectrum_.bands) {
-    envelopes.push_back(compact_envelope(band.a, Dim, options.error));
+    envelopes.push_back(options.bounds_gradient
+                            ? compact_with_gradient(band.a, rms_frequency(band), Dim, options.error)
+                            : compact_envelope(band.a, Dim, options.error));
     const StrataChoice choice = strata_choice(RandomPhaseGaborKernel<Dim>(1.0, band.a, Vec<Dim>(0.0)));
     shares.push_back({variance_of(band), impulses_in_ball(Dim, 1.0, choice.radius), choice});
   }

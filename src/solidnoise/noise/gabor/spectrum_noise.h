@@ -17,6 +17,7 @@ struct SpectrumNoiseOptions {
   int channel = 0;         // of the model, from 0
   double frequency = 8.0;  // where the model's principal_frequency() comes to lie, cycles per world unit; > 0
   double error = 0.02;     // relative RMS error against kernels of infinite support; 1e-4 to 0.5
+  bool bounds_gradient = false;  // whether the gradient's error is within `error`, too, relative to itself
   double impulses = 0.0;  // mean impulses under the kernels of all bands, N; 0: the fewest that look Gaussian
   ImpulseSpread impulses_process = ImpulseSpread::strata;
   std::uint64_t seed = 0;

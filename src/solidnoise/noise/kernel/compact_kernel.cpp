@@ -34,6 +34,13 @@ std::vector<double> chebyshev_derivative(const std::vector<double>& coefficients
   return slope;
 }
 
+// What is left of a polynomial in powers of v, divided by v + 1/2; it has that factor.
+std::vector<double> divided_by_t(std::vector<double> powers) {
+  for (std::size_t k = powers.size() - 1; k > 0; --k) powers[k - 1] -= 0.5 * powers[k];
+  powers.erase(powers.begin());
+  return powers;
+}
+
 // A Chebyshev series of 2 v, in powers of v.
 std::vector<double> powers_of_half_argument(const std::vector<double>& coefficients) {
   const std::size_t count = coefficients.size();
@@ -64,17 +71,16 @@ CompactKernel::CompactKernel(int dimensions, double radius, std::vector<double> 
       radius_(radius),
       chebyshev_(std::move(chebyshev)),
       slope_(chebyshev_derivative(chebyshev_)),
-      power_(powers_of_half_argument(chebyshev_)),
+      power_(divided_by_t(powers_of_half_argument(chebyshev_))),
       relative_error_(relative_error) {
   // The fourth power is a polynomial in r: a rule of half its degree is exact.
-  shells_ = make_shells(4 * (degree() + 2) + dimensions + 18);
+  shells_ = make_shells(4 * (degree() + kTaper) + dimensions + 18);
   for (std::size_t i = 0; i < shells_.radii.size(); ++i) {
     const double g = value(shells_.radii[i]);
     energy_ += shells_.integrals[i] * g;
     fourth_moment_ += shells_.integrals[i] * g * g * g;
   }
-  const double rounding = horner_rounding_error();
-  well_conditioned_ = rounding <= std::fmin(1e-4, 0.1 * relative_error);
+  well_conditioned_ = horner_rounding() <= std::fmin(3e-5, 0.01 * relative_error);
 }
 
 double CompactKernel::value(double r) const {
@@ -94,8 +100,8 @@ double CompactKernel::derivative(double r) const {
 }
 
 double CompactKernel::gradient_energy() const {
-  // A polynomial in r of degree 4 (d + 2) + n - 3: this rule is exact.
-  const QuadratureRule rule = gauss_legendre(2 * (degree() + 2) + dimensions_);
+  // A polynomial in r of degree 4 (d + 3) + n - 3: this rule is exact.
+  const QuadratureRule rule = gauss_legendre(2 * (degree() + kTaper) + dimensions_);
   double sum = 0.0;
   for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
     const double r = 0.5 * radius_ * (1.0 + rule.nodes[i]);
@@ -105,26 +111,21 @@ double CompactKernel::gradient_energy() const {
   return 0.5 * radius_ * unit_sphere_area(dimensions_) * sum;
 }
 
-double CompactKernel::horner_rounding_error() const {
+// RMS error, relative to the kernel, that Horner's rule in single precision adds.
+double CompactKernel::horner_rounding() const {
   for (const double c : power_) {
     if (std::abs(c) > std::numeric_limits<float>::max()) return std::numeric_limits<double>::infinity();
   }
-  return rounding_error([this](float t) {
-    float polynomial = 0.0f;
-    for (std::size_t k = power_.size(); k > 0; --k) {
-      polynomial = polynomial * (t - 0.5f) + static_cast<float>(power_[k - 1]);
-    }
-    return polynomial;
-  });
-}
-
-double CompactKernel::rounding_error(const std::function<float(float)>& polynomial) const {
   double squared_error = 0.0;
   for (std::size_t i = 0; i < shells_.radii.size(); ++i) {
     const double g = value(shells_.radii[i]);
     if (g == 0.0) continue;
     const auto t = static_cast<float>(1.0 - std::pow(shells_.radii[i] / radius_, 2));
-    squared_error += shells_.integrals[i] / g * std::pow(static_cast<double>(t * t * polynomial(t)) - g, 2);
+    float polynomial = 0.0f;
+    for (std::size_t k = power_.size(); k > 0; --k) {
+      polynomial = std::fma(polynomial, t - 0.5f, static_cast<float>(power_[k - 1]));
+    }
+    squared_error += shells_.integrals[i] / g * std::pow(static_cast<double>(t * t * t * polynomial) - g, 2);
   }
   return std::sqrt(squared_error / energy_);
 }
@@ -143,7 +144,7 @@ CompactKernel::Shells CompactKernel::make_shells(int count) const {
 
 double CompactKernel::spectrum(double f) const {
   // Over the radius the wave is, to all digits, a polynomial of degree pi f R + 30; the kernel is one of
-  // degree 2 (d + 2). The nodes at hand are enough for up to a few times the kernel's own frequencies.
+  // degree 2 (d + 3). The nodes at hand are enough for up to a few times the kernel's own frequencies.
   const auto needed =
       static_cast<std::size_t>(degree() + dimensions_ + 18 + 0.5 * kPi * std::abs(f) * radius_);
   if (needed <= shells_.radii.size()) return transform(shells_, f);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -9,34 +8,37 @@
 namespace solidnoise {
 
 // A radial function of compact support in n dimensions,
-//   g_t(r) = t^2 P(v) for r < R, else 0;   t = 1 - (r/R)^2, v = t - 1/2 in [-1/2, 1/2],
-// with P a polynomial. It is even and smooth in r, and its value and slope vanish at R whatever P is, so that
-// a noise made of it has no seam. Where it stands for a kernel g of unlimited support, P is the best choice
-// in the least-squares sense over space; then the integral of g g_t is that of g_t^2, and
+//   g_t(r) = t^3 P(v) for r < R, else 0;   t = 1 - (r/R)^2, v = t - 1/2 in [-1/2, 1/2],
+// with P a polynomial. It is even and smooth in r, and its value, slope and curvature vanish at R whatever P
+// is, so that a noise made of it has no seam, and neither has its gradient. Where it stands for a kernel g of
+// unlimited support, P is the best choice in the least-squares sense over space; then the integral of g g_t
+// is that of g_t^2, and
 //   integral of (g - g_t)^2 = integral of g^2 - integral of g_t^2.
 // r and R in world units.
 class CompactKernel {
  public:
-  // `chebyshev` are the coefficients of P in Chebyshev polynomials of u = 2 v, from degree 0; at least one.
+  static constexpr int kTaper = 3;  // the power of t
+
+  // `chebyshev` are the coefficients of t P in Chebyshev polynomials of u = 2 v, from degree 0; at least two.
   // `relative_error` is what relative_error() returns.
   CompactKernel(int dimensions, double radius, std::vector<double> chebyshev, double relative_error);
 
   int dimensions() const { return dimensions_; }
   double radius() const { return radius_; }
-  int degree() const { return static_cast<int>(chebyshev_.size()) - 1; }  // of P
+  int degree() const { return static_cast<int>(chebyshev_.size()) - 2; }  // of P
 
   // P in powers of v, from degree 0: for Horner's rule.
   std::span<const double> power_coefficients() const { return power_; }
-  // P in Chebyshev polynomials of u = 2 v, from degree 0: for Clenshaw's rule.
+  // t P in Chebyshev polynomials of u = 2 v, from degree 0: for Clenshaw's rule. (P itself is as large at R
+  // as the kernel is flat, and in narrow bands its middle would be lost beside that. With t^2 in the series
+  // the gradient would not end at exactly 0.)
   std::span<const double> chebyshev_coefficients() const { return chebyshev_; }
 
-  // Whether Horner's rule in single precision adds an RMS error, relative to the kernel, of at most a tenth
-  // of relative_error() and 1e-4; measured at construction. Otherwise use Clenshaw's rule, which in single
-  // precision adds less than 1e-4 for bandwidths from 0.1 octaves and 1e-3 at 0.05 octaves.
+  // Whether Horner's rule in single precision adds an RMS error, relative to the kernel, of at most a
+  // hundredth of relative_error() and 3e-5; measured at construction. Nearly all kernels of half an octave or
+  // more are. Otherwise use Clenshaw's rule, which in single precision adds less than 1e-4 for bandwidths
+  // from 0.1 octaves and 1e-3 at 0.05 octaves.
   bool well_conditioned() const { return well_conditioned_; }
-
-  // RMS error, relative to the kernel, of t^2 polynomial(t) in single precision; `polynomial` evaluates P.
-  double rounding_error(const std::function<float(float)>& polynomial) const;
 
   double value(double r) const;
   double derivative(double r) const;  // d g_t / dr
@@ -58,13 +60,13 @@ class CompactKernel {
     std::vector<double> integrals;
   };
   Shells make_shells(int count) const;
-  double horner_rounding_error() const;
+  double horner_rounding() const;
   double transform(const Shells& shells, double f) const;
 
   int dimensions_;
   double radius_;
   std::vector<double> chebyshev_;
-  std::vector<double> slope_;  // of dP/du, in Chebyshev polynomials of u
+  std::vector<double> slope_;  // d(t P)/du, in Chebyshev polynomials of u
   std::vector<double> power_;
   Shells shells_;
   double energy_ = 0.0;
@@ -74,22 +76,23 @@ class CompactKernel {
 };
 
 // The cheapest compact kernel within a relative RMS error (1e-5 to 0.9; truncation and fit together) of a
-// Gabor kernel: over all degrees d >= 1 and radii R that reach the error, the one of least (d + 4) R^Dim,
-// which is what an impulse costs. The papers cut the kernel off instead; that leaves a step at the radius,
-// and needs a larger radius for the same error as soon as the step is windowed away. Throws
-// std::invalid_argument for an error out of range. Takes about a millisecond for a bandwidth of an octave.
+// Gabor kernel: over all degrees d >= 1 and radii R that reach the error, the one of least (d + 5) R^Dim,
+// which is what an impulse costs (odd d count as the next even one). The papers cut the kernel off instead;
+// that leaves a step at the radius, and needs a larger radius for the same error as soon as the step is
+// windowed away. Throws std::invalid_argument for an error out of range. Takes about a millisecond for a
+// bandwidth of an octave.
 template <int Dim>
 CompactKernel compact_kernel(const IsotropicGaborKernel<Dim>& kernel, double error);
 
 // The same for the one-dimensional Gaussian exp(-pi a^2 d^2), for use as one factor per axis of a separable
 // window in `dimensions` dimensions whose relative RMS error, all axes together, is `error`. The result is a
-// one-dimensional kernel, the cheapest by (d + 12) R^dimensions, for the box counts more than the degree
+// one-dimensional kernel, the cheapest by (d + 13) R^dimensions, for the box counts more than the degree
 // here: an axis' factors are shared by a whole lattice. With e its own relative error, that of the product is
 // sqrt(1 - (1 - e^2)^dimensions).
 CompactKernel compact_envelope(double a, int dimensions, double error);
 
 // The same for the radial Gaussian exp(-pi a^2 r^2) in `dimensions` dimensions; the cheapest by
-// (d + 16) R^dimensions, for it is multiplied by a wave.
+// (d + 17) R^dimensions, for it is multiplied by a wave.
 CompactKernel compact_gaussian(double a, int dimensions, double error);
 
 // The compact kernel of a given radius, of the lowest degree >= 1 within the error. Kernels of similar

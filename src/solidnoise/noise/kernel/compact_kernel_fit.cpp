@@ -29,19 +29,20 @@ struct RadialFunction {
   double frequency;                     // that of its oscillation along r; 0 for none
 };
 
-// What an impulse costs with a compact kernel: (degree + fixed) radius^dimensions.
+// What an impulse costs with a compact kernel: (degree + fixed) radius^dimensions, where sums are compiled
+// for even degrees.
 struct ImpulseCost {
   int fixed;
   int dimensions;
 
   double operator()(int degree, double radius) const {
-    return (degree + fixed) * std::pow(radius, dimensions);
+    return ((degree + 1) / 2 * 2 + fixed) * std::pow(radius, dimensions);
   }
 };
 
-// The functions t^2 q_k(v), k = 0 to some degree, orthonormal over the unit ball of n dimensions, sampled at
-// the nodes of a quadrature in r. Over the ball, t^4 r^(n-1) dr is proportional to (1 - u)^(n/2 - 1) (1 +
-// u)^4 du with u = 2 v: the q_k are Jacobi polynomials of u. Coefficients of a projection on them do not
+// The functions t^3 q_k(v), k = 0 to some degree, orthonormal over the unit ball of n dimensions, sampled at
+// the nodes of a quadrature in r. Over the ball, t^6 r^(n-1) dr is proportional to (1 - u)^(n/2 - 1) (1 +
+// u)^6 du with u = 2 v: the q_k are Jacobi polynomials of u. Coefficients of a projection on them do not
 // depend on how many there are, so that one projection gives the error of every degree.
 class TaperedBasis {
  public:
@@ -57,14 +58,14 @@ class TaperedBasis {
 
  private:
   Eigen::VectorXd nodes_;      // r, in ]0, 1[
-  Eigen::MatrixXd projector_;  // row k: weight t^2 q_k at each node
+  Eigen::MatrixXd projector_;  // row k: weight t^3 q_k at each node
   std::vector<double> alpha_;  // v q_k = beta_(k+1) q_(k+1) + alpha_k q_k + beta_k q_(k-1)
   std::vector<double> beta_;
   double q0_ = 1.0;
 };
 
 TaperedBasis::TaperedBasis(int dimensions, int degree) {
-  // Exact for products of two basis functions (degree 4 (degree + 2) in r), with some to spare for the
+  // Exact for products of two basis functions (degree 4 (degree + 3) in r), with some to spare for the
   // function.
   const int count = 2 * degree + 40;
   const QuadratureRule rule = gauss_legendre(count);
@@ -74,10 +75,11 @@ TaperedBasis::TaperedBasis(int dimensions, int degree) {
                                  nodes_.array().pow(dimensions - 1);
   const Eigen::ArrayXd t = 1.0 - nodes_.array().square();
   const Eigen::ArrayXd v = t - 0.5;
+  const Eigen::ArrayXd tapers = weights * t.pow(CompactKernel::kTaper);
 
   // Recurrence of orthonormal Jacobi polynomials (Gautschi 2004, table 1.1), for u = 2 v.
   const double p = 0.5 * dimensions - 1.0;
-  const double q = 4.0;
+  const double q = 2.0 * CompactKernel::kTaper;
   for (int k = 0; k <= degree + 1; ++k) {
     const double c = 2.0 * k + p + q;
     alpha_.push_back(0.5 * (q * q - p * p) / (c * (c + 2.0)));
@@ -85,11 +87,11 @@ TaperedBasis::TaperedBasis(int dimensions, int degree) {
   }
 
   projector_.resize(degree + 1, count);
-  q0_ = 1.0 / std::sqrt((weights * t.square().square()).sum());
+  q0_ = 1.0 / std::sqrt((tapers * t.pow(CompactKernel::kTaper)).sum());
   Eigen::ArrayXd previous = Eigen::ArrayXd::Zero(count);
   Eigen::ArrayXd current = Eigen::ArrayXd::Constant(count, q0_);
   for (int k = 0; k <= degree; ++k) {
-    projector_.row(k) = (weights * t.square() * current).matrix().transpose();
+    projector_.row(k) = (tapers * current).matrix().transpose();
     const auto i = static_cast<std::size_t>(k);
     const Eigen::ArrayXd next = ((v - alpha_[i]) * current - beta_[i] * previous) / beta_[i + 1];
     previous = current;
@@ -184,18 +186,19 @@ std::optional<Choice> Search::cheapest() {
 CompactKernel assemble(const RadialFunction& function, const TaperedBasis& basis, const Choice& choice) {
   const Eigen::VectorXd coefficients = basis.project(function, choice.radius);
 
-  // From values at Chebyshev points to Chebyshev coefficients.
-  const int count = choice.degree + 1;
+  // From values of t P at Chebyshev points to Chebyshev coefficients.
+  const int count = choice.degree + 2;
   std::vector<double> chebyshev(static_cast<std::size_t>(count), 0.0);
   for (int j = 0; j < count; ++j) {
     const double angle = kPi * (j + 0.5) / count;
-    const double value = basis.polynomial(coefficients, choice.degree, 0.5 * std::cos(angle));
+    const double v = 0.5 * std::cos(angle);
+    const double value = (v + 0.5) * basis.polynomial(coefficients, choice.degree, v);
     for (int k = 0; k < count; ++k) {
       chebyshev[static_cast<std::size_t>(k)] += (k == 0 ? 1.0 : 2.0) / count * value * std::cos(k * angle);
     }
   }
   const double captured =
-      coefficients.head(count).squaredNorm() * std::pow(choice.radius, function.dimensions);
+      coefficients.head(choice.degree + 1).squaredNorm() * std::pow(choice.radius, function.dimensions);
   return CompactKernel(function.dimensions, choice.radius, std::move(chebyshev),
                        std::sqrt(1.0 - captured / function.energy));
 }
@@ -239,7 +242,7 @@ CompactKernel compact_kernel(const IsotropicGaborKernel<Dim>& kernel, double err
   require_in_range("error", error, 1e-5, 0.9, "relative RMS error");
   return best_compact({Dim, [&](double r) { return kernel.value(r); }, kernel.energy(),
                        kernel.radius_for_error(error), kernel.frequency()},
-                      ImpulseCost{4, Dim}, error);
+                      ImpulseCost{5, Dim}, error);
 }
 
 CompactKernel compact_envelope(double a, int dimensions, double error) {
@@ -253,7 +256,7 @@ CompactKernel compact_envelope(double a, int dimensions, double error) {
   };
   const double tail_radius = bisect(excess, 0.0, 4.0 / a);
   return best_compact({1, gaussian, 1.0 / (std::numbers::sqrt2 * a), tail_radius, 0.0},
-                      ImpulseCost{12, dimensions}, own_error);
+                      ImpulseCost{13, dimensions}, own_error);
 }
 
 template <int Dim>
@@ -273,7 +276,7 @@ CompactKernel compact_gaussian(double a, int dimensions, double error) {
   };
   const double energy = std::pow(std::numbers::sqrt2 * a, -dimensions);
   const double tail_radius = bisect(excess, 0.0, 4.0 / a);
-  return best_compact({dimensions, gaussian, energy, tail_radius, 0.0}, ImpulseCost{16, dimensions}, error);
+  return best_compact({dimensions, gaussian, energy, tail_radius, 0.0}, ImpulseCost{17, dimensions}, error);
 }
 
 template CompactKernel compact_kernel(const IsotropicGaborKernel<1>&, double);

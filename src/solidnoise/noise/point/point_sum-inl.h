@@ -27,6 +27,8 @@ using V = PointVector;
 // of the coefficients.
 template <int kDegree>
 struct PointHorner {
+  static constexpr int kTaper = 3;  // the power of t that makes a kernel of it
+
   HWY_INLINE PointHorner(const PointPolynomials& polynomials, int lane)
       : coefficients(polynomials.coefficients + lane) {}
 
@@ -46,6 +48,8 @@ struct PointHorner {
 
 // The same in Chebyshev polynomials of 2 v, by Clenshaw's recurrence.
 struct PointClenshaw {
+  static constexpr int kTaper = 2;
+
   HWY_INLINE PointClenshaw(const PointPolynomials& polynomials, int lane)
       : coefficients(polynomials.coefficients + lane), degree(polynomials.degree) {}
 
@@ -125,7 +129,7 @@ class PointTerms {
     }
     v = hn::Max(hn::NegMulAdd(square, shrink_, hn::Set(d, 0.5f)), hn::Set(d, -0.5f));
     const V t = hn::Add(v, hn::Set(d, 0.5f));
-    factor = hn::Mul(factor, hn::Mul(t, t));
+    for (int k = 0; k < Polynomial::kTaper; ++k) factor = hn::Mul(factor, t);
     if constexpr (kFade) factor = hn::Mul(factor, fade(i));
     if constexpr (kOriented) {
       V cosine, sine;

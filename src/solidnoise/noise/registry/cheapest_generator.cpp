@@ -20,6 +20,7 @@ To convert(const From& from) {
   to.frequency = from.frequency;
   to.bandwidth = from.bandwidth;
   to.error = from.error;
+  to.bounds_gradient = from.bounds_gradient;
   to.impulses = from.impulses;
   to.impulses_process = from.impulses_process;
   to.seed = from.seed;

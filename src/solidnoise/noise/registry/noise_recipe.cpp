@@ -144,6 +144,15 @@ NoiseRecipe filtered(const NoiseRecipe& recipe, double deviation) {
   return result;
 }
 
+NoiseRecipe bounding_gradient(const NoiseRecipe& recipe) {
+  NoiseRecipe result = recipe;
+  const auto bound = [](auto& options) {
+    if constexpr (requires { options.bounds_gradient; }) options.bounds_gradient = true;
+  };
+  std::visit(bound, result.noise);
+  return result;
+}
+
 NoiseRecipe channel_of(const NoiseRecipe& recipe, int channel) {
   NoiseRecipe other = recipe;
   const std::uint64_t stream = kChannelStream + static_cast<std::uint64_t>(channel);

@@ -28,7 +28,7 @@ struct NoiseRecipe {
 std::uint64_t seed_of(const NoiseRecipe& recipe);
 
 // Changes whenever any noise's values do, for the same recipe; stored in every file that is written.
-inline constexpr int kAlgorithmVersion = 6;
+inline constexpr int kAlgorithmVersion = 7;
 
 // The error that a recipe allows against the noise of kernels of infinite support, relative to its standard
 // deviation: the `error` of its options, which ErrorBudget splits; 0 for noises without kernels to truncate.
@@ -56,6 +56,9 @@ NoiseRecipe filtered(const NoiseRecipe& recipe, double deviation);
 // colours; none of the channels is the recipe's own noise. Of a noise by example, channel k has the spectrum
 // of the model's channel k, if it has that many.
 NoiseRecipe channel_of(const NoiseRecipe& recipe, int channel);
+
+// The same noise, its gradient within the recipe's error too (bounds_gradient), where it is made of kernels.
+NoiseRecipe bounding_gradient(const NoiseRecipe& recipe);
 
 // Makes the noise, its kernels within their share of the recipe's error (ErrorBudget), of unit variance
 // unless the recipe's octaves are not renormalised or the noise is filtered (octaves of which the filter
