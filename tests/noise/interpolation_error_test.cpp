@@ -154,7 +154,7 @@ TEST(InterpolationError, LowOctavesLeaveTheBudgetToTheHighOnes) {
   EXPECT_GE(plans.front().axes[0].step, 8);
   // No more than is allowed, for the sake of differences of neighbours here, and most of it.
   const Vec<3> neighbour(radius / 128.0, 0.0, 0.0);
-  const double allowed = 1e-4 * 25.0 * (1.0 - covariance<3>(*noise, neighbour));
+  const double allowed = 1e-4 * 25.0 * (1.0 - noise->covariance(neighbour));
   EXPECT_LT(allowed, 1e-4);
   EXPECT_LE(total, allowed);
   EXPECT_GE(total, 0.25 * allowed);

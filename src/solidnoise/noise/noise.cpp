@@ -78,12 +78,12 @@ void Noise<Dim>::evaluate(const Lattice<Dim>& lattice, const Samples<Dim>& sampl
 }
 
 template <int Dim>
-double covariance(const Noise<Dim>& noise, const Vec<Dim>& displacement) {
-  const auto parts = noise.parts();
-  if (parts.empty()) return noise.waves().covariance(displacement);
+double Noise<Dim>::covariance(const Vec<Dim>& displacement) const {
+  const auto parts = this->parts();
+  if (parts.empty()) return waves().covariance(displacement);
   double sum = 0.0;
-  for (const auto& part : parts) {
-    sum += part.amplitude * part.amplitude * covariance<Dim>(*part.noise, displacement);
+  for (const Part& part : parts) {
+    sum += part.amplitude * part.amplitude * part.noise->covariance(displacement);
   }
   return sum;
 }
@@ -92,9 +92,5 @@ template class Noise<1>;
 template class Noise<2>;
 template class Noise<3>;
 template class Noise<4>;
-template double covariance<1>(const Noise<1>&, const Vec<1>&);
-template double covariance<2>(const Noise<2>&, const Vec<2>&);
-template double covariance<3>(const Noise<3>&, const Vec<3>&);
-template double covariance<4>(const Noise<4>&, const Vec<4>&);
 
 }  // namespace solidnoise

@@ -56,6 +56,7 @@ class MovedNoise final : public Noise<Dim> {
     return parts;
   }
   WaveMixture<Dim> waves() const override { return noise_->waves(); }
+  double covariance(const Vec<Dim>& displacement) const override { return noise_->covariance(displacement); }
 
  private:
   std::shared_ptr<const Noise<Dim>> noise_;
@@ -143,6 +144,10 @@ class SliceNoise final : public Noise<3> {
       slices.push_back({std::make_shared<SliceNoise>(part.noise, t_), part.amplitude});
     }
     return slices;
+  }
+
+  double covariance(const Vec<3>& displacement) const override {
+    return noise_->covariance(Vec<4>(displacement, 0.0));
   }
 
   // At displacements without time, waves differ by their frequencies in space alone.

@@ -179,6 +179,10 @@ class PlaneNoise final : public Noise<2> {
     return parts;
   }
 
+  double covariance(const Vec<2>& displacement) const override {
+    return noise_->covariance(displacement.x * plane_.right + displacement.y * plane_.up);
+  }
+
   // At displacements in the plane, waves differ by their frequencies in it alone. They are mirror images of
   // each other along its axes only if these are those of space.
   WaveMixture<2> waves() const override {

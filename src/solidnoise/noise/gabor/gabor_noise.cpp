@@ -158,6 +158,13 @@ typename Noise<Dim>::Band GaborNoise<Dim>::band() const {
   return radial_band<Dim>(density, kernel_.frequency(), kernel_.a());
 }
 
+// The waves below are for distances of a few of them.
+template <int Dim>
+double GaborNoise<Dim>::covariance(const Vec<Dim>& displacement) const {
+  return variance_ == 0.0 ? 0.0
+                          : variance_ * kernel_.autocorrelation(glm::length(displacement)) / kernel_.energy();
+}
+
 // A quadrature of the radial density of variance, S_n f^(n-1) G(f)^2, and of that of the difference that
 // making the kernel compact makes, of which about half is at frequencies above the band.
 template <int Dim>

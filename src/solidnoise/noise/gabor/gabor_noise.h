@@ -60,6 +60,7 @@ class GaborNoise final : public Noise<Dim> {
   double kurtosis_given_place() const { return kurtosis_given_place_; }
   typename Noise<Dim>::Band band() const override;
   WaveMixture<Dim> waves() const override;
+  double covariance(const Vec<Dim>& displacement) const override;
 
   // The impulses that the noise sums, and the weight of one at the noise's time: for whoever sums them in
   // another way.

@@ -84,6 +84,7 @@ class InterpolatedNoise final : public Noise<Dim> {
   double excess_kurtosis() const override { return noise_.excess_kurtosis(); }
   typename Noise<Dim>::Band band() const override { return noise_.band(); }
   WaveMixture<Dim> waves() const override { return noise_.waves(); }
+  double covariance(const Vec<Dim>& displacement) const override { return noise_.covariance(displacement); }
 
  private:
   std::shared_ptr<const Interpolation<Dim>> interpolation_;
