@@ -22,6 +22,10 @@ namespace solidnoise {
 // second integral, the overlap, falls as the side grows; where the two terms cancel, the side is balanced.
 // Impulses in the cubes of a wave of random phase, g = E(x) cos: kappa_4 is 1 - 2 T of the Poisson process',
 // T the share of the integral of E^4 that (h * E^2)^2 keeps.
+//
+// Weights whose signs, or phases, are balanced in each cube would gain nothing: kappa_4 is of how the power,
+// the sum of squared kernels, differs from place to place, and squares stay what they are; but impulses of one
+// cube would correlate, and change the spectrum.
 
 // Cubes with a number of impulses in each.
 struct Strata {
