@@ -69,8 +69,8 @@ TEST(PlaneNoise, HasTheCovarianceOfThePlane) {
       const auto flat = on_plane(noise, plane);
       for (const Vec<2>& x : {Vec<2>(0.0), Vec<2>(0.3, 0.1), Vec<2>(-0.4, 0.5), Vec<2>(1.1, 0.2)}) {
         const Vec<2> scaled = x / noise->band().upper;
-        EXPECT_NEAR(flat->covariance(scaled),
-                    noise->covariance(scaled.x * plane.right + scaled.y * plane.up), 1e-9);
+        EXPECT_NEAR(flat->covariance(scaled), noise->covariance(scaled.x * plane.right + scaled.y * plane.up),
+                    1e-9);
       }
     }
   }

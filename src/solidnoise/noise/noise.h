@@ -60,9 +60,9 @@ class Noise : public Field<Dim> {
   // The covariance as a mixture of waves, of a noise without parts; without waves if it is not stationary.
   virtual WaveMixture<Dim> waves() const { return {}; }
 
-  // Covariance of the values at places `displacement` apart, world units, of the noise without truncation: the
-  // transform of power_spectrum(), which is that of the compact kernels, is within the noise's error of it. 0
-  // for noises that are not stationary (gradient noise).
+  // Covariance of the values at places `displacement` apart, world units, of the noise without truncation:
+  // the transform of power_spectrum(), which is that of the compact kernels, is within the noise's error of
+  // it. 0 for noises that are not stationary (gradient noise).
   virtual double covariance(const Vec<Dim>& displacement) const;
 
   // Evaluates a lattice of any size, in blocks. Serial: for several threads, make a block per task.

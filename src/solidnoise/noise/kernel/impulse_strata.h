@@ -24,8 +24,8 @@ namespace solidnoise {
 // T the share of the integral of E^4 that (h * E^2)^2 keeps.
 //
 // Weights whose signs, or phases, are balanced in each cube would gain nothing: kappa_4 is of how the power,
-// the sum of squared kernels, differs from place to place, and squares stay what they are; but impulses of one
-// cube would correlate, and change the spectrum.
+// the sum of squared kernels, differs from place to place, and squares stay what they are; but impulses of
+// one cube would correlate, and change the spectrum.
 
 // Cubes with a number of impulses in each.
 struct Strata {
