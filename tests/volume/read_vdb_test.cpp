@@ -109,6 +109,45 @@ TEST(ReadVdb, RefusesAChunkOfValuesThatIsLargerThanItsMemory) {
       << refusal;
 }
 
+// OpenVDB reads as many bytes as the type has, and takes what follows for the next size.
+TEST(ReadVdb, RefusesMetadataThatAreNotOfTheirTypesSize) {
+  const TemporaryFolder folder;
+  const auto grid = wave_grid(0.3);
+  set_metadata(*grid, {{"an integer", std::int64_t{0x7fffffff}}});
+  write_vdb(folder / "whole.vdb", {grid}, {});
+  std::string bytes = read_bytes(folder / "whole.vdb");
+  const std::string type = "an integer" + std::string("\5\0\0\0int64", 9);
+  bytes.replace(bytes.find(type) + type.size() - 5, 5, "int32");
+  write_bytes(folder / "damaged.vdb", bytes);
+  const auto refusal = message_of<std::runtime_error>([&] { read_vdb_summary(folder / "damaged.vdb"); });
+  EXPECT_TRUE(contains(refusal, "damaged: a value of type int32 in its metadata has a wrong size"))
+      << refusal;
+}
+
+// What OpenVDB before version 13 writes for readers that load leaves when they are asked for.
+TEST(ReadVdb, ReadsListsForDelayedLoadingAndRefusesThoseOfWrongSizes) {
+  const TemporaryFolder folder;
+  openvdb::initialize();
+  const auto grid = wave_grid(4.0);  // of so many leaves that their lists are compressed
+  openvdb::io::File(folder / "whole.vdb").write(openvdb::GridCPtrVec{grid});
+  EXPECT_TRUE(same_values(*read_float_grid(folder / "whole.vdb"), *grid));
+  const std::string whole = read_bytes(folder / "whole.vdb");
+  const std::string type = "__delayedload";
+  const std::size_t size = whole.find(type) + type.size();
+  ASSERT_LT(size, whole.size());
+  // Behind the size: how many leaves, how many bytes, and Blosc's header with the number there were.
+  for (const std::size_t field : {1, 2, 4}) {
+    std::string bytes = whole;
+    const std::uint32_t huge = 0x40000000;
+    std::memcpy(bytes.data() + size + field * sizeof huge, &huge, sizeof huge);
+    write_bytes(folder / "damaged.vdb", bytes);
+    const auto refusal = message_of<std::runtime_error>([&] { read_vdb_summary(folder / "damaged.vdb"); });
+    EXPECT_TRUE(
+        contains(refusal, field == 2 ? "ends too early" : "__delayedload in its metadata has a wrong"))
+        << field << ": " << refusal;
+  }
+}
+
 TEST(ReadVdb, RefusesAFileOfANewerVersion) {
   const TemporaryFolder folder;
   write_vdb(folder / "whole.vdb", {wave_grid(0.3)}, {});

@@ -35,7 +35,7 @@ void VdbReader::require_known_version() {
   std::int64_t magic = 0;
   stream_.read(reinterpret_cast<char*>(&magic), sizeof(magic));
   if (magic != openvdb::OPENVDB_MAGIC) throw std::runtime_error("it does not begin like one");
-  const std::uint32_t version = skim_size();
+  const std::uint32_t version = walk().take_size();
   if (version < openvdb::OPENVDB_FILE_VERSION_NODE_MASK_COMPRESSION) {
     throw std::runtime_error("it was written by an OpenVDB too old for this reader");
   }
@@ -50,9 +50,9 @@ void VdbReader::read_entry() {
   Entry entry;
   openvdb::GridBase::Ptr grid = entry.descriptor.read(stream_);
   if (inputHasGridOffsets()) {
-    require_in_file(entry.descriptor.getGridPos());
-    require_in_file(entry.descriptor.getBlockPos());
-    require_in_file(entry.descriptor.getEndPos());
+    walk().require_in_file(entry.descriptor.getGridPos());
+    walk().require_in_file(entry.descriptor.getBlockPos());
+    walk().require_in_file(entry.descriptor.getEndPos());
     // Each grid is read at most once on the way, so that a file cannot lead in circles.
     if (entry.descriptor.getEndPos() < stream_.tellg()) throw std::runtime_error("offsets out of order");
     entry.descriptor.seekToEnd(stream_);
@@ -124,13 +124,13 @@ std::size_t VdbReader::parent_of(std::size_t index) const {
 
 void VdbReader::check_metadata() {
   const auto start = stream_.tellg();
-  skim_metadata();
+  walk().skip_metadata();
   stream_.seekg(start);
 }
 
 void VdbReader::check_descriptor() {
   const auto start = stream_.tellg();
-  for (int i = 0; i < 3; ++i) skim_string();  // name, type, name of the grid whose tree it shares
+  for (int i = 0; i < 3; ++i) walk().skip_string();  // name, type, name of the grid whose tree it shares
   stream_.seekg(start);
 }
 
@@ -154,35 +154,14 @@ void VdbReader::check_grid(const openvdb::io::GridDescriptor& descriptor) {
 }
 
 std::uint32_t VdbReader::skim_grid_header() {
-  const std::uint32_t compression = skim_size();
-  skim_metadata();
-  skim_string();  // the transform's type
+  const std::uint32_t compression = walk().take_size();
+  walk().skip_metadata();
+  walk().skip_string();  // the transform's type
   return compression;
 }
 
-void VdbReader::skim_metadata() {
-  const std::uint32_t count = skim_size();
-  for (std::uint32_t i = 0; i < count; ++i) {
-    skim_string();  // name
-    skim_string();  // type
-    skim_string();  // value: a size and as many bytes, like a string
-  }
-}
-
-void VdbReader::skim_string() {
-  const std::int64_t end = static_cast<std::int64_t>(skim_size()) + stream_.tellg();
-  require_in_file(end);
-  stream_.seekg(end);
-}
-
-std::uint32_t VdbReader::skim_size() {
-  std::uint32_t size = 0;
-  stream_.read(reinterpret_cast<char*>(&size), sizeof(size));
-  return size;
-}
-
-void VdbReader::require_in_file(std::int64_t position) const {
-  if (position < 0 || position > size_) throw std::runtime_error("it ends too early");
+VdbHeaderWalk VdbReader::walk() {
+  return {stream_, size_};
 }
 
 }  // namespace solidnoise

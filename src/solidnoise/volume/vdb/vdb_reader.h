@@ -10,6 +10,7 @@
 #include <openvdb/io/io.h>
 
 #include "solidnoise/volume/vdb/openvdb.h"
+#include "solidnoise/volume/vdb/vdb_header.h"
 
 namespace solidnoise {
 
@@ -54,12 +55,8 @@ class VdbReader final : public openvdb::io::Archive {
   void check_grid_header();
   void check_grid(const openvdb::io::GridDescriptor& descriptor);
 
-  // Each goes past what it checks.
-  std::uint32_t skim_grid_header();  // gives the grid's compression flags
-  void skim_metadata();
-  void skim_string();
-  std::uint32_t skim_size();
-  void require_in_file(std::int64_t position) const;
+  std::uint32_t skim_grid_header();  // goes past it, and gives the grid's compression flags
+  VdbHeaderWalk walk();
 
   std::ifstream stream_;
   std::int64_t size_ = 0;
