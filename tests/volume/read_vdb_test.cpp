@@ -6,6 +6,7 @@
 #include <string>
 
 #include <gtest/gtest.h>
+#include <openvdb/io/File.h>
 
 #include "solidnoise/volume/vdb/vdb_read.h"
 #include "solidnoise/volume/vdb/vdb_write.h"
@@ -115,10 +116,10 @@ TEST(ReadVdb, RefusesMetadataThatAreNotOfTheirTypesSize) {
   const auto grid = wave_grid(0.3);
   set_metadata(*grid, {{"an integer", std::int64_t{0x7fffffff}}});
   write_vdb(folder / "whole.vdb", {grid}, {});
-  std::string bytes = read_bytes(folder / "whole.vdb");
+  std::string bytes = folder.read("whole.vdb");
   const std::string type = "an integer" + std::string("\5\0\0\0int64", 9);
   bytes.replace(bytes.find(type) + type.size() - 5, 5, "int32");
-  write_bytes(folder / "damaged.vdb", bytes);
+  folder.write("damaged.vdb", bytes);
   const auto refusal = message_of<std::runtime_error>([&] { read_vdb_summary(folder / "damaged.vdb"); });
   EXPECT_TRUE(contains(refusal, "damaged: a value of type int32 in its metadata has a wrong size"))
       << refusal;
@@ -131,7 +132,7 @@ TEST(ReadVdb, ReadsListsForDelayedLoadingAndRefusesThoseOfWrongSizes) {
   const auto grid = wave_grid(4.0);  // of so many leaves that their lists are compressed
   openvdb::io::File(folder / "whole.vdb").write(openvdb::GridCPtrVec{grid});
   EXPECT_TRUE(same_values(*read_float_grid(folder / "whole.vdb"), *grid));
-  const std::string whole = read_bytes(folder / "whole.vdb");
+  const std::string whole = folder.read("whole.vdb");
   const std::string type = "__delayedload";
   const std::size_t size = whole.find(type) + type.size();
   ASSERT_LT(size, whole.size());
@@ -140,12 +141,31 @@ TEST(ReadVdb, ReadsListsForDelayedLoadingAndRefusesThoseOfWrongSizes) {
     std::string bytes = whole;
     const std::uint32_t huge = 0x40000000;
     std::memcpy(bytes.data() + size + field * sizeof huge, &huge, sizeof huge);
-    write_bytes(folder / "damaged.vdb", bytes);
+    folder.write("damaged.vdb", bytes);
     const auto refusal = message_of<std::runtime_error>([&] { read_vdb_summary(folder / "damaged.vdb"); });
     EXPECT_TRUE(
         contains(refusal, field == 2 ? "ends too early" : "__delayedload in its metadata has a wrong"))
         << field << ": " << refusal;
   }
+}
+
+TEST(ReadVdb, RefusesARootThatIsNone) {
+  const TemporaryFolder folder;
+  const auto grid = openvdb::FloatGrid::create();
+  for (const int x : {0, 4096}) grid->tree().root().addTile(openvdb::Coord(x, 0, 0), 0.25f, true);
+  write_vdb(folder / "whole.vdb", {grid}, {});
+  EXPECT_EQ(read_float_grid(folder / "whole.vdb")->activeVoxelCount(), 2ull << 36);
+  const std::string whole = folder.read("whole.vdb");
+  // The file ends with the tiles: three coordinates, the value, and a byte that says whether it is active.
+  const auto refusal_with = [&](std::size_t from_end, std::int32_t value) {
+    std::string bytes = whole;
+    std::memcpy(bytes.data() + bytes.size() - from_end, &value, from_end == 1 ? 1 : sizeof value);
+    folder.write("damaged.vdb", bytes);
+    return message_of<std::runtime_error>([&] { read_grid(folder / "damaged.vdb"); });
+  };
+  EXPECT_TRUE(contains(refusal_with(1, 228), "a tile is neither active nor inactive"));
+  EXPECT_TRUE(contains(refusal_with(17, 4097), "a node begins where none can"));
+  EXPECT_TRUE(contains(refusal_with(17, 0), "two nodes have the same place"));
 }
 
 TEST(ReadVdb, RefusesAFileOfANewerVersion) {

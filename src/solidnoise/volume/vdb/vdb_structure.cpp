@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstddef>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <vector>
 
@@ -47,12 +48,15 @@ class TreeWalk {
   void run() {
     if (take<std::int32_t>() != 1) throw std::runtime_error("a tree's header is wrong");
     skip(value_.in_memory);  // background
-    constexpr std::uint64_t kCoordinates = 3 * sizeof(std::int32_t);
     const auto tiles = take<std::uint32_t>();
     const auto children = take<std::uint32_t>();
-    skip(tiles * (kCoordinates + value_.in_memory + 1));
+    for (std::uint32_t tile = 0; tile < tiles; ++tile) {
+      take_place();
+      skip(value_.in_memory);
+      if (take<std::uint8_t>() > 1) throw std::runtime_error("a tile is neither active nor inactive");
+    }
     for (std::uint32_t child = 0; child < children; ++child) {
-      skip(kCoordinates);
+      take_place();
       walk_node(0);
     }
     if (value_.bits_in_leaves) return;
@@ -65,6 +69,17 @@ class TreeWalk {
 
  private:
   using Mask = std::vector<std::uint64_t>;
+  using Place = std::array<std::int32_t, 3>;
+
+  // Of what the root has: where voxels of such a node begin, and nowhere twice.
+  void take_place() {
+    constexpr std::int32_t kSide = 4096;
+    const auto place = take<Place>();
+    for (const std::int32_t index : place) {
+      if (index % kSide != 0) throw std::runtime_error("a node begins where none can");
+    }
+    if (!places_.insert(place).second) throw std::runtime_error("two nodes have the same place");
+  }
 
   void walk_node(int level) {
     const std::uint64_t values = kValuesOfNode[static_cast<std::size_t>(level)];
@@ -108,12 +123,12 @@ class TreeWalk {
     skip(size > 0 ? static_cast<std::uint64_t>(size) : bytes);
   }
 
-  template <typename Number>
-  Number take() {
-    Number number{};
-    stream_.read(reinterpret_cast<char*>(&number), sizeof(number));
+  template <typename Value>
+  Value take() {
+    Value value{};
+    stream_.read(reinterpret_cast<char*>(&value), sizeof(value));
     if (!stream_) throw std::runtime_error("it ends too early");
-    return number;
+    return value;
   }
 
   Mask take_mask(std::uint64_t bits) {
@@ -142,6 +157,7 @@ class TreeWalk {
   const ValueFormat value_;
   const bool half_;
   std::uint64_t leaves_ = 0;
+  std::set<Place> places_;
 };
 
 }  // namespace

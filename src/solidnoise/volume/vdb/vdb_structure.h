@@ -15,9 +15,10 @@ struct VdbTreeFormat {
 
 // Walks over a tree in a .vdb (file versions 222 to 224), from where it begins to its end, and throws
 // std::runtime_error if a chunk of values has not the size that its masks tell, or reaches past the end of
-// the file. OpenVDB reads a chunk of any size that the file names into memory that has the size which the
-// masks tell: a damaged file makes it write where it must not. Refuses grids other than those of bool, mask,
-// int32, int64, float, double, vec3i, vec3s and vec3d, and trees other than OpenVDB's standard one.
+// the file, or if what the root has cannot be there. OpenVDB reads a chunk of any size that the file names
+// into memory that has the size which the masks tell: a damaged file makes it write where it must not.
+// Refuses grids other than those of bool, mask, int32, int64, float, double, vec3i, vec3s and vec3d, and
+// trees other than OpenVDB's standard one.
 void check_vdb_tree(std::istream& stream, std::int64_t file_size, const VdbTreeFormat& format);
 
 }  // namespace solidnoise
