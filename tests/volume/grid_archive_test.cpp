@@ -58,7 +58,7 @@ TEST(GridArchive, WritesWhatOpenvdbDoesButItsSizesForDelayedLoading) {
     std::ofstream stream(ours, std::ios::binary);
     GridArchive archive;
     archive.setCompression(kCompression);
-    archive.write_grids(stream, GridArchive::Offsets::write, {grids, {}, 0});
+    archive.write_grids(stream, GridArchive::Offsets::write, {grids, {}, [] { return 0; }});
   }
 
   const openvdb::GridPtrVec expected = read(theirs);
@@ -96,7 +96,7 @@ TEST(GridArchive, FillsInTheOffsetsOfEachGrid) {
   const std::string path = folder / "ours.vdb";
   {
     std::ofstream stream(path, std::ios::binary);
-    GridArchive().write_grids(stream, GridArchive::Offsets::write, {some_grids(), {}, 0});
+    GridArchive().write_grids(stream, GridArchive::Offsets::write, {some_grids(), {}, [] { return 0; }});
   }
   openvdb::io::File file(path);
   file.open(false);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <ostream>
 
 #include "solidnoise/volume/vdb/openvdb.h"
@@ -7,9 +9,8 @@
 namespace solidnoise {
 
 // The same grid for writing: OpenVDB compresses the values of one leaf after the other, which takes longer
-// than making noise; this one compresses many leaves at once (tbb::global_control sets the threads) and
-// writes them in order, to the same bytes. Shares the tree. Grids of other types than float and vec3s are
-// returned as they are.
+// than making noise; this one compresses many leaves at once (write_leaves()). Shares the tree. Streamed
+// grids, which do so themselves, and grids of other types than float and vec3s are returned as they are.
 openvdb::GridBase::ConstPtr parallel_grid(const openvdb::GridBase::ConstPtr& grid);
 
 // Writes what OpenVDB's own archives do, with three differences: files are the same, byte by byte, where
@@ -23,20 +24,22 @@ class GridArchive final : public openvdb::io::Archive {
  public:
   enum class Offsets { write, none };
 
-  // What is written: `identity` becomes the file's UUID, in place of a random number.
+  // What is written. `identity` gives what becomes the file's UUID, in place of a random number; it is asked
+  // when all is written, or, where the stream cannot seek, before.
   struct Contents {
     openvdb::GridCPtrVec grids;
     openvdb::MetaMap metadata;
-    std::uint64_t identity = 0;
+    std::function<std::uint64_t()> identity;
   };
 
-  // With Offsets::write the stream is to be able to seek. Grids that share a tree share it in the file. The
-  // same contents make the same bytes.
+  // With Offsets::write the stream is to be able to seek, and is at its beginning; streamed grids need it.
+  // Grids that share a tree share it in the file. The same contents make the same bytes.
   void write_grids(std::ostream& stream, Offsets offsets, const Contents& contents) const;
 
  private:
   using Descriptor = openvdb::io::GridDescriptor;
 
+  openvdb::MetaMap metadata_of(std::ostream& stream, const openvdb::GridBase& grid) const;
   void write_grid(std::ostream& stream, Offsets offsets, const openvdb::GridBase& grid,
                   Descriptor& descriptor) const;
 };

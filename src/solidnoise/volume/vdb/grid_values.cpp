@@ -90,6 +90,18 @@ std::array<Moments, 3> measure(const openvdb::Vec3SGrid& grid) {
   return total;
 }
 
+void merge_moments(const openvdb::GridBase& grid, std::vector<Moments>& total) {
+  if (grid.isType<openvdb::FloatGrid>()) {
+    for (const Moments& part : measure_leaves(static_cast<const openvdb::FloatGrid&>(grid))) {
+      total.front().merge(part);
+    }
+    return;
+  }
+  for (const auto& part : measure_leaves(dynamic_cast<const openvdb::Vec3SGrid&>(grid))) {
+    for (std::size_t axis = 0; axis < part.size(); ++axis) total[axis].merge(part[axis]);
+  }
+}
+
 Histogram histogram(const openvdb::FloatGrid& grid, double lower, double upper, int bins) {
   require_finite("the histogram's lower limit", lower);
   require_finite("the histogram's upper limit", upper);

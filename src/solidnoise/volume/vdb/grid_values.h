@@ -19,6 +19,10 @@ std::array<Moments, 3> measure(const openvdb::Vec3STree::LeafNodeType& leaf);
 Moments measure(const openvdb::FloatGrid& grid);
 std::array<Moments, 3> measure(const openvdb::Vec3SGrid& grid);
 
+// Merges those of a grid's leaves into what came before: grids that hold the parts of one in tree order give
+// what measure() does of it. One for each component of a grid of floats or of vectors; without tiles.
+void merge_moments(const openvdb::GridBase& grid, std::vector<Moments>& total);
+
 // Counts in bins of equal width; bin k holds lower + k w <= v < lower + (k + 1) w, the last one `upper` too.
 struct Histogram {
   double lower = 0.0;

@@ -41,19 +41,24 @@ openvdb::MetaMap file_metadata(const VdbWriteOptions& options) {
   return result;
 }
 
+// Of all that is in a file.
+std::uint64_t identity_of(const openvdb::MetaMap& metadata, const openvdb::GridCPtrVec& grids) {
+  std::string all = metadata.str();
+  for (const auto& grid : grids) {
+    all += fmt::format("{}{}{:x}\n", grid->str(), grid->saveFloatAsHalf(), checksum(*grid));
+  }
+  constexpr int kHexadecimal = 16;
+  return std::stoull(digest(all), nullptr, kHexadecimal);
+}
+
 void write_archive(std::ostream& stream, GridArchive::Offsets offsets, const openvdb::GridCPtrVec& grids,
                    const VdbWriteOptions& options) {
   openvdb::initialize();
   GridArchive archive;
   archive.setCompression(compression_flags(options.codec));
-  GridArchive::Contents contents{{}, file_metadata(options), 0};
-  std::string all = contents.metadata.str();
-  for (const auto& grid : grids) {
-    all += fmt::format("{}{}{:x}\n", grid->str(), grid->saveFloatAsHalf(), checksum(*grid));
-    contents.grids.push_back(parallel_grid(grid));
-  }
-  constexpr int kHexadecimal = 16;
-  contents.identity = std::stoull(digest(all), nullptr, kHexadecimal);
+  GridArchive::Contents contents{{}, file_metadata(options), {}};
+  for (const auto& grid : grids) contents.grids.push_back(parallel_grid(grid));
+  contents.identity = [&] { return identity_of(contents.metadata, grids); };
   archive.write_grids(stream, offsets, contents);
   stream.flush();
 }
