@@ -15,6 +15,7 @@
 #include "solidnoise/noise/interpolation/interpolation_plan.h"
 #include "solidnoise/noise/registry/noise_entries.h"
 #include "solidnoise/recipe/noise_recipe_json.h"
+#include "solidnoise/volume/finish_volume.h"
 #include "solidnoise/volume/volume_cost.h"
 #include "solidnoise/volume/volume_field.h"
 #include "solidnoise/volume/volume_recipe_json.h"
@@ -149,13 +150,9 @@ Json describe_outputs(const VolumeRecipe& recipe, const VolumePlan& plan) {
   if (plan.modification) {
     return Json::array({{{"name", plan.modification->grid().getName()}, {"components", 1}}});
   }
-  const std::vector<std::string> names = grid_names(recipe);
   Json json = Json::array();
-  std::size_t i = 0;
-  for (const VolumeRecipe& single : recipes_of_grids(recipe)) {
-    for (const Output output : single.output) {
-      json.push_back({{"name", names[i++]}, {"components", components_of(output)}});
-    }
+  for (const OutputGrid& grid : output_grids(recipe)) {
+    json.push_back({{"name", grid.name}, {"components", components_of(grid.output)}});
   }
   return json;
 }

@@ -36,11 +36,34 @@ Metadata describe(const VolumeRecipe& recipe, const std::vector<Moments>& moment
   };
 }
 
-// Densities below a part of the largest one.
-void drop_dust(double part, openvdb::FloatGrid& grid, Moments& moments) {
-  if (part == 0.0 || moments.count() == 0) return;
+}  // namespace
+
+bool OutputGrid::is_density() const {
+  return !std::holds_alternative<RawShaping>(single.shaping);
+}
+
+std::vector<OutputGrid> output_grids(const VolumeRecipe& recipe) {
+  const std::vector<std::string> names = grid_names(recipe);
+  std::vector<OutputGrid> grids;
+  for (const VolumeRecipe& single : recipes_of_grids(recipe)) {
+    for (const Output output : single.output) grids.push_back({single, output, names[grids.size()]});
+  }
+  return grids;
+}
+
+void name_grid(const OutputGrid& of, const std::string& creator, openvdb::GridBase& grid) {
+  if (of.is_density()) {
+    set_fog_volume(dynamic_cast<openvdb::FloatGrid&>(grid), of.name, creator);
+  } else {
+    grid.setName(of.name);
+    grid.setCreator(creator);
+    set_vector_type(grid, of.output);
+  }
+  grid.setSaveFloatAsHalf(of.single.half);
+}
+
+void drop_below(float least, openvdb::FloatGrid& grid) {
   using Leaf = openvdb::FloatTree::LeafNodeType;
-  const auto least = static_cast<float>(part * moments.max());
   openvdb::tree::LeafManager<openvdb::FloatTree> leaves(grid.tree());
   leaves.foreach ([least](Leaf& leaf, std::size_t) {
     for (auto voxel = leaf.beginValueOn(); voxel; ++voxel) {
@@ -48,10 +71,7 @@ void drop_dust(double part, openvdb::FloatGrid& grid, Moments& moments) {
     }
   });
   openvdb::tools::pruneInactive(grid.tree());
-  moments = measure(grid);
 }
-
-}  // namespace
 
 std::optional<double> density_factor(const DensityScale& density, double peak, double thickest) {
   const double largest = density.peak ? peak : thickest;
@@ -81,27 +101,21 @@ void note_recipe(const VolumeRecipe& recipe, const std::vector<Moments>& moments
 }
 
 void finish_volume(const VolumeRecipe& recipe, const std::string& creator, Volume& volume) {
-  const std::vector<std::string> names = grid_names(recipe);
-  std::size_t i = 0;
-  for (const VolumeRecipe& single : recipes_of_grids(recipe)) {
-    const bool raw = std::holds_alternative<RawShaping>(single.shaping);
-    for (const Output output : single.output) {
-      MeasuredGrid& measured = volume.grids[i];
-      openvdb::GridBase& grid = *measured.grid;
-      if (!raw) {
-        auto& density = dynamic_cast<openvdb::FloatGrid&>(grid);
-        note_density_factor(scale_density(single, density, measured.moments.front()), grid);
-        drop_dust(single.prune, density, measured.moments.front());
-        set_fog_volume(density, names[i], creator);
-      } else {
-        grid.setName(names[i]);
-        grid.setCreator(creator);
-        set_vector_type(grid, output);
+  const std::vector<OutputGrid> outputs = output_grids(recipe);
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    MeasuredGrid& measured = volume.grids[i];
+    const VolumeRecipe& single = outputs[i].single;
+    if (outputs[i].is_density()) {
+      auto& density = dynamic_cast<openvdb::FloatGrid&>(*measured.grid);
+      Moments& moments = measured.moments.front();
+      note_density_factor(scale_density(single, density, moments), density);
+      if (single.prune > 0.0 && moments.count() > 0) {
+        drop_below(static_cast<float>(single.prune * moments.max()), density);
+        moments = measure(density);
       }
-      grid.setSaveFloatAsHalf(single.half);
-      note_recipe(recipe, measured.moments, grid);
-      ++i;
     }
+    name_grid(outputs[i], creator, *measured.grid);
+    note_recipe(recipe, measured.moments, *measured.grid);
   }
 }
 

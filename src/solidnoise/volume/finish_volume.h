@@ -15,12 +15,29 @@ namespace solidnoise {
 // their digests.
 void finish_volume(const VolumeRecipe& recipe, const std::string& creator, Volume& volume);
 
+// One grid of a volume's file.
+struct OutputGrid {
+  VolumeRecipe single;  // the short form that it is of
+  Output output = Output::value;
+  std::string name;
+
+  bool is_density() const;  // else its values are raw
+};
+// In their order.
+std::vector<OutputGrid> output_grids(const VolumeRecipe& recipe);
+
+// What finish_volume() does to the metadata of one of them, but for statistics and the factor of a density.
+void name_grid(const OutputGrid& of, const std::string& creator, openvdb::GridBase& grid);
+
 // What it does to one grid's values: gives the factor, which is the recipe's own where it has one, or 1 for a
 // grid of zeros.
 double scale_density(const VolumeRecipe& recipe, openvdb::FloatGrid& grid, Moments& moments);
 // The factor of a volume whose largest value is `peak` and whose thickest column along the up axis is
 // `thickest`; nothing where they are 0.
 std::optional<double> density_factor(const DensityScale& density, double peak, double thickest);
+
+// Leaves out the voxels of a density that are below a value.
+void drop_below(float least, openvdb::FloatGrid& grid);
 
 // What it does to one grid's metadata beside name and creator.
 void note_recipe(const VolumeRecipe& recipe, const std::vector<Moments>& moments, openvdb::GridBase& grid);

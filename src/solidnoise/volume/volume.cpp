@@ -9,6 +9,14 @@
 
 namespace solidnoise {
 
+void require_storable(const std::filesystem::path& path, const openvdb::GridBase& grid) {
+  try {
+    require_finite_values(grid, fmt::format("{}: not written: grid '{}'", path.string(), grid.getName()));
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(error.what());
+  }
+}
+
 void write_volume(const std::filesystem::path& path, const Volume& volume, const VdbWriteOptions& options) {
   VdbWriteOptions write = options;
   openvdb::GridCPtrVec grids;
@@ -20,13 +28,7 @@ void write_volume(const std::filesystem::path& path, const Volume& volume, const
   } else {
     for (const MeasuredGrid& measured : volume.grids) grids.push_back(measured.grid);
   }
-  try {
-    for (const auto& grid : grids) {
-      require_finite_values(*grid, fmt::format("{}: not written: grid '{}'", path.string(), grid->getName()));
-    }
-  } catch (const std::invalid_argument& error) {
-    throw std::runtime_error(error.what());
-  }
+  for (const auto& grid : grids) require_storable(path, *grid);
   write_vdb(path, grids, write);
 }
 

@@ -20,4 +20,8 @@ struct Volume {
 // does, and std::runtime_error naming the path where a value is not finite as it is stored.
 void write_volume(const std::filesystem::path& path, const Volume& volume, const VdbWriteOptions& options);
 
+// What write_volume() refuses: throws std::runtime_error naming the path where a value of a grid is not
+// finite as it is stored.
+void require_storable(const std::filesystem::path& path, const openvdb::GridBase& grid);
+
 }  // namespace solidnoise

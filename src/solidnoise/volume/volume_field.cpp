@@ -215,13 +215,12 @@ FieldPtr make_grid_field(const VolumeRecipe& recipe, const VolumePlan& plan,
 
 // Which of them each output is.
 std::vector<GridChannels> channels_of(const VolumeRecipe& recipe) {
-  const bool raw = std::holds_alternative<RawShaping>(recipe.shaping);
-  const bool keeps = raw && !recipe.sparse && !recipe.within;
+  const Sparsity sparsity = keeps_all_voxels(recipe) ? Sparsity::keep : Sparsity::drop;
   std::vector<GridChannels> grids;
   for (const Output output : recipe.output) {
     const bool second =
         output == Output::intensity || (output == Output::gradient && recipe.output.size() > 1);
-    grids.push_back({second ? 1 : 0, components_of(output), keeps ? Sparsity::keep : Sparsity::drop});
+    grids.push_back({second ? 1 : 0, components_of(output), sparsity});
   }
   return grids;
 }
@@ -243,6 +242,10 @@ LatticeFrame<3> voxel_lattice(const VolumeRecipe& recipe, const GridFrame& frame
 
 FieldPtr make_varying_volume_noise(const VolumeRecipe& recipe, const VolumePlan& plan) {
   return make_varying_field(recipe.noise, view_of(recipe), plan.parameters->kernel());
+}
+
+bool keeps_all_voxels(const VolumeRecipe& recipe) {
+  return std::holds_alternative<RawShaping>(recipe.shaping) && !recipe.sparse && !recipe.within;
 }
 
 VolumeField make_volume_field(const VolumeRecipe& recipe, const VolumePlan& plan, FieldPtr cover) {

@@ -22,6 +22,10 @@ struct VolumeField {
 };
 VolumeField make_volume_field(const VolumeRecipe& recipe, const VolumePlan& plan, FieldPtr cover = nullptr);
 
+// Whether the voxels of a short form are known before their values: all of its shape. Else those that are 0
+// are left out.
+bool keeps_all_voxels(const VolumeRecipe& recipe);
+
 // The field of a short form whose shaping is RawShaping, without voxels: its noise or its layers, in their
 // range.
 FieldPtr make_raw_field(const VolumeRecipe& recipe);
