@@ -11,6 +11,7 @@
 #include "solidnoise/volume/preview/picture.h"
 #include "solidnoise/volume/slice/slice_field.h"
 #include "solidnoise/volume/slice/slice_image.h"
+#include "solidnoise/volume/stream_volume.h"
 #include "solidnoise/volume/topology/mesh_level_set.h"
 #include "solidnoise/volume/vdb/vdb_read.h"
 #include "solidnoise/volume/vdb/vdb_write.h"

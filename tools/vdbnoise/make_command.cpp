@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -17,6 +18,7 @@
 #include "solidnoise/volume/finish_volume.h"
 #include "solidnoise/volume/make_volume.h"
 #include "solidnoise/volume/preview/picture.h"
+#include "solidnoise/volume/stream_volume.h"
 #include "solidnoise/volume/volume_cost.h"
 #include "solidnoise/volume/volume_recipe_json.h"
 #include "vdbnoise/commands.h"
@@ -59,14 +61,20 @@ void check_outputs(const MakeOptions& options) {
                   options.existing());
 }
 
-// Before work: what it would take against what there is, or is allowed.
-void check_cost(const MakeOptions& options, const VolumeRecipe& recipe, const VolumePlan& plan) {
+Target target_of(const MakeOptions& options) {
+  return options.preview.empty() && options.out != "-" ? Target::file : Target::other;
+}
+
+// Before work: what it would take against what there is, or is allowed. Says how the volume is to be made.
+Making check_cost(const MakeOptions& options, const VolumeRecipe& recipe, const VolumePlan& plan) {
   const int threads = max_threads();
-  const Cost cost = volume_cost(recipe, plan, threads);
+  const auto [making, cost] =
+      plan_making(recipe, plan, threads, static_cast<double>(options.memory_limit()), target_of(options));
   const openvdb::Coord voxels = plan.voxels.dim();
   options.require_cost(fmt::format("{} x {} x {} voxels", voxels.x(), voxels.y(), voxels.z()),
                        {cost.bytes, cost.seconds / threads},
                        plan.modification ? "" : "; make --dim smaller or --voxel larger");
+  return making;
 }
 
 void write_recipe(const MakeOptions& options, const VolumePlan& plan, OutputGroup* group) {
@@ -93,6 +101,58 @@ bool is_made(const MakeOptions& options, const VolumePlan& plan) {
   return true;
 }
 
+VdbWriteOptions write_options(const MakeOptions& options, Progress* progress, OutputGroup* group) {
+  VdbWriteOptions write;
+  write.codec = options.recipe.codec;
+  write.existing = options.skip_existing ? Existing::replace : options.existing();
+  write.creator = kVdbnoise;
+  write.frame = options.frame;
+  if (options.frame) write.fps = options.fps;
+  write.progress = progress;
+  write.group = group;
+  return write;
+}
+
+// Makes a volume, and its files; until these are begun, an interruption ends the process.
+Volume make_in_memory(const MakeOptions& options, const VolumePlan& plan,
+                      std::unique_ptr<EndsAtOnce> ends_at_once) {
+  TaskProgress progress(options.visibility());
+  options.times->begin("noise");
+  progress.begin(options.task_prefix + "noise", [&] { options.times->begin("tree"); });
+  Volume volume = make_volume(options.recipe, plan, kVdbnoise, &progress);
+  std::optional<Image> preview;
+  if (!options.preview.empty()) {
+    options.times->begin("preview");
+    progress.begin(options.task_prefix + "preview");
+    preview = picture(volume, plan, options, &progress);
+  }
+  options.times->begin("writing");
+  progress.begin(options.task_prefix + "writing");
+  ends_at_once.reset();
+  throw_if_cancelled(&progress);
+  OutputGroup outputs;
+  if (preview) write_image(options.preview, *preview, {.existing = options.existing(), .group = &outputs});
+  write_recipe(options, plan, &outputs);
+  if (!options.out.empty()) write_volume(options.out, volume, write_options(options, &progress, &outputs));
+  outputs.appear();
+  return volume;
+}
+
+// The same of a volume that does not fit into memory.
+Volume stream_to_files(const MakeOptions& options, const VolumePlan& plan,
+                       std::unique_ptr<EndsAtOnce> ends_at_once) {
+  TaskProgress progress(options.visibility());
+  options.times->begin("streaming");
+  progress.begin(options.task_prefix + "streaming");
+  ends_at_once.reset();
+  OutputGroup outputs;
+  write_recipe(options, plan, &outputs);
+  Volume volume =
+      stream_volume(options.out, options.recipe, plan, write_options(options, &progress, &outputs));
+  outputs.appear();
+  return volume;
+}
+
 // Makes one volume.
 void make_volume_files(const MakeOptions& options) {
   auto ends_at_once = std::make_unique<EndsAtOnce>();
@@ -100,7 +160,7 @@ void make_volume_files(const MakeOptions& options) {
   const VolumePlan plan = plan_volume(options.recipe, options.part);
   if (options.out.empty() && options.preview.empty()) return write_recipe(options, plan, nullptr);
   if (is_made(options, plan)) return write_recipe(options, plan, nullptr);
-  check_cost(options, options.recipe, plan);
+  const Making making = check_cost(options, options.recipe, plan);
   const auto warn = [&] {
     if (!options.quiet && options.warns) warn_of_resolution(options.recipe, plan, std::cerr);
   };
@@ -108,38 +168,8 @@ void make_volume_files(const MakeOptions& options) {
   const bool is_checked = !plan.parameters;
   if (is_checked) warn();
 
-  Volume volume;
-  {
-    TaskProgress progress(options.visibility());
-    options.times->begin("noise");
-    progress.begin(options.task_prefix + "noise", [&] { options.times->begin("tree"); });
-    volume = make_volume(options.recipe, plan, kVdbnoise, &progress);
-    std::optional<Image> preview;
-    if (!options.preview.empty()) {
-      options.times->begin("preview");
-      progress.begin(options.task_prefix + "preview");
-      preview = picture(volume, plan, options, &progress);
-    }
-    options.times->begin("writing");
-    progress.begin(options.task_prefix + "writing");
-    ends_at_once.reset();
-    throw_if_cancelled(&progress);
-    OutputGroup outputs;
-    if (preview) write_image(options.preview, *preview, {.existing = options.existing(), .group = &outputs});
-    write_recipe(options, plan, &outputs);
-    if (!options.out.empty()) {
-      VdbWriteOptions write;
-      write.codec = options.recipe.codec;
-      write.existing = options.skip_existing ? Existing::replace : options.existing();
-      write.creator = kVdbnoise;
-      write.frame = options.frame;
-      if (options.frame) write.fps = options.fps;
-      write.progress = &progress;
-      write.group = &outputs;
-      write_volume(options.out, volume, write);
-    }
-    outputs.appear();
-  }
+  const Volume volume = making == Making::streamed ? stream_to_files(options, plan, std::move(ends_at_once))
+                                                   : make_in_memory(options, plan, std::move(ends_at_once));
   options.times->begin("end");
   if (!is_checked) warn();
   const bool empty = std::ranges::all_of(
@@ -274,7 +304,8 @@ int run_make(const std::vector<std::string>& arguments) {
     }
     check_sequence(flags, options);
     if (!flags.given("--describe")) return make(options);
-    std::cout << format_json(describe_volume(options.recipe, options.part));
+    std::cout << format_json(describe_volume(
+        options.recipe, {options.part, static_cast<double>(options.memory_limit()), target_of(options)}));
   } catch (const std::invalid_argument& error) {
     throw UsageError(explain(flags, error.what()));
   }

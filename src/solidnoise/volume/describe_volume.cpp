@@ -16,7 +16,6 @@
 #include "solidnoise/noise/registry/noise_entries.h"
 #include "solidnoise/recipe/noise_recipe_json.h"
 #include "solidnoise/volume/finish_volume.h"
-#include "solidnoise/volume/volume_cost.h"
 #include "solidnoise/volume/volume_field.h"
 #include "solidnoise/volume/volume_recipe_json.h"
 
@@ -159,8 +158,8 @@ Json describe_outputs(const VolumeRecipe& recipe, const VolumePlan& plan) {
 
 }  // namespace
 
-Json describe_volume(const VolumeRecipe& recipe, const VolumePart& part) {
-  const VolumePlan plan = plan_volume(recipe, part);
+Json describe_volume(const VolumeRecipe& recipe, const DescribeOptions& options) {
+  const VolumePlan plan = plan_volume(recipe, options.part);
   const Vec<3>& voxel = plan.frame.voxel_size();
   const double largest = std::max({voxel.x, voxel.y, voxel.z});
   Json json = Json::object();
@@ -176,8 +175,11 @@ Json describe_volume(const VolumeRecipe& recipe, const VolumePart& part) {
   }
   json["grid"] = describe_grid(plan);
   const int threads = max_threads();
-  const Cost cost = volume_cost(recipe, plan, threads);
-  json["cost"] = {{"seconds_of_one_core", cost.seconds}, {"threads", threads}, {"memory_bytes", cost.bytes}};
+  const auto [making, cost] = plan_making(recipe, plan, threads, options.memory, options.target);
+  json["cost"] = {{"seconds_of_one_core", cost.seconds},
+                  {"threads", threads},
+                  {"memory_bytes", cost.bytes},
+                  {"streamed", making == Making::streamed}};
   json["grids"] = describe_outputs(recipe, plan);
   json["recipe"] = to_json(recipe);
   return json;

@@ -78,6 +78,7 @@ VolumePlan plan_voxels(const VolumeRecipe& recipe, const VolumePart& part) {
     plan.voxels = plan.grid->evalActiveVoxelBoundingBox();
     plan.box = plan.frame.bounds(plan.voxels);
     plan.memory = estimate_part_memory(estimate_memory(*plan.grid, channels), plan.frame, part);
+    plan.mask_memory = estimate_mask_memory(*plan.grid);
     return plan;
   }
   if (auto* shape = std::get_if<MeshShape>(&plan.shape)) {
@@ -96,6 +97,7 @@ VolumePlan plan_voxels(const VolumeRecipe& recipe, const VolumePart& part) {
   const double size = plan.frame.voxel_size().x;
   plan.voxels.expand(static_cast<int>(std::ceil(0.5 * edge_of(recipe, plan.frame.voxel_size()) / size)));
   plan.memory = estimate_part_memory(estimate_memory(plan.voxels, channels), plan.frame, part);
+  plan.mask_memory = estimate_mask_memory(plan.voxels);
   return plan;
 }
 
@@ -105,13 +107,17 @@ VolumePlan plan_volume(const VolumeRecipe& recipe, const VolumePart& part) {
   recipe.validate();
   part.validate();
   VolumePlan plan = plan_voxels(recipe, part);
+  const auto add_memory = [&](std::uint64_t bytes) {
+    plan.memory += bytes;
+    plan.mask_memory += bytes;
+  };
   for (const VolumePlan::GridBoundary& boundary : plan.boundaries) {
-    if (boundary.distance) plan.memory += boundary.distance->memory();
+    if (boundary.distance) add_memory(boundary.distance->memory());
   }
   if (!recipe.parameters.any()) return plan;
   plan.parameters = std::make_shared<ParameterFields>(recipe.parameters);
   plan.parameters->require_overlap(plan.modification ? world_bounds(plan.modification->grid()) : plan.box);
-  plan.memory += plan.parameters->memory();
+  add_memory(plan.parameters->memory());
   return plan;
 }
 

@@ -29,6 +29,7 @@ struct VolumePlan {
   Box<3> box;                        // that of the recipe, the mesh or the grid
   openvdb::CoordBBox voxels;         // every voxel of the volume is among these
   std::uint64_t memory = 0;          // bytes that making it takes at most
+  std::uint64_t mask_memory = 0;     // of these, what the voxels take without values, and fields
   std::optional<TriangleMesh> mesh;  // of a MeshShape
   openvdb::GridBase::Ptr grid;       // of a GridShape
   std::optional<ModificationPlan> modification;

@@ -10,6 +10,8 @@
 
 #include "solidnoise/noise/error_budget.h"
 #include "solidnoise/noise/interpolation/coarse_samples.h"
+#include "solidnoise/volume/finish_volume.h"
+#include "solidnoise/volume/stream_volume.h"
 #include "solidnoise/volume/volume_field.h"
 
 namespace solidnoise {
@@ -130,13 +132,24 @@ Cost noise_cost(const VolumeRecipe& recipe, const NoiseRecipe& of, const VolumeP
   return cost;
 }
 
+// Masks: the shape's, that of each grid which leaves out voxels of 0, and those of a slab with its values;
+// or, of a small volume, what all of it takes.
+double streamed_bytes(const VolumeRecipe& recipe, const VolumePlan& plan) {
+  constexpr double kSlab = 1.25 * kSlabBytes;
+  const auto grids = output_grids(recipe);
+  const auto sparse =
+      std::ranges::count_if(grids, [](const OutputGrid& grid) { return !keeps_all_voxels(grid.single); });
+  return static_cast<double>(plan.mask_memory) * static_cast<double>(1 + sparse) +
+         std::min(kSlab, kWriting * static_cast<double>(plan.memory));
+}
+
 }  // namespace
 
 int max_threads() {
   return static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
 }
 
-Cost volume_cost(const VolumeRecipe& recipe, const VolumePlan& plan, int threads) {
+Cost volume_cost(const VolumeRecipe& recipe, const VolumePlan& plan, int threads, Making making) {
   Cost cost;
   for (const VolumeRecipe& grid : recipes_of_grids(recipe)) {
     const VolumeRecipe resolved = at_resolution(grid, plan.frame.voxel_size());
@@ -146,8 +159,22 @@ Cost volume_cost(const VolumeRecipe& recipe, const VolumePlan& plan, int threads
       for (int channel = 0; channel < channel_count(grid); ++channel) cost += of_noise;
     }
   }
-  cost.bytes += kProgramBytes + kWriting * static_cast<double>(plan.memory);
+  if (making == Making::streamed) {
+    cost.seconds *= passes_of_stream(recipe);
+    cost.bytes += kProgramBytes + streamed_bytes(recipe, plan);
+  } else {
+    cost.bytes += kProgramBytes + kWriting * static_cast<double>(plan.memory);
+  }
   return cost;
+}
+
+MakingPlan plan_making(const VolumeRecipe& recipe, const VolumePlan& plan, int threads, double memory,
+                       Target target) {
+  const MakingPlan whole{Making::in_memory, volume_cost(recipe, plan, threads)};
+  if (memory == 0.0 || whole.cost.bytes <= memory || target != Target::file || !may_stream(plan))
+    return whole;
+  const MakingPlan streamed{Making::streamed, volume_cost(recipe, plan, threads, Making::streamed)};
+  return streamed.cost.bytes < whole.cost.bytes ? streamed : whole;
 }
 
 }  // namespace solidnoise

@@ -71,11 +71,36 @@ using MaskableGrids = openvdb::TypeList<openvdb::FloatGrid, openvdb::DoubleGrid,
                                         openvdb::Int64Grid, openvdb::BoolGrid, openvdb::MaskGrid,
                                         openvdb::Vec3SGrid, openvdb::Vec3DGrid, openvdb::Vec3IGrid>;
 
-std::uint64_t bytes_for(double leaves, int channels) {
-  const double bytes =
-      leaves * (static_cast<double>(kBytesPerMaskLeaf) + channels * static_cast<double>(kBytesPerLeaf));
+// Leaves are in lists while a mask is made.
+constexpr std::uint64_t kBytesOfLists = 3 * sizeof(void*);
+
+std::uint64_t bytes_for(double leaves, std::uint64_t bytes_per_leaf) {
   constexpr double kLargest = 0x1.0p63;
-  return static_cast<std::uint64_t>(std::min(bytes, kLargest));
+  return static_cast<std::uint64_t>(std::min(leaves * static_cast<double>(bytes_per_leaf), kLargest));
+}
+
+std::uint64_t bytes_of_leaf(int channels) {
+  return kBytesPerMaskLeaf + static_cast<std::uint64_t>(channels) * kBytesPerLeaf;
+}
+
+// Of all that touch the box.
+double count_leaves(const openvdb::CoordBBox& voxels) {
+  if (voxels.empty()) return 0.0;
+  double leaves = 1.0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::int64_t first = voxels.min()[axis] >> kLeafLog2;
+    const std::int64_t last = voxels.max()[axis] >> kLeafLog2;
+    leaves *= static_cast<double>(last - first + 1);
+  }
+  return leaves;
+}
+
+// With those that active tiles would be.
+double count_leaves(const openvdb::GridBase& grid) {
+  const openvdb::TreeBase& tree = grid.baseTree();
+  const std::uint64_t in_tiles = tree.activeVoxelCount() - tree.activeLeafVoxelCount();
+  return static_cast<double>(tree.leafCount()) +
+         static_cast<double>(in_tiles) / static_cast<double>(MaskLeaf::SIZE);
 }
 
 }  // namespace
@@ -155,26 +180,23 @@ Topology grid_topology(const openvdb::GridBase& grid) {
 }
 
 std::uint64_t estimate_memory(const openvdb::CoordBBox& voxels, int channels) {
-  if (voxels.empty()) return 0;
-  double leaves = 1.0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const std::int64_t first = voxels.min()[axis] >> kLeafLog2;
-    const std::int64_t last = voxels.max()[axis] >> kLeafLog2;
-    leaves *= static_cast<double>(last - first + 1);
-  }
-  return bytes_for(leaves, channels);
+  return bytes_for(count_leaves(voxels), bytes_of_leaf(channels));
 }
 
 std::uint64_t estimate_memory(const Topology& topology, int channels) {
-  return bytes_for(static_cast<double>(topology.leaf_count()), channels);
+  return bytes_for(static_cast<double>(topology.leaf_count()), bytes_of_leaf(channels));
 }
 
 std::uint64_t estimate_memory(const openvdb::GridBase& grid, int channels) {
-  const openvdb::TreeBase& tree = grid.baseTree();
-  const std::uint64_t in_tiles = tree.activeVoxelCount() - tree.activeLeafVoxelCount();
-  return bytes_for(static_cast<double>(tree.leafCount()) +
-                       static_cast<double>(in_tiles) / static_cast<double>(MaskLeaf::SIZE),
-                   channels);
+  return bytes_for(count_leaves(grid), bytes_of_leaf(channels));
+}
+
+std::uint64_t estimate_mask_memory(const openvdb::CoordBBox& voxels) {
+  return bytes_for(count_leaves(voxels), kBytesPerMaskLeaf + kBytesOfLists);
+}
+
+std::uint64_t estimate_mask_memory(const openvdb::GridBase& grid) {
+  return bytes_for(count_leaves(grid), kBytesPerMaskLeaf + kBytesOfLists);
 }
 
 }  // namespace solidnoise

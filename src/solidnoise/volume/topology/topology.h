@@ -40,4 +40,8 @@ std::uint64_t estimate_memory(const openvdb::CoordBBox& voxels, int channels = 1
 std::uint64_t estimate_memory(const Topology& topology, int channels = 1);
 std::uint64_t estimate_memory(const openvdb::GridBase& grid, int channels = 1);  // for its active voxels
 
+// Bytes that the same takes at most without any values: of the mask alone, while it is made.
+std::uint64_t estimate_mask_memory(const openvdb::CoordBBox& voxels);
+std::uint64_t estimate_mask_memory(const openvdb::GridBase& grid);
+
 }  // namespace solidnoise
