@@ -48,6 +48,9 @@ INSTANTIATE_TEST_SUITE_P(
         std::vector<std::string>{"--raw", "--dim", "256", "--exact", "--shard", "1/4"},
         std::vector<std::string>{"--raw", "--dims", "4", "--frequency", "4", "--dim", "160"},
         std::vector<std::string>{"--raw", "--noise", "exemplar.json", "--frequency", "8", "--dim", "160"},
+        std::vector<std::string>{"--preset", "cumulus", "--dim", "64", "--preview", "x.png"},
+        std::vector<std::string>{"--preset", "fire", "--dim", "128", "--preview", "x.png"},
+        std::vector<std::string>{"--preset", "marble", "--dim", "128", "--preview", "x.png"},
         std::vector<std::string>{"--on", "values.vdb", "--combine", "add"},
         std::vector<std::string>{"--on", "surface.vdb", "--raw", "--displace", "0.02"},
         std::vector<std::string>{"--preset", "velocity", "--dim", "96", "--boundary", "surface.vdb"}));

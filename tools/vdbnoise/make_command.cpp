@@ -62,7 +62,8 @@ void check_outputs(const MakeOptions& options) {
 }
 
 Target target_of(const MakeOptions& options) {
-  return options.preview.empty() && options.out != "-" ? Target::file : Target::other;
+  if (!options.preview.empty()) return Target::picture;
+  return options.out == "-" ? Target::pipe : Target::file;
 }
 
 // Before work: what it would take against what there is, or is allowed. Says how the volume is to be made.

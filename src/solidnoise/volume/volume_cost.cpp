@@ -25,6 +25,9 @@ constexpr double kSecondsPerCloudVoxel = 150e-9;
 // Voxels from which on blocks are of 64^3, else of 32^3 (fill_grids()).
 constexpr double kManyVoxels = 64.0 * 512.0 * 512.0;
 
+// What reads and writes pictures, and a picture; measured with each look.
+constexpr double kPictureBytes = 104.0 * 0x1p20;
+
 // A program with OpenVDB loaded and its tables of kernels; and, relative to the grids, what compresses them.
 constexpr double kProgramBytes = 54.0 * 0x1p20;
 constexpr double kWriting = 1.08;
@@ -170,7 +173,8 @@ Cost volume_cost(const VolumeRecipe& recipe, const VolumePlan& plan, int threads
 
 MakingPlan plan_making(const VolumeRecipe& recipe, const VolumePlan& plan, int threads, double memory,
                        Target target) {
-  const MakingPlan whole{Making::in_memory, volume_cost(recipe, plan, threads)};
+  MakingPlan whole{Making::in_memory, volume_cost(recipe, plan, threads)};
+  if (target == Target::picture) whole.cost.bytes += kPictureBytes;
   if (memory == 0.0 || whole.cost.bytes <= memory || target != Target::file || !may_stream(plan))
     return whole;
   const MakingPlan streamed{Making::streamed, volume_cost(recipe, plan, threads, Making::streamed)};

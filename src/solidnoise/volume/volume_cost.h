@@ -20,11 +20,15 @@ enum class Making {
 Cost volume_cost(const VolumeRecipe& recipe, const VolumePlan& plan, int threads,
                  Making making = Making::in_memory);
 
-// What becomes of a volume: a file alone, or also a picture, or it goes to where there is no way back.
-enum class Target { file, other };
+// What becomes of a volume.
+enum class Target {
+  file,
+  picture,  // with or without a file
+  pipe,     // a file without a way back
+};
 
 // The way in which a volume is made, and what it costs: in memory, unless that takes more than `memory` bytes
-// (0: any number) and it may be streamed to the target.
+// (0: any number) and it may be streamed to the target. The cost has a picture's memory with it.
 struct MakingPlan {
   Making making = Making::in_memory;
   Cost cost;
