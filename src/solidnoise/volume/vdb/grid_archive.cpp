@@ -67,11 +67,6 @@ std::string unique_name(const openvdb::GridCPtrVec& grids, const std::string& na
   return unique;
 }
 
-template <typename Number>
-void write_number(std::ostream& stream, Number number) {
-  stream.write(reinterpret_cast<const char*>(&number), sizeof number);
-}
-
 // As openvdb::io::Archive::writeHeader, but for the UUID.
 void write_header(std::ostream& stream, bool seekable) {
   write_number(stream, std::int64_t{openvdb::OPENVDB_MAGIC});

@@ -44,4 +44,10 @@ class GridArchive final : public openvdb::io::Archive {
                   Descriptor& descriptor) const;
 };
 
+// As files have numbers: its bytes as they are in memory.
+template <typename Number>
+void write_number(std::ostream& stream, const Number& number) {
+  stream.write(reinterpret_cast<const char*>(&number), sizeof number);
+}
+
 }  // namespace solidnoise

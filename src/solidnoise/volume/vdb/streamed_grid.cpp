@@ -11,6 +11,7 @@
 #include <openvdb/io/io.h>
 
 #include "solidnoise/volume/vdb/checksum.h"
+#include "solidnoise/volume/vdb/grid_archive.h"
 #include "solidnoise/volume/vdb/write_leaves.h"
 
 namespace solidnoise {
@@ -31,11 +32,6 @@ void write_node(std::ostream& stream, const MaskNode& node, bool half) {
                                        node.getValueMask(), node.getChildMask(), half);
     for (auto child = node.cbeginChildOn(); child; ++child) write_node<Value>(stream, *child, half);
   }
-}
-
-template <typename Number>
-void write_number(std::ostream& stream, const Number& number) {
-  stream.write(reinterpret_cast<const char*>(&number), sizeof number);
 }
 
 template <typename Grid>
