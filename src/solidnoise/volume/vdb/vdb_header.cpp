@@ -47,6 +47,7 @@ void VdbHeaderWalk::skip_value() {
 void VdbHeaderWalk::skip_delayed_load(std::uint32_t size) {
   constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
   constexpr std::uint64_t kBloscHeader = 16;
+  constexpr std::uint64_t kPadding = 128;             // bytes that OpenVDB makes of fewer, before Blosc
   constexpr std::uint64_t kLeafInFile = 2 * 512 / 8;  // its masks
   const std::string type = DelayedLoadMetadata::staticTypeName();
   if (size == 0) return;
@@ -62,7 +63,7 @@ void VdbHeaderWalk::skip_delayed_load(std::uint32_t size) {
       take_size();  // versions and flags
       const std::uint32_t plain = take_size();
       take_size();  // of a block
-      if (plain > count * item || take_size() > compressed) refuse_size(type);
+      if (plain > count * item + kPadding || take_size() > compressed) refuse_size(type);
     }
     const std::uint64_t bytes = compressed > 0 ? compressed : count * item;
     stream_.seekg(start + static_cast<std::streamoff>(bytes));
