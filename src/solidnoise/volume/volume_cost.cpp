@@ -113,7 +113,7 @@ double interpolation_bytes(const InterpolationPlan<3>& plan, const WaveMixture<3
 
 Cost noise_cost(const VolumeRecipe& recipe, const NoiseRecipe& of, const VolumePlan& plan, int threads) {
   VolumeRecipe single = recipe;
-  single.noise = of;
+  single.noise = noise_of_output(recipe, of);
   const auto noise = make_volume_noise(single);
   const double voxels = voxels_of(plan);
   if (at_points(recipe, plan)) {

@@ -33,12 +33,11 @@ using NoisePtr = std::shared_ptr<const Noise<3>>;
 // The noise that `make(dimensions, noise recipe)` makes, as it is in the volume: at its time and place.
 template <typename Make>
 std::shared_ptr<const Noise<3>> make_framed(const VolumeRecipe& recipe, const Make& make) {
-  const NoiseRecipe of = has_gradient(recipe) ? bounding_gradient(recipe.noise) : recipe.noise;
   std::shared_ptr<const Noise<3>> noise;
   if (recipe.dims == 3) {
-    noise = make(std::integral_constant<int, 3>(), at_time(of, recipe.time));
+    noise = make(std::integral_constant<int, 3>(), at_time(recipe.noise, recipe.time));
   } else {
-    noise = slice(make(std::integral_constant<int, 4>(), of), recipe.time);
+    noise = slice(make(std::integral_constant<int, 4>(), recipe.noise), recipe.time);
   }
   const Vec<3> by = moved(recipe);
   return by == Vec<3>(0.0) ? noise : move_noise<3>(noise, by);
@@ -65,7 +64,7 @@ NoisePtr make_noise_of(VolumeRecipe recipe, const NoiseRecipe& noise) {
 
 // The noise in the place of the recipe's, on the plan's voxels.
 NoisePtr make_voxel_noise(const VolumeRecipe& recipe, const VolumePlan& plan, const NoiseRecipe& noise) {
-  return on_voxels(recipe, make_noise_of(recipe, noise), plan.frame);
+  return on_voxels(recipe, make_noise_of(recipe, noise_of_output(recipe, noise)), plan.frame);
 }
 
 // Layers of a recipe as they are on the plan's voxels. Named fields are made once.
@@ -177,7 +176,8 @@ FieldPtr make_velocity(const VolumeRecipe& recipe, const VolumePlan& plan,
         make_voxel_noise(recipe, plan, channel_of(recipe.noise, c));
   }
   options.speed = recipe.speed;
-  options.mean_square = curl_mean_square(*make_noise_of(recipe, unfiltered(recipe.noise)));
+  options.mean_square =
+      curl_mean_square(*make_noise_of(recipe, noise_of_output(recipe, unfiltered(recipe.noise))));
   options.drift = recipe.drift;
   options.boundary = std::move(boundary);
   return make_curl_field(options);

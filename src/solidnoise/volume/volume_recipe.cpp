@@ -216,6 +216,10 @@ bool has_gradient(const VolumeRecipe& recipe) {
   return contains(recipe.output, Output::gradient) || contains(recipe.output, Output::curl);
 }
 
+NoiseRecipe noise_of_output(const VolumeRecipe& recipe, const NoiseRecipe& noise) {
+  return has_gradient(recipe) ? bounding_gradient(noise) : noise;
+}
+
 std::vector<NoiseRecipe> noises_of(const VolumeRecipe& recipe) {
   std::vector<NoiseRecipe> noises{recipe.noise};
   if (!recipe.layers.empty()) noises = noises_of(recipe.layers, recipe.noise, recipe.fields);

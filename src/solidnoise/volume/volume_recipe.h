@@ -141,8 +141,10 @@ GridRecipe& grid_of(VolumeRecipe& recipe, std::size_t i);
 // All noises that a short form is made of, as they are made: its own, or those of its layers and of `within`.
 std::vector<NoiseRecipe> noises_of(const VolumeRecipe& recipe);
 
-// Whether a short form has an output that is made from the noise's gradient.
+// Whether a short form has an output that is made from the noise's gradient, and a noise as it is made for
+// the outputs: its gradient within the error, too, where there is one.
 bool has_gradient(const VolumeRecipe& recipe);
+NoiseRecipe noise_of_output(const VolumeRecipe& recipe, const NoiseRecipe& noise);
 
 // The names of all grids, in their order.
 std::vector<std::string> grid_names(const VolumeRecipe& recipe);
