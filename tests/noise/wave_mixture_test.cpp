@@ -37,7 +37,7 @@ TEST(WaveMixture, OfIsotropicNoiseIsTheTransformOfItsSpectrumWithinTheError) {
     for (const double bandwidth : {0.5, 1.0, 2.0}) {
       for (const double error : {1e-3, 0.02, 0.1}) {
         const GaborNoise<Dim> noise({.frequency = 1.3, .bandwidth = bandwidth, .error = error});
-        for (double r = 0.0; r < 4.0; r += 0.1) {
+        for (double r = 0.0; r < 4.0; r += 0.25) {
           const auto shell = [&](double f) {
             Vec<Dim> frequency(0.0);
             frequency[0] = f;
