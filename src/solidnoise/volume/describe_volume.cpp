@@ -120,14 +120,14 @@ Json describe_noise(const VolumeRecipe& recipe, const VolumePlan& plan, double l
   Json json = Json::object();
   json["type"] = noise_type(recipe.noise);
   json["dims"] = recipe.dims;
-  describe_kernel(noise_of_output(recipe, recipe.noise), recipe.dims, json);
+  VolumeRecipe made = recipe;
+  made.noise = noise_of_output(recipe, recipe.noise);
+  describe_kernel(made.noise, made.dims, json);
   json["octaves"] = recipe.noise.fractal.octaves;
 
   if (evolves(recipe.noise)) describe_evolution(recipe.noise, json["evolution"]);
 
   if (plan.parameters) describe_parameters(*plan.parameters, json["from_grids"]);
-  VolumeRecipe made = recipe;
-  made.noise = noise_of_output(recipe, recipe.noise);
   const auto noise = make_volume_noise(made);
   describe_statistics(*noise, largest_voxel, json);
   describe_error(recipe, *noise, plan.frame, json);

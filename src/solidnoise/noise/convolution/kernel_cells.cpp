@@ -10,17 +10,6 @@
 namespace solidnoise {
 namespace {
 
-// d/dv of a Chebyshev series in u = 2 v: d'_{k-1} = d'_{k+1} + 2 k c_k for d/du, then doubled.
-std::vector<double> chebyshev_derivative(std::span<const double> coefficients) {
-  const int degree = static_cast<int>(coefficients.size()) - 1;
-  std::vector<double> derivative(coefficients.size() + 1, 0.0);
-  for (int k = degree; k >= 1; --k) derivative[k - 1] = derivative[k + 1] + 2.0 * k * coefficients[k];
-  derivative[0] *= 0.5;
-  derivative.resize(coefficients.size());
-  for (double& value : derivative) value *= 2.0;
-  return derivative;
-}
-
 template <int Dim>
 std::array<CellAxis, Dim> make_cells(double side, double radius, const Vec<4>& period) {
   constexpr std::array<const char*, 4> kAxisNames = {"x", "y", "z", "t"};
@@ -85,7 +74,8 @@ RadialPolynomial to_single_precision(const CompactKernel& kernel, int most_degre
     polynomial.value.resize(static_cast<std::size_t>(even) + 1, 0.0f);
   } else {
     polynomial.value = single(kernel.chebyshev_coefficients());
-    polynomial.derivative = single(chebyshev_derivative(kernel.chebyshev_coefficients()));
+    polynomial.derivative = single(kernel.chebyshev_slope());
+    for (float& c : polynomial.derivative) c *= 2.0f;  // u = 2 v
   }
   return polynomial;
 }

@@ -33,6 +33,8 @@ class CompactKernel {
   // as the kernel is flat, and in narrow bands its middle would be lost beside that. With t^2 in the series
   // the gradient would not end at exactly 0.)
   std::span<const double> chebyshev_coefficients() const { return chebyshev_; }
+  // Its derivative by u, likewise.
+  std::span<const double> chebyshev_slope() const { return slope_; }
 
   // Whether Horner's rule in single precision adds an RMS error, relative to the kernel, of at most a
   // hundredth of relative_error() and 3e-5; measured at construction. Nearly all kernels of half an octave or
