@@ -101,12 +101,14 @@ void add_surface(std::vector<Ratio>& ratios) {
     const bool isotropic = waves == GaborWaves::isotropic;
     const std::string name =
         std::string("points/surface/") + (isotropic ? "isotropic" : "oriented") + "/N32/";
-    register_points(name + "stationary",
-                    [noise](std::span<float> values) { noise->evaluate(sphere().surface(), values); });
+    register_points(name + "stationary", [noise](std::span<float> values) {
+      noise->evaluate(sphere().surface(), {values, {}});
+    });
     const std::vector<float> frequencies = sphere().frequencies(options.frequency);
     register_points(name + "varying", [noise, frequencies](std::span<float> values) {
       noise->evaluate(sphere().surface(),
-                      {.frequency = frequencies, .bandwidth = {}, .magnitude = {}, .direction = {}}, values);
+                      {.frequency = frequencies, .bandwidth = {}, .magnitude = {}, .direction = {}},
+                      {values, {}});
     });
     // As times: at most 2, aim 1.3.
     ratios.push_back({std::string(isotropic ? "surface" : "oriented surface") +
@@ -138,10 +140,12 @@ void add_solid(std::vector<Ratio>& ratios) {
   const std::vector<float> frequencies = sphere().frequencies(frequency);
   register_points(name + "varying", [varying, frequencies](std::span<float> values) {
     varying->evaluate(sphere().points(),
-                      {.frequency = frequencies, .bandwidth = {}, .magnitude = {}, .direction = {}}, values);
+                      {.frequency = frequencies, .bandwidth = {}, .magnitude = {}, .direction = {}},
+                      {values, {}});
   });
-  register_points(name + "varying-one-grid",
-                  [varying](std::span<float> values) { varying->evaluate(sphere().points(), {}, values); });
+  register_points(name + "varying-one-grid", [varying](std::span<float> values) {
+    varying->evaluate(sphere().points(), {}, {values, {}});
+  });
   const reference::GaborProcedure<3, reference::IsotropicKernel, float> procedure(
       {frequency, gaussian_parameter(frequency, 1.0)}, radius, kImpulses, 1u);
   register_scalar(name + "scalar", [procedure](std::size_t i) { return procedure(vertex<float>(i)); });
@@ -159,8 +163,9 @@ void add_projected() {
   ProjectedGradientOptions options{.frequency = 1.0};
   options.frequency = ProjectedGradientNoise(options).lattice_spacing() / (kCells * sphere().spacing);
   const auto noise = std::make_shared<const ProjectedGradientNoise>(options);
-  register_points("points/projected/kensler/best",
-                  [noise](std::span<float> values) { noise->evaluate(sphere().surface(), values); });
+  register_points("points/projected/kensler/best", [noise](std::span<float> values) {
+    noise->evaluate(sphere().surface(), {values, {}});
+  });
 }
 
 }  // namespace

@@ -87,7 +87,8 @@ void fill_projected(GradientKind kind, std::uint64_t seed, DenseField<2>& field)
     SurfacePoints surface;
     surface.positions = column.points();
     surface.normal = {component, component, component};
-    noise.evaluate(surface, std::span(field.values).subspan(static_cast<std::size_t>(i) * rows, rows));
+    noise.evaluate(surface,
+                   {.values = std::span(field.values).subspan(static_cast<std::size_t>(i) * rows, rows)});
   }
 }
 

@@ -35,7 +35,7 @@ struct Batch {
     VaryingParameters<Dim> parameters;
     parameters.frequency = frequency;
     std::vector<float> values(frequency.size());
-    noise.evaluate(Points<Dim>{positions}, parameters, values);
+    noise.evaluate(Points<Dim>{positions}, parameters, {.values = values});
     return values;
   }
 };

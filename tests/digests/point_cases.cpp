@@ -59,7 +59,7 @@ DigestCase varying_case(const std::string& name, const VaryingGaborOptions& opti
                         const Variation& variation) {
   return case_of("varying gabor/" + std::to_string(Dim) + "d/" + name, [=](std::vector<float>& values) {
     const Scattered<Dim> scattered = scattered_points<Dim>(kPoints, kSide);
-    VaryingGaborNoise<Dim>(options).evaluate(scattered.points(), variation.of(scattered), values);
+    VaryingGaborNoise<Dim>(options).evaluate(scattered.points(), variation.of(scattered), {values, {}});
   });
 }
 
@@ -67,7 +67,7 @@ DigestCase surface_case(const std::string& name, const SurfaceGaborOptions& opti
                         const Variation& variation) {
   return case_of("surface gabor/" + name, [=](std::vector<float>& values) {
     const Scattered<3> scattered = scattered_points<3>(kPoints, kSide);
-    SurfaceGaborNoise(options).evaluate(scattered.surface(), variation.of(scattered), values);
+    SurfaceGaborNoise(options).evaluate(scattered.surface(), variation.of(scattered), {values, {}});
   });
 }
 
@@ -93,7 +93,7 @@ void add_gabor(DigestCases& cases) {
     cases.push_back(case_of("surface gabor/" + name + "/thin layer", [=](std::vector<float>& values) {
       SurfaceGaborOptions thin = surface;
       thin.layer = 0.2;
-      SurfaceGaborNoise(thin).evaluate(scattered_points<3>(kPoints, kSide).surface(), values);
+      SurfaceGaborNoise(thin).evaluate(scattered_points<3>(kPoints, kSide).surface(), {values, {}});
     }));
   }
 }
@@ -108,7 +108,7 @@ void add_projected(DigestCases& cases) {
       {"integer", {.frequency = 1.0, .hash = Options::Hash::integer, .seed = 23}}};
   for (const auto& [name, of] : options) {
     cases.push_back(case_of("projected kensler/" + name, [of = of](std::vector<float>& values) {
-      ProjectedGradientNoise(of).evaluate(scattered_points<3>(kPoints, kSide).surface(), values);
+      ProjectedGradientNoise(of).evaluate(scattered_points<3>(kPoints, kSide).surface(), {values, {}});
     }));
   }
 }
@@ -119,7 +119,7 @@ void add_spectrum(DigestCases& cases) {
     cases.push_back(case_of("surface spectrum/" + name, [isotropic](std::vector<float>& values) {
       const Scattered<3> scattered = scattered_points<3>(kPoints, kSide);
       const SurfaceSpectrumNoise noise(some_spectrum(2, isotropic), 0.5);
-      noise.evaluate(scattered.surface(), scattered.parameters().direction, values);
+      noise.evaluate(scattered.surface(), scattered.parameters().direction, {values, {}});
     }));
   }
 }

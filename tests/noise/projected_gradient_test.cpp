@@ -25,7 +25,7 @@ constexpr double kPi = std::numbers::pi;
 
 std::vector<float> values_of(const ProjectedGradientNoise& noise, const Scattered<3>& scattered) {
   std::vector<float> values(scattered.size());
-  noise.evaluate(scattered.surface(), values);
+  noise.evaluate(scattered.surface(), {values, {}});
   return values;
 }
 

@@ -95,9 +95,9 @@ TEST(Samples, WithoutRoomForPointsOfASurfaceAreRefused) {
   const auto expect_refused = [&](const auto& evaluate) {
     EXPECT_EQ(refusal(evaluate), "values has room for 7 numbers; it must have room for 8");
   };
-  expect_refused([&] { SurfaceGaborNoise({}).evaluate(surface, values); });
-  expect_refused([&] { ProjectedGradientNoise({}).evaluate(surface, values); });
-  expect_refused([&] { VaryingGaborNoise<3>({}).evaluate(Points<3>{positions}, {}, values); });
+  expect_refused([&] { SurfaceGaborNoise({}).evaluate(surface, {values, {}}); });
+  expect_refused([&] { ProjectedGradientNoise({}).evaluate(surface, {values, {}}); });
+  expect_refused([&] { VaryingGaborNoise<3>({}).evaluate(Points<3>{positions}, {}, {values, {}}); });
 }
 
 // Of 2^40 cells nothing is left of a position in them but its first digits; of 2^63 they overflow.

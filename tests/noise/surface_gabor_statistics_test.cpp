@@ -59,7 +59,7 @@ Scattered<3> independent_pairs(std::size_t count, double distance, double lag, d
 
 std::vector<float> evaluate(const SurfaceGaborNoise& noise, const Scattered<3>& points) {
   std::vector<float> values(points.size());
-  noise.evaluate(points.surface(), points.parameters(), values);
+  noise.evaluate(points.surface(), points.parameters(), {values, {}});
   return values;
 }
 

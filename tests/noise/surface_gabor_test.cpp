@@ -30,7 +30,7 @@ SurfaceGaborOptions some_options(GaborWaves waves, ScaleTransition transition = 
 
 std::vector<float> values_of(const SurfaceGaborNoise& noise, const Scattered<3>& scattered) {
   std::vector<float> values(scattered.size());
-  noise.evaluate(scattered.surface(), scattered.parameters(), values);
+  noise.evaluate(scattered.surface(), scattered.parameters(), {values, {}});
   return values;
 }
 

@@ -34,7 +34,7 @@ struct Places {
   std::vector<float> values(const SurfaceSpectrumNoise& noise) const {
     const SurfacePoints points{{positions}, {normal[0], normal[1], normal[2]}};
     std::vector<float> result(positions.size());
-    noise.evaluate(points, {tangent[0], tangent[1], tangent[2]}, result);
+    noise.evaluate(points, {tangent[0], tangent[1], tangent[2]}, {result, {}});
     return result;
   }
 };

@@ -41,7 +41,7 @@ Scattered<Dim> independent_points(std::size_t count, double distance, const Vec<
 template <int Dim>
 std::vector<float> evaluate(const VaryingGaborNoise<Dim>& noise, const Scattered<Dim>& scattered) {
   std::vector<float> values(scattered.size());
-  noise.evaluate(scattered.points(), scattered.parameters(), values);
+  noise.evaluate(scattered.points(), scattered.parameters(), {values, {}});
   return values;
 }
 

@@ -30,7 +30,7 @@ VaryingGaborOptions some_options(GaborWaves waves, ScaleTransition transition = 
 template <int Dim>
 std::vector<float> values_of(const VaryingGaborNoise<Dim>& noise, const Scattered<Dim>& scattered) {
   std::vector<float> values(scattered.size());
-  noise.evaluate(scattered.points(), scattered.parameters(), values);
+  noise.evaluate(scattered.points(), scattered.parameters(), {values, {}});
   return values;
 }
 

@@ -158,7 +158,7 @@ void expect_same(const NoiseRecipe& recipe, const ParameterGrids& grids, const V
   parameters.frequency = frequencies;
   parameters.bandwidth = bandwidths;
   std::vector<float> constant(positions.size());
-  VaryingGaborNoise<3>(options).evaluate({positions}, parameters, constant);
+  VaryingGaborNoise<3>(options).evaluate({positions}, parameters, {constant, {}});
   for (std::size_t i = 0; i < positions.size(); ++i) EXPECT_NEAR(from_grids[i], constant[i], 1e-5) << i;
 }
 

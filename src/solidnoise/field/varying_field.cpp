@@ -32,6 +32,38 @@ struct VaryingOctave {
   double amplitude = 1.0;
 };
 
+// Memory for samples of a noise of 3 or 4 dimensions, as those of space that others are like.
+template <int Dim>
+class OctaveSamples {
+ public:
+  explicit OctaveSamples(const Samples<3>& like)
+      : size_(like.values.size()), memory_(size_ * (like.wants_gradient() ? 1 + Dim : 1)) {
+    samples_.values = part(0);
+    for (std::size_t axis = 0; like.wants_gradient() && axis < Dim; ++axis) {
+      samples_.gradient[axis] = part(1 + axis);
+    }
+  }
+
+  const Samples<Dim>& samples() const { return samples_; }
+
+  void add(float amplitude, const Samples<3>& to) const {
+    add(amplitude, samples_.values, to.values);
+    for (std::size_t axis = 0; to.wants_gradient() && axis < 3; ++axis) {
+      add(amplitude, samples_.gradient[axis], to.gradient[axis]);
+    }
+  }
+
+ private:
+  std::span<float> part(std::size_t i) { return std::span(memory_).subspan(i * size_, size_); }
+  static void add(float amplitude, std::span<const float> from, std::span<float> to) {
+    for (std::size_t i = 0; i < to.size(); ++i) to[i] += amplitude * from[i];
+  }
+
+  std::size_t size_;
+  std::vector<float> memory_;
+  Samples<Dim> samples_;
+};
+
 template <int Dim>
 class VaryingField final : public PointwiseField {
  public:
@@ -42,6 +74,8 @@ class VaryingField final : public PointwiseField {
         fields_(std::move(fields)),
         constant_band_(constant_band) {}
 
+  bool has_gradient() const override { return true; }
+
   void evaluate(const Points<3>& points, const Samples<3>& samples) const override {
     if (points.size() == 0) return;
     const std::vector<Vec<Dim>> positions = viewed(points.positions);
@@ -50,9 +84,9 @@ class VaryingField final : public PointwiseField {
     std::vector<float> directions = sampled(fields_.direction, points);
     if (fields_.direction) directions.resize(Dim * points.size(), 0.0f);  // no waves in time
 
-    std::fill(samples.values.begin(), samples.values.end(), 0.0f);
+    fill_with_zero(samples);
     std::vector<float> frequency(frequencies.size());
-    std::vector<float> of_octave(points.size());
+    const OctaveSamples<Dim> of_octave(samples);
     for (const VaryingOctave<Dim>& octave : octaves_) {
       std::ranges::transform(frequencies, frequency.begin(),
                              [&](float f) { return static_cast<float>(octave.ratio * f); });
@@ -62,9 +96,8 @@ class VaryingField final : public PointwiseField {
       for (std::size_t axis = 0; fields_.direction && axis < Dim; ++axis) {
         parameters.direction[axis] = std::span(directions).subspan(axis * points.size(), points.size());
       }
-      octave.noise.evaluate({positions}, parameters, of_octave);
-      const auto amplitude = static_cast<float>(octave.amplitude);
-      for (std::size_t i = 0; i < of_octave.size(); ++i) samples.values[i] += amplitude * of_octave[i];
+      octave.noise.evaluate({positions}, parameters, of_octave.samples());
+      of_octave.add(static_cast<float>(octave.amplitude), samples);
     }
   }
 

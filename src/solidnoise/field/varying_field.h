@@ -37,6 +37,8 @@ struct KernelFields {
 // the noise is of 4 dimensions; of anisotropy 0, that is in all directions, they become the isotropic kernels
 // of gabor noise.
 //
+// The gradient holds the fields' values at the position fixed (VaryingGaborNoise).
+//
 // Many lattices at once (FieldBlock::evaluate_all) are far cheaper than one by one, for they share impulses.
 // Evaluation throws what the fields do. Precondition: the recipe's noise is one that can vary. Throws
 // std::invalid_argument as NoiseRecipe::validate() does.

@@ -49,16 +49,16 @@ struct SampledKernel {
 };
 
 void evaluate_at(const SurfaceGaborNoise& noise, const SurfacePoints& points, const SampledKernel& kernel,
-                 std::span<float> values) {
-  noise.evaluate(points, kernel.parameters(), values);
+                 const Samples<3>& samples) {
+  noise.evaluate(points, kernel.parameters(), samples);
 }
 void evaluate_at(const SurfaceSpectrumNoise& noise, const SurfacePoints& points, const SampledKernel& kernel,
-                 std::span<float> values) {
-  noise.evaluate(points, spans_of(kernel.direction), values);
+                 const Samples<3>& samples) {
+  noise.evaluate(points, spans_of(kernel.direction), samples);
 }
 void evaluate_at(const ProjectedGradientNoise& noise, const SurfacePoints& points, const SampledKernel&,
-                 std::span<float> values) {
-  noise.evaluate(points, values);
+                 const Samples<3>& samples) {
+  noise.evaluate(points, samples);
 }
 
 // One octave of a noise of the tangent plane, of unit variance.
@@ -67,13 +67,14 @@ class TangentField final : public PointwiseField {
  public:
   TangentField(Noise noise, KernelFields fields) : noise_(std::move(noise)), fields_(std::move(fields)) {}
 
+  bool has_gradient() const override { return true; }
+
   void evaluate(const Points<3>& points, const Samples<3>& samples) const override {
     if (points.normals.size() != points.size()) {
       throw std::invalid_argument("a noise of the tangent plane needs the normals of a surface");
     }
     const Components normals = components_of(points.normals);
-    evaluate_at(noise_, SurfacePoints{points, spans_of(normals)}, SampledKernel(fields_, points),
-                samples.values);
+    evaluate_at(noise_, SurfacePoints{points, spans_of(normals)}, SampledKernel(fields_, points), samples);
   }
 
   // Of the noise whose parameters are the options' everywhere. The kurtosis of projected noise is not known.

@@ -40,7 +40,8 @@ struct SurfaceKernel {
 
 // The noise of a recipe as a field of points of a surface: of unit variance, or that of the octaves where
 // they are not renormalised. Noises of the tangent plane throw std::invalid_argument where points have no
-// normals. Throws std::invalid_argument: recipe.validate().
+// normals. Their gradient is the part along the surface, with normal and kernel of the point held fixed; that
+// of solid noises is the one in space. Throws std::invalid_argument: recipe.validate().
 FieldPtr make_surface_field(const SurfaceNoiseRecipe& recipe, const SurfaceKernel& kernel);
 
 // The same as layers are made of it.

@@ -83,12 +83,12 @@ double SurfaceGaborNoise::radius() const {
   return kernel_.cycles / options_.frequency;
 }
 
-void SurfaceGaborNoise::evaluate(const SurfacePoints& points, std::span<float> values) const {
-  evaluate(points, {}, values);
+void SurfaceGaborNoise::evaluate(const SurfacePoints& points, const Samples<3>& samples) const {
+  evaluate(points, {}, samples);
 }
 
 void SurfaceGaborNoise::evaluate(const SurfacePoints& points, const VaryingParameters<3>& parameters,
-                                 std::span<float> values) const {
+                                 const Samples<3>& samples) const {
   points.validate();
   parameters.validate(points.positions.size());
 
@@ -116,7 +116,7 @@ void SurfaceGaborNoise::evaluate(const SurfacePoints& points, const VaryingParam
       }
     }
   };
-  convolution.evaluate(points.positions, prepare, values);
+  convolution.evaluate(points.positions, prepare, samples);
 }
 
 double SurfaceGaborNoise::power_spectrum(const Vec<2>& f) const {

@@ -2,8 +2,8 @@
 
 #include <cstdint>
 #include <memory>
-#include <span>
 
+#include "solidnoise/core/field.h"
 #include "solidnoise/core/vec.h"
 #include "solidnoise/noise/kernel/impulse_statistics.h"
 #include "solidnoise/noise/kernel/kernel_family.h"
@@ -55,6 +55,10 @@ struct SurfaceGaborOptions {
 // (options.layer times radius()) below 0.3 radii of curvature. A sheet thinner than H has related patterns on
 // both sides.
 //
+// The gradient is a vector along the surface, with normal and parameters of the point held fixed: on a plane
+// the analytic derivative of the value, as far as the parameters are the same all around. Where the surface
+// curves, the turning of the normal moves the pattern by up to H times the curvature more.
+//
 // A value depends on the point's position, normal and parameters only, not on the other points (vector widths
 // without fused multiply-add may differ in the last bits). Immutable; may be shared between threads: give
 // each thread points that are near each other, some ten thousand at a time.
@@ -67,16 +71,16 @@ class SurfaceGaborNoise {
   double radius() const;                                    // of the options' kernel, world units
   double impulses_per_kernel() const { return impulses_; }  // N, mean
 
-  // The stationary noise, one float per point. Throws std::invalid_argument naming the first point whose
+  // The stationary noise, one sample per point. Throws std::invalid_argument naming the first point whose
   // position is not finite or whose normal has no direction.
-  void evaluate(const SurfacePoints& points, std::span<float> values) const;
+  void evaluate(const SurfacePoints& points, const Samples<3>& samples) const;
 
   // The noise whose parameters vary from point to point; also throws what VaryingParameters::validate() does.
   // If neither frequency nor bandwidth vary it is the stationary noise above, times magnitude and with the
   // directions given; if they do, it has other impulses, in a hierarchy of grids, and differs from the
   // stationary noise even where the parameters agree.
   void evaluate(const SurfacePoints& points, const VaryingParameters<3>& parameters,
-                std::span<float> values) const;
+                const Samples<3>& samples) const;
 
   double variance() const { return 1.0; }
   // Spectral density on a plane, of the options' kernel: the integral over the plane's frequencies f (cycles

@@ -22,6 +22,8 @@
 namespace solidnoise {
 namespace {
 
+constexpr int kNoPowers = 0;  // the degree up to which envelopes are in powers
+
 // The window's integrals, times half the layer's thickness.
 KernelMoments layer_moments(const CompactKernel& envelope, double half_thickness) {
   return {0.5 * envelope.energy() * half_thickness * layer_window_moment(2),
@@ -42,10 +44,8 @@ class SurfaceSpectrumNoise::Band {
         radius_(static_cast<float>(envelope.radius() / axis_.size())),
         layer_(half_thickness / envelope.radius()),
         amplitude_(amplitude),
-        process_(layout.axes, layout.count, derive_seed(seed, kImpulseStream)) {
-    for (const double c : envelope.chebyshev_coefficients())
-      kernel_.envelope.push_back(static_cast<float>(c));
-  }
+        process_(layout.axes, layout.count, derive_seed(seed, kImpulseStream)),
+        kernel_{to_single_precision(envelope, kNoPowers)} {}
 
   const CellAxis& axis() const { return axis_; }
   float radius() const { return radius_; }  // in cells
@@ -129,14 +129,14 @@ SurfaceSpectrumNoise::SurfaceSpectrumNoise(SurfaceSpectrumNoise&&) noexcept = de
 
 void SurfaceSpectrumNoise::evaluate(const SurfacePoints& points,
                                     const std::array<std::span<const float>, 3>& tangent,
-                                    std::span<float> values) const {
+                                    const Samples<3>& samples) const {
   points.validate();
   for (const auto& component : tangent) {
     if (component.size() == points.positions.size()) continue;
     throw std::invalid_argument(fmt::format("tangent is given for {} points; there are {}", component.size(),
                                             points.positions.size()));
   }
-  sum_on_surface<Band>(bands_, points, tangent, values);
+  sum_on_surface<Band>(bands_, points, tangent, samples);
 }
 
 Noise<2>::Band SurfaceSpectrumNoise::band() const {

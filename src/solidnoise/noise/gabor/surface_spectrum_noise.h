@@ -38,10 +38,11 @@ class SurfaceSpectrumNoise {
   double impulses_per_kernel() const { return impulses_; }     // N, mean
   double excess_kurtosis() const { return excess_kurtosis_; }  // at most
 
-  // One float per point. `tangent` of any length but 0, laid into the tangent plane; either sign. Throws
-  // std::invalid_argument as SurfacePoints::validate does, and where sizes differ.
+  // One sample per point; the gradient is as that of SurfaceGaborNoise. `tangent` of any length but 0, laid
+  // into the tangent plane; either sign. Throws std::invalid_argument as SurfacePoints::validate does, and
+  // where sizes differ.
   void evaluate(const SurfacePoints& points, const std::array<std::span<const float>, 3>& tangent,
-                std::span<float> values) const;
+                const Samples<3>& samples) const;
 
   Noise<2>::Band band() const;  // the frequencies that hold all but a thousandth of the variance
 

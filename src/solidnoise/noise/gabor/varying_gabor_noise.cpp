@@ -101,7 +101,7 @@ double VaryingGaborNoise<Dim>::radius(double frequency, double bandwidth) const 
 
 template <int Dim>
 void VaryingGaborNoise<Dim>::evaluate(const Points<Dim>& points, const VaryingParameters<Dim>& parameters,
-                                      std::span<float> values) const {
+                                      const Samples<Dim>& samples) const {
   require_finite_positions(points);
   parameters.validate(points.size());
 
@@ -126,7 +126,7 @@ void VaryingGaborNoise<Dim>::evaluate(const Points<Dim>& points, const VaryingPa
       }
     }
   };
-  convolution.evaluate(points, prepare, values);
+  convolution.evaluate(points, prepare, samples);
 }
 
 template <int Dim>

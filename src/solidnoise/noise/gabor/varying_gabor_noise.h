@@ -2,8 +2,8 @@
 
 #include <cstdint>
 #include <memory>
-#include <span>
 
+#include "solidnoise/core/field.h"
 #include "solidnoise/core/points.h"
 #include "solidnoise/core/vec.h"
 #include "solidnoise/noise/kernel/impulse_statistics.h"
@@ -46,6 +46,10 @@ struct VaryingGaborOptions {
 // (ScaleTransition), the paper's remain for comparison; oriented kernels have phase 0, so that a direction
 // needs no sign.
 //
+// The gradient is the analytic one of the sum with the parameters of the point held fixed: exact where they
+// are the same all around, and otherwise without what their own change brings, which is small where they vary
+// little across a kernel.
+//
 // A value depends on the point's position and parameters only, not on the other points (vector widths without
 // fused multiply-add may differ in the last bits). Immutable; may be shared between threads: give each thread
 // points that are near each other, some ten thousand at a time.
@@ -60,11 +64,11 @@ class VaryingGaborNoise {
   // Of the kernel of a frequency > 0 and a bandwidth of 0.1 to 4 octaves, in world units.
   double radius(double frequency, double bandwidth) const;
 
-  // One float per point. Throws std::invalid_argument: parameters.validate(), or a position that is not
+  // One sample per point. Throws std::invalid_argument: parameters.validate(), or a position that is not
   // finite. If neither frequency nor bandwidth vary, all impulses are in one grid, which is the fastest; if
   // they do, in a hierarchy of grids, and the noise is another one even where the parameters agree.
   void evaluate(const Points<Dim>& points, const VaryingParameters<Dim>& parameters,
-                std::span<float> values) const;
+                const Samples<Dim>& samples) const;
 
   // Of the noise with the parameters of the options: two-sided power spectral density at a frequency (cycles
   // per world unit), its integral is 1; and E[value^4] / E[value^2]^2 - 3.

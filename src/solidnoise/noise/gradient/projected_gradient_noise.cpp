@@ -99,10 +99,10 @@ ProjectedGradientNoise::ProjectedGradientNoise(const ProjectedGradientOptions& o
   lattice_ = std::make_shared<GradientLattice<3>>(of_lattice, make_axes(options, spacing_));
 }
 
-void ProjectedGradientNoise::evaluate(const SurfacePoints& points, std::span<float> values) const {
+void ProjectedGradientNoise::evaluate(const SurfacePoints& points, const Samples<3>& samples) const {
   points.validate();
   const LatticePoints source(*this, *lattice_, kernel_);
-  sum_on_surface<LatticePoints>({&source, 1}, points, {}, values);
+  sum_on_surface<LatticePoints>({&source, 1}, points, {}, samples);
 }
 
 double ProjectedGradientNoise::power_spectrum(const Vec<2>& f) const {

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <span>
 
 #include "solidnoise/noise/gradient/gradient_kernel.h"
 #include "solidnoise/noise/gradient/gradient_lattice.h"
@@ -66,8 +65,9 @@ class ProjectedGradientNoise {
   // Mean variance before scaling, in lattice units and for unit gradients.
   double lattice_variance() const { return lattice_variance_; }
 
-  // One float per point; throws SurfacePoints::validate().
-  void evaluate(const SurfacePoints& points, std::span<float> values) const;
+  // One sample per point; the gradient is the part along the surface of the derivative by the position, with
+  // the normal held fixed. Throws SurfacePoints::validate().
+  void evaluate(const SurfacePoints& points, const Samples<3>& samples) const;
 
   double variance() const { return 1.0; }  // mean over positions
   // On a plane, averaged over positions: the integral over its frequencies (cycles per world unit) is 1.

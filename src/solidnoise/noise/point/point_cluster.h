@@ -9,7 +9,8 @@ namespace solidnoise {
 // The vectorised loops of noises whose parameters belong to the evaluation points: lanes are points. Each sum
 // is taken impulse by impulse in the list's order, elementwise per point, and impulses out of a point's reach
 // add exactly 0, so that a point's value depends neither on the vector width nor on the other points. Lengths
-// are in cells.
+// are in cells. Gradients are by the point's position, per cell, while all else that it has stays as it is,
+// also its normal: of a layer's kernel they are to be taken along the surface.
 
 // What an impulse carries: weight and turn, or the components of a gradient, or a wave along the surface.
 enum PointAttribute {
@@ -32,6 +33,7 @@ struct PointCluster : SampleCluster {
   alignas(64) float normal[3][kSamples];     // of unit length
   alignas(64) float tangent[3][kSamples];    // of unit length, at a right angle to the normal
   alignas(64) float inverse_square_height[kSamples];
+  Derivatives derivatives = Derivatives::none;  // that are wanted
 };
 
 // Coefficients of each point's polynomial, from degree 0, `kSamples` to a degree.
@@ -61,7 +63,7 @@ void sum_impulses(const PointKernel& kernel, const PointCluster& cluster, const 
 //   weight t^3 P(t - 1/2) cos(2 pi (wave x . x + wave y . y)) (1 - o^2 / H^2)^2,   t = 1 - (x^2 + y^2) / r^2,
 // 0 where t or the last factor's base are negative.
 struct LayerWaveKernel {
-  std::vector<float> envelope;  // t P, in Chebyshev polynomials of 2 t - 1, from degree 0; at least two
+  RadialPolynomial envelope;  // in Chebyshev polynomials; two at least
 };
 // Of the cluster it takes coordinates, normals, tangents and inverse squares.
 void sum_layer_waves(const LayerWaveKernel& kernel, const PointCluster& cluster, const ImpulseList& impulses,

@@ -12,6 +12,7 @@
 #include "solidnoise/noise/point/lane_polynomials.h"
 #include "solidnoise/noise/point/point_cluster.h"
 #include "solidnoise/noise/point/point_tile.h"
+#include "solidnoise/noise/point/tiled_sum.h"
 
 namespace solidnoise {
 namespace {
@@ -64,8 +65,8 @@ template <int Dim>
 class PointConvolution<Dim>::Evaluation {
  public:
   Evaluation(const PointConvolution& noise, const Points<Dim>& points, const Prepare& prepare,
-             std::span<float> values)
-      : noise_(noise), points_(points), prepare_(prepare), values_(values), extent_(noise.settings_.layer) {
+             const Samples<Dim>& samples)
+      : noise_(noise), points_(points), prepare_(prepare), samples_(samples), extent_(noise.settings_.layer) {
     const Settings& settings = noise.settings_;
     fixed_ = settings.side > 0.0;
     extent_.span = noise.process_->span();
@@ -102,7 +103,8 @@ class PointConvolution<Dim>::Evaluation {
       const Vec<Dim>& position = points_.positions[batch[i]];
       for (int axis = 0; axis < Dim; ++axis) positions_[static_cast<std::size_t>(axis)][i] = position[axis];
     }
-    sums_.assign(batch.size(), 0.0f);
+    const SampleBuffer<Dim> sums(samples_.subspan(0, batch.size()));
+    fill_with_zero(sums.samples());
     for (std::size_t i = 0; i < batch.size(); ++i) add_to_levels(static_cast<std::uint32_t>(i));
     for (auto& [l, level] : levels_) {
       for (const bool power : {false, true}) {
@@ -112,11 +114,11 @@ class PointConvolution<Dim>::Evaluation {
         const double size = level.cells->axis().size();
         coarse_cells_ = extent_.fade ? this->level(l + 1, 2.0 * size).cells.get() : nullptr;
         power_ = power;
-        tiles_.add(points, sums_);
+        tiles_.add(points, size, sums.samples());
         points.clear();
       }
     }
-    for (std::size_t i = 0; i < batch.size(); ++i) values_[batch[i]] = sums_[i];
+    scatter(sums.samples(), batch, samples_);
   }
 
   Level& level(int l, double size) {
@@ -232,7 +234,7 @@ class PointConvolution<Dim>::Evaluation {
   const PointConvolution& noise_;
   const Points<Dim>& points_;
   const Prepare& prepare_;
-  std::span<float> values_;
+  Samples<Dim> samples_;
   bool fixed_ = false;
   KernelExtent extent_;
   PointKernel kernel_;
@@ -243,7 +245,6 @@ class PointConvolution<Dim>::Evaluation {
   std::span<const std::size_t> batch_;
   std::vector<KernelPoint<Dim>> prepared_;
   std::array<std::vector<double>, Dim> positions_;
-  std::vector<float> sums_;
   Level* level_ = nullptr;                     // whose points are evaluated
   ImpulseCells<Dim>* coarse_cells_ = nullptr;  // that the same points use too
   bool power_ = false;                         // whether their polynomials are in powers
@@ -254,9 +255,9 @@ class PointConvolution<Dim>::Evaluation {
 
 template <int Dim>
 void PointConvolution<Dim>::evaluate(const Points<Dim>& points, const Prepare& prepare,
-                                     std::span<float> values) const {
-  require_room("values", values.size(), points.size());
-  Evaluation(*this, points, prepare, values).run();
+                                     const Samples<Dim>& samples) const {
+  require_room(samples, points.size());
+  Evaluation(*this, points, prepare, samples).run();
 }
 
 template class PointConvolution<2>;

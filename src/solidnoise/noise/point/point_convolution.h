@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 
+#include "solidnoise/core/field.h"
 #include "solidnoise/core/points.h"
 #include "solidnoise/noise/convolution/impulse_process.h"
 #include "solidnoise/noise/kernel/kernel_family.h"
@@ -57,8 +58,9 @@ class PointConvolution {
   // Says what the kernels at some points are: those with the numbers `points`, one kernel for each.
   using Prepare =
       std::function<void(std::span<const std::size_t> points, std::span<KernelPoint<Dim>> kernels)>;
-  // Calls `prepare` once for each point. Serial.
-  void evaluate(const Points<Dim>& points, const Prepare& prepare, std::span<float> values) const;
+  // Calls `prepare` once for each point. The gradient is the derivative by the point's position while its
+  // kernel stays as it is, of a layer the part that is along the surface. Serial.
+  void evaluate(const Points<Dim>& points, const Prepare& prepare, const Samples<Dim>& samples) const;
 
  private:
   class Evaluation;

@@ -1,10 +1,13 @@
 // Sums at points with kernels of their own, for one instruction set. Included once per target; see
 // point_sums_simd.cpp.
+#include <numbers>
+
 #include <hwy/highway.h>
 
 #include "solidnoise/noise/convolution/cosine-inl.h"
 #include "solidnoise/noise/convolution/point_terms-inl.h"
 #include "solidnoise/noise/point/point_cluster.h"
+#include "solidnoise/noise/point/point_polynomial-inl.h"
 #include "solidnoise/noise/point/scale_transition.h"
 
 #if defined(SOLIDNOISE_POINT_SUM_INL) == defined(HWY_TARGET_TOGGLE)
@@ -18,66 +21,9 @@ HWY_BEFORE_NAMESPACE();
 namespace solidnoise {
 namespace HWY_NAMESPACE {
 namespace point_sum {
-namespace hn = hwy::HWY_NAMESPACE;
-
-using Tag = PointTag;
-using V = PointVector;
-
-// The polynomials of one vector of points, by Horner's rule; of two impulses at once, which share the loading
-// of the coefficients.
-template <int kDegree>
-struct PointHorner {
-  static constexpr int kTaper = 3;  // the power of t that makes a kernel of it
-
-  HWY_INLINE PointHorner(const PointPolynomials& polynomials, int lane)
-      : coefficients(polynomials.coefficients + lane) {}
-
-  HWY_INLINE void operator()(V v0, V v1, V& p0, V& p1) const {
-    const Tag d;
-    p0 = p1 = hn::Load(d, coefficients + kDegree * PointCluster::kSamples);
-    HWY_UNROLL(12)
-    for (int k = kDegree - 1; k >= 0; --k) {
-      const V c = hn::Load(d, coefficients + k * PointCluster::kSamples);
-      p0 = hn::MulAdd(p0, v0, c);
-      p1 = hn::MulAdd(p1, v1, c);
-    }
-  }
-
-  const float* coefficients;
-};
-
-// The same in Chebyshev polynomials of 2 v, by Clenshaw's recurrence.
-struct PointClenshaw {
-  static constexpr int kTaper = 2;
-
-  HWY_INLINE PointClenshaw(const PointPolynomials& polynomials, int lane)
-      : coefficients(polynomials.coefficients + lane), degree(polynomials.degree) {}
-
-  HWY_INLINE void operator()(V v0, V v1, V& p0, V& p1) const {
-    const Tag d;
-    const V four = hn::Set(d, 4.0f);
-    V next0 = hn::Zero(d), after0 = hn::Zero(d);
-    V next1 = hn::Zero(d), after1 = hn::Zero(d);
-    for (int k = degree; k >= 1; --k) {
-      const V c = hn::Load(d, coefficients + k * PointCluster::kSamples);
-      const V current0 = hn::MulAdd(hn::Mul(four, v0), next0, hn::Sub(c, after0));
-      const V current1 = hn::MulAdd(hn::Mul(four, v1), next1, hn::Sub(c, after1));
-      after0 = next0;
-      after1 = next1;
-      next0 = current0;
-      next1 = current1;
-    }
-    const V c = hn::Load(d, coefficients);
-    p0 = hn::MulAdd(hn::Add(v0, v0), next0, hn::Sub(c, after0));
-    p1 = hn::MulAdd(hn::Add(v1, v1), next1, hn::Sub(c, after1));
-  }
-
-  const float* coefficients;
-  int degree;
-};
 
 // The sum at one vector of points.
-template <int kDim, bool kLayer, bool kOriented, bool kFade, class Polynomial>
+template <int kDim, bool kLayer, bool kOriented, bool kFade, Derivatives kDerivatives, class Polynomial>
 class PointTerms {
  public:
   static constexpr std::size_t kAtOnce = 2;
@@ -90,6 +36,7 @@ class PointTerms {
       const Role role = role_of_axis<kDim>(axis);
       at_[axis] = hn::Load(d, cluster.coordinate[role] + lane);
       wave_[axis] = kOriented ? hn::Load(d, cluster.wave[role] + lane) : hn::Zero(d);
+      slope_[axis] = hn::Zero(d);
     }
     for (int axis = 0; axis < 3; ++axis) {
       normal_[axis] = kLayer ? hn::Load(d, cluster.normal[axis] + lane) : hn::Zero(d);
@@ -100,21 +47,49 @@ class PointTerms {
   }
 
   HWY_INLINE void add(std::size_t i) {
-    V v0, v1, factor0, factor1, p0, p1;
-    term(i, v0, factor0);
-    term(i + 1, v1, factor1);
-    polynomial_(v0, v1, p0, p1);
-    sum_ = hn::MulAdd(factor0, p0, sum_);
-    sum_ = hn::MulAdd(factor1, p1, sum_);
+    Term term0, term1;
+    Jet<V> p0, p1;
+    prepare(i, term0);
+    prepare(i + 1, term1);
+    polynomial_.template sum<kDerivatives>(term0.v, term1.v, p0, p1);
+    sum_ = hn::MulAdd(term0.factor, p0.value, sum_);
+    sum_ = hn::MulAdd(term1.factor, p1.value, sum_);
+    if constexpr (kDerivatives == Derivatives::gradient) {
+      add_slopes(term0, p0);
+      add_slopes(term1, p1);
+    }
   }
 
-  HWY_INLINE void store(int lane, ClusterSums& sums) const { hn::Store(sum_, Tag(), sums.value + lane); }
+  HWY_INLINE void store(int lane, ClusterSums& sums) const {
+    const Tag d;
+    hn::Store(sum_, d, sums.value + lane);
+    if constexpr (kDerivatives == Derivatives::gradient) {
+      const V chain = hn::Mul(hn::Set(d, -2.0f), shrink_);  // d t / d offset = -2 offset / r^2
+      for (int axis = 0; axis < kDim; ++axis) {
+        V slope = hn::Mul(chain, slope_[axis]);
+        if constexpr (kOriented) {
+          const V turn = hn::Mul(hn::Set(d, 2.0f * std::numbers::pi_v<float>), wave_[axis]);
+          slope = hn::NegMulAdd(turn, turning_, slope);
+        }
+        hn::Store(slope, d, sums.gradient[role_of_axis<kDim>(axis)] + lane);
+      }
+    }
+  }
 
  private:
-  // What an impulse is to the points: v, and the factor of P(v).
-  HWY_INLINE void term(std::size_t i, V& v, V& factor) const {
-    const Tag d;
+  // What an impulse is to the points.
+  struct Term {
     V offset[kDim];
+    V v;
+    V factor;      // of P(v)
+    V lower;       // that divided by t
+    V quadrature;  // the factor with the wave's sine in place of its cosine
+  };
+  HWY_INLINE void prepare(std::size_t i, Term& term) const {
+    const Tag d;
+    V(&offset)[kDim] = term.offset;
+    V& v = term.v;
+    V& factor = term.factor;
     for (int axis = 0; axis < kDim; ++axis) {
       offset[axis] = hn::Sub(at_[axis], hn::Set(d, impulses_.position(role_of_axis<kDim>(axis))[i]));
     }
@@ -129,13 +104,28 @@ class PointTerms {
     }
     v = hn::Max(hn::NegMulAdd(square, shrink_, hn::Set(d, 0.5f)), hn::Set(d, -0.5f));
     const V t = hn::Add(v, hn::Set(d, 0.5f));
-    for (int k = 0; k < Polynomial::kTaper; ++k) factor = hn::Mul(factor, t);
-    if constexpr (kFade) factor = hn::Mul(factor, fade(i));
+    for (int k = 1; k < Polynomial::kTaper; ++k) factor = hn::Mul(factor, t);
+    term.lower = factor;
+    factor = hn::Mul(factor, t);
+    if constexpr (kFade) {
+      const V share = fade(i);
+      factor = hn::Mul(factor, share);
+      term.lower = hn::Mul(term.lower, share);
+    }
     if constexpr (kOriented) {
       V cosine, sine;
       CosineSine(d, Dot<kDim>(offset, wave_), cosine, sine);
+      term.quadrature = hn::Mul(factor, sine);
       factor = hn::Mul(factor, cosine);
+      term.lower = hn::Mul(term.lower, cosine);
     }
+  }
+
+  HWY_INLINE void add_slopes(const Term& term, const Jet<V>& p) {
+    const V taper = hn::Set(Tag(), static_cast<float>(Polynomial::kTaper));
+    const V by_t = hn::MulAdd(term.factor, p.slope, hn::Mul(hn::Mul(term.lower, taper), p.value));
+    for (int axis = 0; axis < kDim; ++axis) slope_[axis] = hn::MulAdd(by_t, term.offset[axis], slope_[axis]);
+    if constexpr (kOriented) turning_ = hn::MulAdd(term.quadrature, p.value, turning_);
   }
 
   // ScaleFade of kDim dimensions.
@@ -160,36 +150,39 @@ class PointTerms {
   V density_;
   V flatten_;
   V sum_ = hn::Zero(Tag());
+  V slope_[kDim];
+  V turning_ = hn::Zero(Tag());
 };
 
-template <int kDim, bool kLayer, bool kOriented, bool kFade>
+template <int kDim, bool kLayer, bool kOriented, bool kFade, Derivatives kDerivatives>
 void SumWithPolynomial(const PointCluster& cluster, const PointPolynomials& polynomials,
                        const ImpulseList& impulses, ClusterSums& sums) {
-  if (!polynomials.power) {
-    return SumTerms<PointTerms<kDim, kLayer, kOriented, kFade, PointClenshaw>>(polynomials, cluster, impulses,
-                                                                               sums);
-  }
-  if (polynomials.degree <= 4) {
-    return SumTerms<PointTerms<kDim, kLayer, kOriented, kFade, PointHorner<4>>>(polynomials, cluster,
-                                                                                impulses, sums);
-  }
-  if (polynomials.degree <= 8) {
-    return SumTerms<PointTerms<kDim, kLayer, kOriented, kFade, PointHorner<8>>>(polynomials, cluster,
-                                                                                impulses, sums);
-  }
-  return SumTerms<PointTerms<kDim, kLayer, kOriented, kFade, PointHorner<12>>>(polynomials, cluster, impulses,
-                                                                               sums);
+  const auto sum = [&]<class Polynomial>() {
+    using Terms = PointTerms<kDim, kLayer, kOriented, kFade, kDerivatives, Polynomial>;
+    SumTerms<Terms>(polynomials, cluster, impulses, sums);
+  };
+  if (!polynomials.power) return sum.template operator()<PointClenshaw>();
+  if (polynomials.degree <= 4) return sum.template operator()<PointHorner<4>>();
+  if (polynomials.degree <= 8) return sum.template operator()<PointHorner<8>>();
+  sum.template operator()<PointHorner<12>>();
 }
 
 template <int kDim, bool kLayer>
 void SumOfDimension(const PointKernel& kernel, const PointCluster& cluster,
                     const PointPolynomials& polynomials, const ImpulseList& impulses, ClusterSums& sums) {
+  const auto sum = [&]<bool kOriented, bool kFade>() {
+    if (cluster.derivatives == Derivatives::gradient) {
+      SumWithPolynomial<kDim, kLayer, kOriented, kFade, Derivatives::gradient>(cluster, polynomials, impulses,
+                                                                               sums);
+    } else {
+      SumWithPolynomial<kDim, kLayer, kOriented, kFade, Derivatives::none>(cluster, polynomials, impulses,
+                                                                           sums);
+    }
+  };
   if (kernel.oriented) {
-    kernel.fade ? SumWithPolynomial<kDim, kLayer, true, true>(cluster, polynomials, impulses, sums)
-                : SumWithPolynomial<kDim, kLayer, true, false>(cluster, polynomials, impulses, sums);
+    kernel.fade ? sum.template operator()<true, true>() : sum.template operator()<true, false>();
   } else {
-    kernel.fade ? SumWithPolynomial<kDim, kLayer, false, true>(cluster, polynomials, impulses, sums)
-                : SumWithPolynomial<kDim, kLayer, false, false>(cluster, polynomials, impulses, sums);
+    kernel.fade ? sum.template operator()<false, true>() : sum.template operator()<false, false>();
   }
 }
 

@@ -1,9 +1,12 @@
 // Sums in a layer around a surface, for one instruction set. Included once per target; see
 // point_sums_simd.cpp.
+#include <numbers>
+
 #include <hwy/highway.h>
 
 #include "solidnoise/noise/convolution/cosine-inl.h"
 #include "solidnoise/noise/convolution/point_terms-inl.h"
+#include "solidnoise/noise/convolution/polynomial-inl.h"
 #include "solidnoise/noise/point/point_cluster.h"
 
 #if defined(SOLIDNOISE_SURFACE_SUM_INL) == defined(HWY_TARGET_TOGGLE)
@@ -44,13 +47,14 @@ struct Frame {
   V shrink, flatten;
 };
 
+template <Derivatives kDerivatives>
 class LayerWaveTerms {
  public:
   static constexpr std::size_t kAtOnce = 1;
 
   HWY_INLINE LayerWaveTerms(const LayerWaveKernel& kernel, const PointCluster& cluster,
                             const ImpulseList& impulses, int lane)
-      : kernel_(kernel), impulses_(impulses), frame_(cluster, lane) {
+      : impulses_(impulses), envelope_(Tag(), kernel.envelope), frame_(cluster, lane) {
     for (int axis = 0; axis < 3; ++axis) along_[axis] = hn::Load(Tag(), cluster.tangent[axis] + lane);
     for (int axis = 0; axis < 3; ++axis) {
       const int b = (axis + 1) % 3;
@@ -70,42 +74,52 @@ class LayerWaveTerms {
     const V square = hn::MulAdd(x, x, hn::Mul(y, y));
     const V t = hn::Max(hn::NegMulAdd(square, frame_.shrink, one), hn::Zero(d));
     const V inside = hn::Max(hn::NegMulAdd(hn::Mul(height, height), frame_.flatten, one), hn::Zero(d));
-    const V window = hn::Mul(hn::Mul(t, t), hn::Mul(inside, inside));
-    const V turns = hn::MulAdd(x, attribute(kWaveX, i), hn::Mul(y, attribute(kWaveY, i)));
+    const V layer = hn::Mul(inside, inside);
+    const V window = hn::Mul(hn::Mul(t, t), layer);
+    const V wave_x = attribute(kWaveX, i);
+    const V wave_y = attribute(kWaveY, i);
+    const V weight = attribute(kWaveWeight, i);
     V cosine, sine;
-    CosineSine(d, turns, cosine, sine);
-    const V envelope =
-        hn::Mul(polynomial(hn::Sub(t, hn::Set(d, 0.5f))), hn::Mul(attribute(kWaveWeight, i), window));
-    sum_ = hn::MulAdd(envelope, cosine, sum_);
+    CosineSine(d, hn::MulAdd(x, wave_x, hn::Mul(y, wave_y)), cosine, sine);
+    const V factor = hn::Mul(weight, window);
+    if constexpr (kDerivatives == Derivatives::none) {
+      sum_ = hn::MulAdd(hn::Mul(envelope_.value(d, t), factor), cosine, sum_);
+    } else {
+      const Jet<V> p = envelope_.jet(d, t);
+      const V envelope = hn::Mul(p.value, factor);
+      sum_ = hn::MulAdd(envelope, cosine, sum_);
+      // d (t^2 P) / d t, and d t / d x = -2 x / r^2; the wave turns by 2 pi in a cycle.
+      const V lower = hn::Mul(hn::Mul(hn::Set(d, 2.0f), t), hn::Mul(weight, layer));
+      const V by_t = hn::Mul(hn::MulAdd(factor, p.slope, hn::Mul(lower, p.value)), cosine);
+      const V by_square = hn::Mul(by_t, hn::Mul(hn::Set(d, -2.0f), frame_.shrink));
+      const V turning = hn::Mul(hn::Mul(envelope, sine), hn::Set(d, 2.0f * std::numbers::pi_v<float>));
+      slope_along_ = hn::MulAdd(by_square, x, hn::NegMulAdd(turning, wave_x, slope_along_));
+      slope_across_ = hn::MulAdd(by_square, y, hn::NegMulAdd(turning, wave_y, slope_across_));
+    }
   }
 
-  HWY_INLINE void store(int lane, ClusterSums& sums) const { hn::Store(sum_, Tag(), sums.value + lane); }
+  HWY_INLINE void store(int lane, ClusterSums& sums) const {
+    const Tag d;
+    hn::Store(sum_, d, sums.value + lane);
+    for (int axis = 0; kDerivatives == Derivatives::gradient && axis < 3; ++axis) {
+      const V slope = hn::MulAdd(slope_along_, along_[axis], hn::Mul(slope_across_, across_[axis]));
+      hn::Store(slope, d, sums.gradient[axis] + lane);
+    }
+  }
 
  private:
   HWY_INLINE V attribute(int channel, std::size_t i) const {
     return hn::Set(Tag(), impulses_.attribute(channel)[i]);
   }
 
-  // In Chebyshev polynomials of 2 v, by Clenshaw's recurrence.
-  HWY_INLINE V polynomial(V v) const {
-    const Tag d;
-    const V four_v = hn::Mul(hn::Set(d, 4.0f), v);
-    V next = hn::Zero(d);
-    V after = hn::Zero(d);
-    for (std::size_t k = kernel_.envelope.size() - 1; k >= 1; --k) {
-      const V current = hn::MulAdd(four_v, next, hn::Sub(hn::Set(d, kernel_.envelope[k]), after));
-      after = next;
-      next = current;
-    }
-    return hn::MulAdd(hn::Add(v, v), next, hn::Sub(hn::Set(d, kernel_.envelope[0]), after));
-  }
-
-  const LayerWaveKernel& kernel_;
   const ImpulseList& impulses_;
+  Clenshaw::Bound<Tag> envelope_;
   Frame frame_;
   V along_[3];
   V across_[3];
   V sum_ = hn::Zero(Tag());
+  V slope_along_ = hn::Zero(Tag());
+  V slope_across_ = hn::Zero(Tag());
 };
 
 // 3 x^2 - 2 x^3.
@@ -127,7 +141,7 @@ HWY_INLINE V Window(V u) {
   return sine;
 }
 
-template <ProjectedKernel::Window kWindow>
+template <ProjectedKernel::Window kWindow, Derivatives kDerivatives>
 class ProjectedTerms {
  public:
   static constexpr std::size_t kAtOnce = 1;
@@ -136,6 +150,7 @@ class ProjectedTerms {
                             const ImpulseList& impulses, int lane)
       : impulses_(impulses), frame_(cluster, lane), root_(hn::Set(Tag(), kernel.root)) {
     frame_.flatten = hn::Sqrt(frame_.flatten);
+    for (int axis = 0; axis < 3; ++axis) slope_[axis] = hn::Zero(Tag());
   }
 
   HWY_INLINE void add(std::size_t i) {
@@ -153,31 +168,59 @@ class ProjectedTerms {
     const V window = Window<kWindow>(hn::Mul(hn::Abs(height), frame_.flatten));
     const V factor = hn::Mul(hn::Mul(hn::Mul(t2, t2), hn::Sub(t, root_)), window);
     sum_ = hn::MulAdd(factor, slope, sum_);
+    if constexpr (kDerivatives == Derivatives::gradient) {
+      // d (t^4 (t - root)) / d t = t^3 (5 t - 4 root), and d t / d A = -2 A / r^2.
+      const V polynomial = hn::NegMulAdd(hn::Set(d, 4.0f), root_, hn::Mul(hn::Set(d, 5.0f), t));
+      const V by_t = hn::Mul(hn::Mul(hn::Mul(t2, t), polynomial), hn::Mul(window, slope));
+      const V by_square = hn::Mul(by_t, hn::Mul(hn::Set(d, -2.0f), frame_.shrink));
+      for (int axis = 0; axis < 3; ++axis) {
+        slope_[axis] = hn::MulAdd(by_square, offset[axis], hn::MulAdd(factor, gradient[axis], slope_[axis]));
+      }
+    }
   }
 
-  HWY_INLINE void store(int lane, ClusterSums& sums) const { hn::Store(sum_, Tag(), sums.value + lane); }
+  HWY_INLINE void store(int lane, ClusterSums& sums) const {
+    hn::Store(sum_, Tag(), sums.value + lane);
+    for (int axis = 0; kDerivatives == Derivatives::gradient && axis < 3; ++axis) {
+      hn::Store(slope_[axis], Tag(), sums.gradient[axis] + lane);
+    }
+  }
 
  private:
   const ImpulseList& impulses_;
   Frame frame_;
   V root_;
   V sum_ = hn::Zero(Tag());
+  V slope_[3];
 };
 
 }  // namespace surface_sum
 
 inline void SumLayerWaves(const LayerWaveKernel& kernel, const PointCluster& cluster,
                           const ImpulseList& impulses, ClusterSums& sums) {
-  SumTerms<surface_sum::LayerWaveTerms>(kernel, cluster, impulses, sums);
+  using surface_sum::LayerWaveTerms;
+  if (cluster.derivatives == Derivatives::gradient) {
+    SumTerms<LayerWaveTerms<Derivatives::gradient>>(kernel, cluster, impulses, sums);
+  } else {
+    SumTerms<LayerWaveTerms<Derivatives::none>>(kernel, cluster, impulses, sums);
+  }
 }
 
 inline void SumProjected(const ProjectedKernel& kernel, const PointCluster& cluster,
                          const ImpulseList& impulses, ClusterSums& sums) {
   using Window = ProjectedKernel::Window;
+  const auto sum = [&]<Window kWindow>() {
+    using surface_sum::ProjectedTerms;
+    if (cluster.derivatives == Derivatives::gradient) {
+      SumTerms<ProjectedTerms<kWindow, Derivatives::gradient>>(kernel, cluster, impulses, sums);
+    } else {
+      SumTerms<ProjectedTerms<kWindow, Derivatives::none>>(kernel, cluster, impulses, sums);
+    }
+  };
   if (kernel.window == Window::hermite) {
-    SumTerms<surface_sum::ProjectedTerms<Window::hermite>>(kernel, cluster, impulses, sums);
+    sum.template operator()<Window::hermite>();
   } else {
-    SumTerms<surface_sum::ProjectedTerms<Window::cosine>>(kernel, cluster, impulses, sums);
+    sum.template operator()<Window::cosine>();
   }
 }
 

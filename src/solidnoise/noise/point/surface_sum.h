@@ -10,12 +10,13 @@
 #include <glm/geometric.hpp>
 
 #include "solidnoise/core/cell_grid.h"
-#include "solidnoise/core/check.h"
+#include "solidnoise/core/field.h"
 #include "solidnoise/core/points.h"
 #include "solidnoise/core/vec.h"
 #include "solidnoise/noise/point/point_cluster.h"
 #include "solidnoise/noise/point/point_parameters.h"
 #include "solidnoise/noise/point/point_tile.h"
+#include "solidnoise/noise/point/tiled_sum.h"
 
 namespace solidnoise {
 
@@ -35,8 +36,8 @@ class SurfaceSum {
     extent_.span = source.span();
   }
 
-  // Adds to the values of the batch's points.
-  void add(const SurfaceBatch& batch, std::span<float> values) {
+  // Adds to the samples of the batch's points.
+  void add(const SurfaceBatch& batch, const Samples<3>& samples) {
     tangents_ = batch.tangents;
     located_.resize(batch.order.size());
     for (std::size_t i = 0; i < located_.size(); ++i) {
@@ -53,7 +54,7 @@ class SurfaceSum {
       point.weight = 1.0f;
       point.point = static_cast<std::uint32_t>(i);
     }
-    TiledSum<3, SurfaceSum>(*this, extent_, 3).add(located_, values);
+    TiledSum<3, SurfaceSum>(*this, extent_, 3).add(located_, source_.axis().size(), samples);
   }
 
   void gather(const Index<3>& anchor, const PointCull& cull, ImpulseList& impulses) const {
@@ -84,13 +85,13 @@ class SurfaceSum {
 //   int span() const;              cells along an axis that the impulses of a stratum may lie in
 //   void append(anchor, stratum, ImpulseList&) const;  the impulses of a stratum relative to the anchor
 //   void sum(const PointCluster&, const ImpulseList&, ClusterSums&) const;
-// `tangent` is all empty for kernels that need none. A value depends on its point only.
+// `tangent` is all empty for kernels that need none. A value depends on its point only. The gradient is the
+// part along the surface of the derivative by the position, while normal and tangent stay as they are.
 template <typename Source>
 void sum_on_surface(std::span<const Source> sources, const SurfacePoints& points,
-                    const std::array<std::span<const float>, 3>& tangent, std::span<float> values) {
+                    const std::array<std::span<const float>, 3>& tangent, const Samples<3>& samples) {
   constexpr std::size_t kBatch = 4096;  // points that are located together
-  require_room("values", values.size(), points.positions.size());
-  std::vector<float> batch_values;
+  require_room(samples, points.positions.size());
   std::vector<SurfaceSum<Source>> sums(sources.begin(), sources.end());
   const std::vector<std::size_t> order = spatial_order(points.positions);
   SurfaceBatch batch;
@@ -111,9 +112,10 @@ void sum_on_surface(std::span<const Source> sources, const SurfacePoints& points
       if (tangent[0].empty()) continue;
       batch.tangents[k] = unit_tangent({tangent[0][i], tangent[1][i], tangent[2][i]}, batch.normals[k]);
     }
-    batch_values.assign(count, 0.0f);
-    for (SurfaceSum<Source>& sum : sums) sum.add(batch, batch_values);
-    for (std::size_t i = 0; i < batch_values.size(); ++i) values[batch.order[i]] = batch_values[i];
+    const SampleBuffer<3> batch_samples(samples.subspan(0, count));
+    fill_with_zero(batch_samples.samples());
+    for (SurfaceSum<Source>& sum : sums) sum.add(batch, batch_samples.samples());
+    scatter(batch_samples.samples(), batch.order, samples);
   }
 }
 
