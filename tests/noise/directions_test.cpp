@@ -73,7 +73,7 @@ std::vector<Vec<Dim>> draws(const DirectionCone<Dim>& cone, std::uint64_t key) {
   std::vector<Vec<Dim>> directions;
   for (int i = 0; i < kDraws; ++i) {
     RandomStream stream(derive_seed(key, static_cast<std::uint64_t>(i)));
-    directions.push_back(cone.draw(stream));
+    directions.push_back(cone.draw(stream.next_unit(), stream));
   }
   return directions;
 }
@@ -180,7 +180,7 @@ TEST(DirectionCone, OfFullAnisotropyIsItsAxis) {
     for (const Vec<Dim>& axis : some_axes<Dim>()) {
       const DirectionCone<Dim> cone(7.0 * axis, 1.0);
       RandomStream stream(1);
-      EXPECT_LT(glm::length(cone.draw(stream) - glm::normalize(axis)), 1e-15);
+      EXPECT_LT(glm::length(cone.draw(stream.next_unit(), stream) - glm::normalize(axis)), 1e-15);
       EXPECT_LT(glm::length(cone.at({1.0, 0.0}, {1.0, 0.0, 0.0}) - glm::normalize(axis)), 1e-12);
     }
   });

@@ -98,7 +98,7 @@ TEST(DirectionCone, SecondMomentsAreThoseOfTheDirectionsDrawn) {
       RandomStream stream(11);
       Vec<Dim> sum(0.0);
       for (int i = 0; i < kCount; ++i) {
-        const Vec<Dim> d = cone.draw(stream);
+        const Vec<Dim> d = cone.draw(stream.next_unit(), stream);
         sum += d * d;
       }
       const Vec<Dim> expected = cone.second_moments();

@@ -357,5 +357,31 @@ TEST(Strata, ABlockHasThoseOfItsCells) {
   });
 }
 
+TEST(ImpulseProcess, EachPartOfTheSharesHasOneImpulseOfAStratum) {
+  for (const int count : {1, 2, 3, 7, 30}) {
+    const ImpulseProcess<2> process = make_strata<2>(count, 9);
+    std::vector<double> within(10);  // of its part, where a share is
+    constexpr int kStrata = 3000;
+    for (int number = 0; number < kStrata; ++number) {
+      std::vector<double> shares;
+      for (const auto& impulse : impulses_of<2>(process, {number, 5}))
+        shares.push_back(share_of(impulse.mark));
+      std::sort(shares.begin(), shares.end());
+      ASSERT_EQ(shares.size(), static_cast<std::size_t>(count));
+      for (int part = 0; part < count; ++part) {
+        // A step of 2^-24 may round over an edge.
+        const double place = shares[static_cast<std::size_t>(part)] * count - part;
+        ASSERT_GE(place, -count * 0x1.0p-24);
+        ASSERT_LT(place, 1.0);
+        ++within[static_cast<std::size_t>(std::max(0.0, place) * 10.0)];
+      }
+    }
+    double chi_square = 0.0;
+    const double expected = kStrata * count / 10.0;
+    for (const double found : within) chi_square += std::pow(found - expected, 2) / expected;
+    EXPECT_GT(regularized_gamma_q(4.5, 0.5 * chi_square), kFalseAlarm) << count;
+  }
+}
+
 }  // namespace
 }  // namespace solidnoise

@@ -76,7 +76,9 @@ TEST(WaveMixture, OfAConeIsTheMeanOverItsDirections) {
         RandomStream stream(5);
         double mean = 0.0;
         for (int i = 0; i < kCount; ++i) {
-          mean += std::cos(2.0 * std::numbers::pi * glm::dot(noise.directions().draw(stream), x)) / kCount;
+          mean += std::cos(2.0 * std::numbers::pi *
+                           glm::dot(noise.directions().draw(stream.next_unit(), stream), x)) /
+                  kCount;
         }
         const double envelope =
             std::exp(-0.5 * std::numbers::pi * std::pow(noise.kernel().a() * glm::length(x), 2));

@@ -1,6 +1,8 @@
 #include "solidnoise/core/random.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numeric>
 #include <stdexcept>
 
@@ -8,7 +10,7 @@
 
 namespace solidnoise {
 
-AliasTable::AliasTable(std::span<const double> weights) : columns_(weights.size()) {
+CumulativeTable::CumulativeTable(std::span<const double> weights) {
   constexpr std::size_t kMost = std::size_t{1} << 20;
   if (weights.size() > kMost) {
     throw std::invalid_argument(fmt::format("there are {} weights; at most {}", weights.size(), kMost));
@@ -23,28 +25,20 @@ AliasTable::AliasTable(std::span<const double> weights) : columns_(weights.size(
     throw std::invalid_argument(fmt::format("the weights add up to {}; they must to more than 0", total));
   }
 
-  // Columns that are not full from the front of one array, those that overflow from its back.
-  const auto count = static_cast<double>(weights.size());
-  std::vector<std::uint32_t> pending(weights.size());
-  std::size_t small = 0;
-  std::size_t large = pending.size();
+  double sum = 0.0;
+  std::size_t last = 0;
   for (std::size_t i = 0; i < weights.size(); ++i) {
-    columns_[i] = {weights[i] / total * count, static_cast<std::uint32_t>(i)};
-    (columns_[i].threshold < 1.0 ? pending[small++] : pending[--large]) = static_cast<std::uint32_t>(i);
+    sum += weights[i];
+    upto_.push_back(sum / total);
+    if (weights[i] > 0.0) last = i;
   }
-  while (small > 0 && large < pending.size()) {
-    Column& filled = columns_[pending[--small]];
-    const std::uint32_t donor = pending[large];
-    filled.alias = donor;
-    columns_[donor].threshold -= 1.0 - filled.threshold;
-    if (columns_[donor].threshold < 1.0) {
-      ++large;
-      pending[small++] = donor;
-    }
+  std::fill(upto_.begin() + static_cast<std::ptrdiff_t>(last), upto_.end(),
+            1.0);  // whatever rounding has left
+  std::uint32_t number = 0;
+  for (std::size_t i = 0; i < size(); ++i) {
+    while (static_cast<double>(i) / static_cast<double>(size()) >= upto_[number]) ++number;
+    guide_.push_back(number);
   }
-  // What rounding has left over.
-  for (std::size_t i = 0; i < small; ++i) columns_[pending[i]].threshold = 1.0;
-  for (std::size_t i = large; i < pending.size(); ++i) columns_[pending[i]].threshold = 1.0;
 }
 
 }  // namespace solidnoise

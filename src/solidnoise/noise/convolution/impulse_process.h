@@ -17,8 +17,18 @@ namespace solidnoise {
 template <int Dim>
 struct Impulse {
   std::array<std::int32_t, Dim> position;  // in 2^-20 of a cell
-  std::uint64_t mark;
+  std::uint64_t mark;                      // its last 24 bits are the share
 };
+
+// What an impulse draws first of what need not be independent of other impulses, as its weight and phase
+// must: its frequency, its direction, its turn. A uniform number on [0, 1), in steps of 2^-24. Of the m
+// impulses of a stratum one has a share in each m-th of [0, 1), so that a few impulses have of everything
+// what many would have.
+inline constexpr int kShareBits = 24;
+inline constexpr std::uint64_t kShareMask = (std::uint64_t{1} << kShareBits) - 1;
+inline double share_of(std::uint64_t mark) {
+  return static_cast<double>(mark & kShareMask) / static_cast<double>(kShareMask + 1);
+}
 
 // How many impulses there are in a cell.
 struct ImpulseCount {
@@ -79,6 +89,12 @@ class ImpulseProcess {
         }
       }
       impulse.mark = stream.next();
+      if (count_.is_fixed) {
+        const std::uint64_t within = impulse.mark & kShareMask;
+        impulse.mark +=
+            ((static_cast<std::uint64_t>(i) << kShareBits) + within) / static_cast<std::uint64_t>(count) -
+            within;
+      }
       sink(impulse);
     }
   }
@@ -212,7 +228,7 @@ class ImpulseCells {
             static_cast<float>(impulse.position[axis]) / static_cast<float>(CellAxis::kQuantaPerCell);
       }
       item.weight = impulse.mark >> 63 ? 1.0f : -1.0f;
-      item.share = static_cast<float>(impulse.mark & 0xffffffu) * 0x1p-24f;
+      item.share = static_cast<float>(share_of(impulse.mark));
       items_.push_back(item);
     });
     slot.count = static_cast<std::uint32_t>(items_.size()) - slot.first;

@@ -13,10 +13,9 @@ namespace {
 
 using std::numbers::pi;
 
-// A uniform direction in Dim - 1 dimensions; unused coordinates are 0.
+// A uniform direction in Dim - 1 dimensions, of 3 or 4; unused coordinates are 0.
 template <int Dim>
 std::array<double, 3> draw_around(RandomStream& stream) {
-  if constexpr (Dim == 2) return {stream.next_unit() < 0.5 ? -1.0 : 1.0, 0.0, 0.0};
   if constexpr (Dim == 3) {
     const double azimuth = 2.0 * pi * stream.next_unit();
     return {std::cos(azimuth), std::sin(azimuth), 0.0};
@@ -99,10 +98,13 @@ Vec<Dim> DirectionCone<Dim>::at(const Polar& polar, const std::array<double, 3>&
 }
 
 template <int Dim>
-Vec<Dim> DirectionCone<Dim>::draw(RandomStream& stream) const {
+Vec<Dim> DirectionCone<Dim>::draw(double share, RandomStream& stream) const {
   if (Dim == 1 || anisotropy_ == 1.0) return axis_;
-  const Polar polar = polar_angle(stream.next_unit());
-  return at(polar, draw_around<Dim>(stream));
+  if (Dim == 2) {
+    const double side = 2.0 * share - 1.0;
+    return at(polar_angle(std::abs(side)), {std::copysign(1.0, side), 0.0, 0.0});
+  }
+  return at(polar_angle(share), draw_around<Dim>(stream));
 }
 
 template <int Dim>

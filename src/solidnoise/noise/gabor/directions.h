@@ -21,7 +21,10 @@ class DirectionCone {
   const Vec<Dim>& axis() const { return axis_; }  // of unit length
   double anisotropy() const { return anisotropy_; }
 
-  Vec<Dim> draw(RandomStream& stream) const;
+  // For a uniform `share` in [0, 1), and from a stream what else it takes. Shares apart are directions apart:
+  // in two dimensions the share is the angle, from one edge of the cone to the other, in more the angle from
+  // the axis.
+  Vec<Dim> draw(double share, RandomStream& stream) const;
 
   // Directions and weights of a quadrature over the cone, for functions that a direction and its opposite
   // have in common; of the whole sphere, mirrored_directions().

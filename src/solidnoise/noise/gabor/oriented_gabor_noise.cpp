@@ -48,7 +48,7 @@ class WaveDraw {
     double phase = stream.next_unit();
     if (turns_) phase += turns_->at(mark);
     phase += phase_shift_;
-    return {frequency_ * directions_.draw(stream), phase - std::floor(phase)};
+    return {frequency_ * directions_.draw(share_of(mark), stream), phase - std::floor(phase)};
   }
 
  private:

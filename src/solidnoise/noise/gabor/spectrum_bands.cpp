@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include <glm/geometric.hpp>
+
+#include "solidnoise/noise/convolution/impulse_process.h"
 
 namespace solidnoise {
 
@@ -86,15 +89,31 @@ Noise<2>::Band frequency_interval(const GaborSpectrum& spectrum) {
   return interval;
 }
 
+namespace {
+
+// Where a component stands in the order of a band's: by its angle around the last axis, a wave and its
+// opposite being the same, or by its frequency.
+double place_of(const Vec<3>& frequency, bool isotropic) {
+  if (isotropic) return glm::length(frequency);
+  const double angle = std::atan2(frequency.y, frequency.x);
+  return angle < 0.0 ? angle + std::numbers::pi : angle;
+}
+
+}  // namespace
+
 template <int Dim>
 ComponentDraw<Dim>::ComponentDraw(const SpectrumBand& band, bool isotropic) {
+  std::vector<SpectrumComponent> components = band.components;
+  std::stable_sort(components.begin(), components.end(), [&](const auto& one, const auto& other) {
+    return place_of(one.frequency, isotropic) < place_of(other.frequency, isotropic);
+  });
   std::vector<double> variances;
   std::vector<Vec<Dim>> frequencies;
-  for (const SpectrumComponent& component : band.components) {
+  for (const SpectrumComponent& component : components) {
     variances.push_back(component.variance);
     frequencies.emplace_back(component.frequency);
   }
-  components_ = std::make_shared<AliasTable>(variances);
+  components_ = std::make_shared<CumulativeTable>(variances);
   frequencies_ = std::make_shared<std::vector<Vec<Dim>>>(std::move(frequencies));
   Vec<Dim> axis(0.0);
   axis[0] = 1.0;
@@ -102,9 +121,11 @@ ComponentDraw<Dim>::ComponentDraw(const SpectrumBand& band, bool isotropic) {
 }
 
 template <int Dim>
-Vec<Dim> ComponentDraw<Dim>::operator()(RandomStream& stream) const {
-  const Vec<Dim>& frequency = (*frequencies_)[components_->draw(stream.next_unit())];
-  return directions_ ? glm::length(frequency) * directions_->draw(stream) : frequency;
+Vec<Dim> ComponentDraw<Dim>::operator()(double share, RandomStream& stream) const {
+  // Finer than the share's steps: a component may be as weak as one of them.
+  const double fine = static_cast<double>(kShareMask + 1);
+  const Vec<Dim>& frequency = (*frequencies_)[components_->draw(share + stream.next_unit() / fine)];
+  return directions_ ? glm::length(frequency) * directions_->draw(stream.next_unit(), stream) : frequency;
 }
 
 template class ComponentDraw<2>;

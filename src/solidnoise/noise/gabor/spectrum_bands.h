@@ -41,10 +41,10 @@ inline constexpr double kLeastImpulses = 4.0;  // in a band's support
 // its kernels reach over many waves, each of one frequency of the spectrum, and while their histogram is
 // Gaussian, a few of them are still seen as gratings that cross. Of a Poisson process that is an excess
 // kurtosis; strata have none, but given the place. (Found by eye on photographs of moss and soil; the paper
-// takes 1024 impulses, a Poisson process of ours some 500 in two dimensions and 1000 in three, strata a half
-// and a quarter of that.)
+// takes 1024 impulses, a Poisson process of ours some 500 in two dimensions and 1000 in three, strata whose frequencies
+// are in strata, too, some 110.)
 inline constexpr double kExampleKurtosis = 1.0 / 64.0;
-inline constexpr double kExamplePlaceKurtosis = 1.0 / 160.0;
+inline constexpr double kExamplePlaceKurtosis = 1.0 / 70.0;
 
 // For N impulses, or for N = 0 the fewest of an excess kurtosis, given the place, as above; weak bands may
 // make it more. The bands' variances add up to 1.
@@ -64,16 +64,17 @@ Noise<2>::Band frequency_interval(const GaborSpectrum& spectrum);
 // Streams of random numbers that the bands derive from a noise's seed: one each.
 inline constexpr std::uint64_t kBandStream = 3000;
 
-// Draws frequencies of a band's impulses, in proportion to the components' variances. Cheap to copy.
+// Draws frequencies of a band's impulses, in proportion to the components' variances: shares apart (share_of)
+// are directions apart, or wavelengths where the spectrum is isotropic. Cheap to copy.
 template <int Dim>
 class ComponentDraw {
  public:
   ComponentDraw(const SpectrumBand& band, bool isotropic);
 
-  Vec<Dim> operator()(RandomStream& stream) const;
+  Vec<Dim> operator()(double share, RandomStream& stream) const;
 
  private:
-  std::shared_ptr<const AliasTable> components_;
+  std::shared_ptr<const CumulativeTable> components_;
   std::shared_ptr<const std::vector<Vec<Dim>>> frequencies_;
   std::optional<DirectionCone<Dim>> directions_;
 };

@@ -38,7 +38,7 @@ class SpectrumWaveDraw {
     RandomStream stream(mark);
     double phase = stream.next_unit();
     if (turns_) phase += turns_->at(mark);
-    return {frequencies_(stream), phase - std::floor(phase)};
+    return {frequencies_(share_of(mark), stream), phase - std::floor(phase)};
   }
 
  private:

@@ -65,7 +65,7 @@ class SurfaceSpectrumNoise::Band {
       }
       RandomStream stream(impulse.mark);
       const double sign = stream.next() >> 63 ? 1.0 : -1.0;
-      const Vec<2> wave = frequencies_(stream);
+      const Vec<2> wave = frequencies_(share_of(impulse.mark), stream);
       // The energy of envelope^2 cos^2 over that of envelope^2 / 2.
       const double energy = 1.0 + std::exp(-sharpness_ * glm::dot(wave, wave));
       impulses.attribute(kWaveX)[end] = static_cast<float>(wave.x * axis_.size());
