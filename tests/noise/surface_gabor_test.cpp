@@ -9,6 +9,8 @@
 
 #include "reference/varying_gabor_reference.h"
 #include "solidnoise/noise/gabor/surface_gabor_noise.h"
+#include "solidnoise/noise/kernel/gabor_parameters.h"
+#include "solidnoise/noise/kernel/impulse_strata.h"
 #include "support/message_of.h"
 #include "support/scattered.h"
 #include "support/simd_targets.h"
@@ -77,6 +79,19 @@ double reference_value(const reference::VaryingGaborProcedure<3>& procedure, con
   return procedure(point);
 }
 
+// The side of balanced cubes of impulses, in radii of the kernel.
+double balanced_side_in_radii(const SurfaceGaborNoise& noise) {
+  const auto& options = noise.options();
+  const double a = gaussian_parameter(options.frequency, options.bandwidth);
+  const RandomPhaseGaborKernel<2> oriented(1.0, a, Vec<2>(0.0));
+  const auto isotropic = IsotropicGaborKernel<2>::with_unit_peak(options.frequency, a);
+  const auto side = [&](const auto& kernel) {
+    return layer_strata_choice(kernel, options.layer * kernel.radius_for_error(kNominalError), layer_window)
+        .balanced_side();
+  };
+  return (options.waves == GaborWaves::oriented ? side(oriented) : side(isotropic)) / noise.radius();
+}
+
 // See varying_gabor_test.cpp; the distance along the surface loses another digit where the offset along the
 // normal is nearly all of the distance.
 constexpr double kRounding = 2e-4;
@@ -89,8 +104,11 @@ TEST(SurfaceGaborNoise, AgreesWithTheReferenceForEveryInstructionSet) {
       SurfaceGaborOptions options = some_options(waves);
       options.layer = layer;
       const SurfaceGaborNoise noise(options);
-      const reference::VaryingGaborProcedure<3> varying(
-          {.impulses = kImpulses, .nominal = family.nominal_share(), .layer = layer, .seed = 11});
+      const reference::VaryingGaborProcedure<3> varying({.impulses = noise.impulses_per_kernel(),
+                                                         .nominal = family.nominal_share(),
+                                                         .strata = balanced_side_in_radii(noise),
+                                                         .layer = layer,
+                                                         .seed = 11});
       const reference::VaryingGaborProcedure<3> stationary({.transition = reference::Transition::none,
                                                             .nominal = family.nominal_share(),
                                                             .layer = layer,

@@ -8,6 +8,7 @@
 
 #include "reference/varying_gabor_reference.h"
 #include "solidnoise/noise/gabor/varying_gabor_noise.h"
+#include "support/gabor_noises.h"
 #include "support/message_of.h"
 #include "support/scattered.h"
 #include "support/simd_targets.h"
@@ -102,10 +103,12 @@ TEST(VaryingGaborNoise, AgreesWithTheReferenceForEveryInstructionSet) {
          {ScaleTransition::fade, ScaleTransition::power, ScaleTransition::paper}) {
       const VaryingGaborNoise<Dim> noise(some_options<Dim>(waves, transition));
       const KernelFamily family(Dim, waves, 1.0, 0.02);
-      const reference::VaryingGaborProcedure<Dim> procedure({.transition = reference_transition(transition),
-                                                             .impulses = kImpulses,
-                                                             .nominal = family.nominal_share(),
-                                                             .seed = 7});
+      const reference::VaryingGaborProcedure<Dim> procedure(
+          {.transition = reference_transition(transition),
+           .impulses = noise.impulses_per_kernel(),
+           .nominal = family.nominal_share(),
+           .strata = transition == ScaleTransition::fade ? balanced_side_in_radii(noise) : 0.0,
+           .seed = 7});
       std::vector<double> expected;
       for (std::size_t i = 0; i < scattered.size(); ++i) {
         const double value = reference_value<Dim>(procedure, family, scattered, i, scattered.frequency[i],
@@ -148,8 +151,10 @@ TEST(VaryingGaborNoise, NarrowAndWideBandsAgreeWithTheReference) {
     scattered.bandwidth.assign(scattered.size(), static_cast<float>(bandwidth));
     const VaryingGaborNoise<2> noise(some_options<2>(GaborWaves::isotropic));
     const KernelFamily family(2, GaborWaves::isotropic, 1.0, 0.02);
-    const reference::VaryingGaborProcedure<2> procedure(
-        {.impulses = kImpulses, .nominal = family.nominal_share(), .seed = 7});
+    const reference::VaryingGaborProcedure<2> procedure({.impulses = noise.impulses_per_kernel(),
+                                                         .nominal = family.nominal_share(),
+                                                         .strata = balanced_side_in_radii(noise),
+                                                         .seed = 7});
     const std::vector<float> values = values_of<2>(noise, scattered);
     for (std::size_t i = 0; i < values.size(); ++i) {
       const double expected =
@@ -190,7 +195,10 @@ TEST(VaryingGaborNoise, MayBeSharedByThreadsFromTheFirstPointOn) {
   const VaryingGaborNoise<2> shared(some_options<2>(GaborWaves::isotropic));
   std::vector<std::vector<float>> results(4);
   std::vector<std::thread> threads;
-  for (auto& result : results) threads.emplace_back([&] { result = values_of<2>(shared, scattered); });
+  for (auto& result : results) {
+    threads.emplace_back(
+        [&, own = scattered] { result = values_of<2>(shared, own); });  // points() is for one thread
+  }
   for (std::thread& thread : threads) thread.join();
   for (const auto& result : results) EXPECT_EQ(result, expected);
 }

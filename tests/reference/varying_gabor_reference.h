@@ -23,6 +23,7 @@ struct VaryingSetting {
   Transition transition = Transition::fade;
   double impulses = 20.0;  // N of a hierarchy of grids
   double nominal = 1.0;    // the radius that N and a layer's thickness are measured by, in radii
+  double strata = 0.0;     // the side of cells of a fixed number of impulses, in radii; 0: a Poisson process
   double layer = 0.0;      // half thickness of a surface's layer, in nominal radii; 0: the kernel is a ball
   std::uint64_t seed = 0;
   std::optional<ImpulseProcess<Dim>> grid{};  // Transition::none: of all impulses
@@ -70,11 +71,13 @@ class VaryingGaborProcedure {
     const double ball = std::array{0.0, 2.0, std::numbers::pi, 4.0 * std::numbers::pi / 3.0,
                                    std::numbers::pi * std::numbers::pi / 2.0}[Dim];
     const double support = setting.layer > 0.0 ? 2.0 * std::numbers::pi * setting.layer : ball;
-    density_ = setting.impulses / support;
+    scale_ = setting.strata > 0.0 ? setting.strata : setting.nominal;
+    density_ = setting.impulses / support * std::pow(scale_ / setting.nominal, Dim);
     second_ = 1.0;
     if (setting.transition == Transition::fade) {
       second_ = fade_moment<Dim>(2);
       density_ *= fade_moment<Dim>(4) / (second_ * second_);
+      if (setting.strata > 0.0) density_ = std::ceil(density_ * kMade) / kMade;
     }
   }
 
@@ -90,11 +93,10 @@ class VaryingGaborProcedure {
       const double density = setting_.grid->mean_per_cell() / std::pow(setting_.grid->axes()[0].size(), Dim);
       return sum_of_grid(point, *setting_.grid, reach) / std::sqrt(density * energy);
     }
-    // density_ per cube of the nominal radius.
-    const double nominal = setting_.nominal * point.radius;
-    const double scale = 1.0 / std::sqrt(density_ / std::pow(nominal, Dim) * second_ * energy);
-    const int level = static_cast<int>(std::floor(std::log2(nominal)));
-    const double alpha = nominal / std::exp2(level) - 1.0;
+    const double scale = scale_ * point.radius;
+    const double amplitude = 1.0 / std::sqrt(density_ / std::pow(scale, Dim) * second_ * energy);
+    const int level = static_cast<int>(std::floor(std::log2(scale)));
+    const double alpha = scale / std::exp2(level) - 1.0;
     const double growth = std::pow(1.0 + alpha, Dim);
     double fine = 1.0;
     double coarse = 1.0;
@@ -106,7 +108,7 @@ class VaryingGaborProcedure {
       fine = (1.0 - alpha) / growth;
       coarse = std::exp2(Dim) * alpha / growth;
     }
-    const double band = setting_.transition == Transition::fade ? 1.0 - std::exp2(-Dim) : 1.0;
+    const double band = setting_.transition == Transition::fade ? kMade : 1.0;
     double sum = 0.0;
     for (const int step : {0, 1}) {
       const double size = std::exp2(level + step);
@@ -115,17 +117,19 @@ class VaryingGaborProcedure {
     }
     // At radius (1 + alpha) 2^l the finer grid has (1 + alpha)^n times the density asked for, and the weights
     // make up for it; the fading selects it.
-    return scale * sum;
+    return amplitude * sum;
   }
 
  private:
+  static constexpr double kMade = 1.0 - 1.0 / (1 << Dim);  // of all turns
+
   ImpulseProcess<Dim> grid(int level, double size, double mean) const {
     std::array<CellAxis, Dim> axes;
     axes.fill(CellAxis(size));
     // Keys: stream 1 of the seed, and of that one stream per level from 2^20 on.
     const std::uint64_t key =
         derive_seed(derive_seed(setting_.seed, 1), (1u << 20) + static_cast<std::uint64_t>(level));
-    return ImpulseProcess<Dim>(axes, {mean, false}, key);
+    return ImpulseProcess<Dim>(axes, {mean, setting_.strata > 0.0}, key);
   }
 
   double sum_of_grid(const VaryingPoint<Dim>& point, const ImpulseProcess<Dim>& process, double reach) const {
@@ -168,14 +172,14 @@ class VaryingGaborProcedure {
     if (setting_.transition == Transition::fade) {
       const double share = static_cast<double>(impulse.mark & 0xffffffu) / 0x1p24;
       const double lowest = std::exp2(-Dim);
-      factor *= fade<Dim>(std::pow(setting_.nominal * point.radius / size, Dim) *
-                          (lowest + (1.0 - lowest) * share));
+      factor *= fade<Dim>(std::pow(scale_ * point.radius / size, Dim) * (lowest + (1.0 - lowest) * share));
     }
     return factor * point.kernel(offset);
   }
 
   VaryingSetting<Dim> setting_;
-  double density_;  // impulses per cube of the nominal radius
+  double scale_;    // the length that cells follow, in radii
+  double density_;  // impulses per cube of that side
   double second_;   // integral of fade^2
 };
 

@@ -13,6 +13,9 @@
 #include "reference/gabor_reference.h"
 #include "solidnoise/noise/gabor/gabor_noise.h"
 #include "solidnoise/noise/gabor/oriented_gabor_noise.h"
+#include "solidnoise/noise/gabor/varying_gabor_noise.h"
+#include "solidnoise/noise/kernel/gabor_parameters.h"
+#include "solidnoise/noise/kernel/impulse_strata.h"
 
 namespace solidnoise {
 
@@ -24,6 +27,18 @@ double support_of(const GaborNoise<Dim>& noise) {
 template <int Dim>
 double support_of(const OrientedGaborNoise<Dim>& noise) {
   return noise.envelope().radius();
+}
+
+// The side of balanced cubes of impulses, in radii of the kernel.
+template <int Dim>
+double balanced_side_in_radii(const VaryingGaborNoise<Dim>& noise) {
+  const auto& options = noise.options();
+  const double a = gaussian_parameter(options.frequency, options.bandwidth);
+  const StrataChoice choice =
+      options.waves == GaborWaves::oriented
+          ? strata_choice(RandomPhaseGaborKernel<Dim>(1.0, a, Vec<Dim>(0.0)))
+          : strata_choice(IsotropicGaborKernel<Dim>::with_unit_peak(options.frequency, a), {});
+  return choice.balanced_side() / noise.radius(options.frequency, options.bandwidth);
 }
 
 // Runs a check with the isotropic Gabor noise and with oriented ones of directions all around, in a cone and

@@ -58,22 +58,23 @@ SurfaceGaborNoise::SurfaceGaborNoise(const SurfaceGaborOptions& options)
                         plane.fourth * r * r * layer_window_moment(4) * options.layer * nominal};
   const double wanted = options.impulses / support;
   const auto layout = make_layout<3>(choice, wanted, options.impulses_process, r, Vec<4>(0.0));
-  const double varying_density =
-      wanted > 0.0 ? wanted : density_for_excess_kurtosis(kDefaultKurtosis, choice.moments);
-  varying_excess_kurtosis_ = noise_excess_kurtosis(varying_density, moments);
   impulses_ = layout.density * support;
+  const bool fixed = layout.count.is_fixed && options.transition == ScaleTransition::fade;
+  const double scale = fixed ? choice.balanced_side() : nominal;
+  scale_in_radii_ = scale / r;
+
+  PointConvolution<3>::Settings settings{.waves = options.waves,
+                                         .layer = options.layer * family_->nominal_share(),
+                                         .transition = options.transition,
+                                         .count = {layout.density * std::pow(scale, 3), fixed},
+                                         .seed = options.seed};
+  varying_ = std::make_shared<PointConvolution<3>>(settings);
+  varying_excess_kurtosis_ = varying_->excess_kurtosis(scale, moments, *choice.averages);
   if (layout.count.is_fixed) {
     moments.overlap =
         choice.averages->overlap(layout.side()) * std::pow(moments.second / choice.moments.second, 2);
   }
   excess_kurtosis_ = noise_excess_kurtosis(layout.density, moments);
-
-  PointConvolution<3>::Settings settings{.waves = options.waves,
-                                         .layer = options.layer * family_->nominal_share(),
-                                         .transition = options.transition,
-                                         .count = {varying_density * std::pow(nominal, 3), false},
-                                         .seed = options.seed};
-  varying_ = std::make_shared<PointConvolution<3>>(settings);
   settings.side = layout.side();
   settings.count = layout.count;
   stationary_ = std::make_shared<PointConvolution<3>>(settings);
@@ -103,7 +104,7 @@ void SurfaceGaborNoise::evaluate(const SurfacePoints& points, const VaryingParam
       const double frequency = picked.frequency(i, options_.frequency);
       point.kernel = picked.varies_bandwidth() ? family_->at(picked.bandwidth(i, 0.0)) : kernel_;
       point.radius = point.kernel.cycles / frequency;
-      point.scale = family_->nominal_share() * point.radius;
+      point.scale = scale_in_radii_ * point.radius;
       const double extent = varies ? point.radius / point.scale : point.radius;
       const double power = convolution.power() * thickness * std::pow(extent, 3);
       point.amplitude = picked.magnitude(i, 1.0) / std::sqrt(power * point.kernel.energy);

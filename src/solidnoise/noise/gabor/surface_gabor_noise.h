@@ -20,7 +20,7 @@ struct SurfaceGaborOptions {
   double bandwidth = 1.0;  // width of the band at half amplitude, octaves; 0.1 to 4
   double error = 0.02;     // relative RMS error against the kernel of infinite support; 1e-4 to 0.5
   double impulses = 0.0;   // mean impulses under one kernel, N; 0: the fewest that look Gaussian
-  ImpulseSpread impulses_process = ImpulseSpread::strata;  // where neither frequency nor bandwidth vary
+  ImpulseSpread impulses_process = ImpulseSpread::strata;
   GaborWaves waves = GaborWaves::isotropic;
   Vec<3> direction{1.0, 0.0, 0.0};  // of oriented waves, laid into the tangent plane; any length but 0
   // Half the thickness of the layer that impulses are taken from, in kernel radii at an error of 0.02; 0.1
@@ -90,7 +90,7 @@ class SurfaceGaborNoise {
   double excess_kurtosis() const { return excess_kurtosis_; }
   // The impulses where neither frequency nor bandwidth vary: for whoever sums them in another way.
   ImpulseProcess<3> impulses() const { return stationary_->impulses(); }
-  // The excess kurtosis where frequency or bandwidth vary: impulses of the hierarchy are a Poisson process.
+  // The excess kurtosis where frequency or bandwidth vary, the mean over frequencies (PointConvolution).
   double varying_excess_kurtosis() const { return varying_excess_kurtosis_; }
   // The frequencies that hold all but a thousandth of the variance.
   Noise<2>::Band band() const;
@@ -103,6 +103,7 @@ class SurfaceGaborNoise {
   double impulses_ = 0.0;
   double excess_kurtosis_ = 0.0;
   double varying_excess_kurtosis_ = 0.0;
+  double scale_in_radii_ = 1.0;  // that impulses of the hierarchy follow
   std::shared_ptr<const PointConvolution<3>> stationary_;
   std::shared_ptr<const PointConvolution<3>> varying_;
 };

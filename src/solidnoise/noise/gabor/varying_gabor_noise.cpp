@@ -73,22 +73,22 @@ VaryingGaborNoise<Dim>::VaryingGaborNoise(const VaryingGaborOptions& options)
   KernelMoments moments = family_->moments(kernel_);
   moments.second *= std::pow(r, Dim);
   moments.fourth *= std::pow(r, Dim);
-  varying_impulses_ = options.impulses > 0.0
-                          ? options.impulses
-                          : impulses_for_quality(Dim, choice.radius, choice.moments, choice.weights);
-  varying_excess_kurtosis_ =
-      noise_excess_kurtosis(impulse_density(Dim, varying_impulses_, choice.radius), moments);
-  if (layout.count.is_fixed)
-    moments.overlap =
-        choice.averages->overlap(layout.side()) * std::pow(moments.second / choice.moments.second, 2);
-  excess_kurtosis_ = noise_excess_kurtosis(layout.density, moments);
+  const bool fixed = layout.count.is_fixed && options.transition == ScaleTransition::fade;
+  const double scale = fixed ? choice.balanced_side() : choice.radius;
+  scale_in_radii_ = scale / r;
 
   typename PointConvolution<Dim>::Settings settings;
   settings.waves = options.waves;
   settings.transition = options.transition;
   settings.seed = options.seed;
-  settings.count = {impulse_density(Dim, varying_impulses_, 1.0), false};
+  settings.count = {layout.density * std::pow(scale, Dim), fixed};
   varying_ = std::make_shared<PointConvolution<Dim>>(settings);
+  varying_excess_kurtosis_ = varying_->excess_kurtosis(scale, moments, *choice.averages);
+  if (layout.count.is_fixed) {
+    moments.overlap =
+        choice.averages->overlap(layout.side()) * std::pow(moments.second / choice.moments.second, 2);
+  }
+  excess_kurtosis_ = noise_excess_kurtosis(layout.density, moments);
   settings.side = layout.side();
   settings.count = layout.count;
   stationary_ = std::make_shared<PointConvolution<Dim>>(settings);
@@ -115,7 +115,7 @@ void VaryingGaborNoise<Dim>::evaluate(const Points<Dim>& points, const VaryingPa
       const double frequency = picked.frequency(i, options_.frequency);
       point.kernel = picked.varies_bandwidth() ? family_->at(picked.bandwidth(i, 0.0)) : kernel_;
       point.radius = point.kernel.cycles / frequency;
-      point.scale = family_->nominal_share() * point.radius;
+      point.scale = scale_in_radii_ * point.radius;
       const double extent = varies ? point.radius / point.scale : point.radius;
       const double power = convolution.power() * std::pow(extent, Dim);
       point.amplitude = picked.magnitude(i, 1.0) / std::sqrt(power * point.kernel.energy);

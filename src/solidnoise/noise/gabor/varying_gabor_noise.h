@@ -21,7 +21,7 @@ struct VaryingGaborOptions {
   double bandwidth = 1.0;  // width of the band at half amplitude, octaves; 0.1 to 4
   double error = 0.02;     // relative RMS error against the kernel of infinite support; 1e-4 to 0.5
   double impulses = 0.0;   // mean impulses under one kernel, N; 0: the fewest that look Gaussian
-  ImpulseSpread impulses_process = ImpulseSpread::strata;  // where neither frequency nor bandwidth vary
+  ImpulseSpread impulses_process = ImpulseSpread::strata;
   GaborWaves waves = GaborWaves::isotropic;
   Vec<4> direction{1.0, 0.0, 0.0, 0.0};                // of oriented waves, the first axes of it; any length
   ScaleTransition transition = ScaleTransition::fade;  // where the frequency or bandwidth varies
@@ -76,7 +76,7 @@ class VaryingGaborNoise {
   double excess_kurtosis() const { return excess_kurtosis_; }
   // The impulses where neither frequency nor bandwidth vary: for whoever sums them in another way.
   ImpulseProcess<Dim> impulses() const { return stationary_->impulses(); }
-  // The excess kurtosis where frequency or bandwidth vary: impulses of the hierarchy are a Poisson process.
+  // The excess kurtosis where frequency or bandwidth vary, the mean over frequencies (PointConvolution).
   double varying_excess_kurtosis() const { return varying_excess_kurtosis_; }
 
  private:
@@ -86,7 +86,7 @@ class VaryingGaborNoise {
   CompactKernel compact_;        // the same, on the unit ball
   double impulses_ = 0.0;
   double excess_kurtosis_ = 0.0;
-  double varying_impulses_ = 0.0;
+  double scale_in_radii_ = 1.0;  // that impulses of the hierarchy follow
   double varying_excess_kurtosis_ = 0.0;
   std::shared_ptr<const PointConvolution<Dim>> stationary_;
   std::shared_ptr<const PointConvolution<Dim>> varying_;

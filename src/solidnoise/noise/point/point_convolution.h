@@ -10,6 +10,8 @@
 #include "solidnoise/core/field.h"
 #include "solidnoise/core/points.h"
 #include "solidnoise/noise/convolution/impulse_process.h"
+#include "solidnoise/noise/kernel/cube_averages.h"
+#include "solidnoise/noise/kernel/impulse_statistics.h"
 #include "solidnoise/noise/kernel/kernel_family.h"
 #include "solidnoise/noise/point/scale_transition.h"
 
@@ -19,8 +21,8 @@ namespace solidnoise {
 template <int Dim>
 struct KernelPoint {
   double radius = 1.0;  // of the kernel, world units
-  double scale = 1.0;   // that the impulses of a hierarchy of grids follow, world units: the kernel's radius,
-                        // but for what depends on its error
+  double scale = 1.0;   // that the impulses of a hierarchy of grids follow, world units: a length of the
+                       // kernel that does not depend on its error
   double amplitude = 1.0;  // that makes the standard deviation of the value what it should be
   KernelFamily::Member kernel;
   std::array<double, Dim> wave{};  // of an oriented kernel, cycles per world unit
@@ -41,7 +43,8 @@ class PointConvolution {
     ScaleTransition transition = ScaleTransition::fade;
     // Of one grid, for kernels of one radius (world units): cells' side and impulses in each. Else side 0: a
     // hierarchy of grids, with `count` impulses on average in a cube whose side is a kernel's scale,
-    // effective (the kurtosis is that of as many).
+    // effective (the kurtosis of a Poisson process is that of as many). If that is fixed, cells have a whole
+    // number, with turns in as many parts; with ScaleTransition::fade only.
     double side = 0.0;
     ImpulseCount count{};
     std::uint64_t seed = 0;
@@ -51,6 +54,10 @@ class PointConvolution {
   // Mean square of the sum at amplitude 1, per unit of the integral of the kernel's square over space, in
   // units of world units^Dim of one grid, of the scale^Dim of a hierarchy.
   double power() const { return power_; }
+
+  // Of a hierarchy: the excess kurtosis where kernels of these moments have this scale, world units, and of
+  // strata, `averages` being theirs, the mean over all scales.
+  double excess_kurtosis(double scale, const KernelMoments& moments, const CubeAverages& averages) const;
 
   // The impulses of one grid.
   ImpulseProcess<Dim> impulses() const { return grid(0, settings_.side); }
@@ -68,6 +75,7 @@ class PointConvolution {
   ImpulseProcess<Dim> grid(int level, double cell_size) const;
 
   Settings settings_;
+  double density_ = 0.0;  // of a hierarchy: impulses of all turns per scale^Dim
   double power_ = 0.0;
   std::optional<ImpulseProcess<Dim>> process_;  // of all grids, but for their cells and keys
 };
