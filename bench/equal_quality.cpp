@@ -17,12 +17,22 @@ GradientNoise<3> kensler() {
   return GradientNoise<3>({.frequency = frequency});
 }
 
-// With the impulses that it has by default, which leave less of an excess kurtosis than Kensler's noise has.
 template <typename Noise, typename Options>
 std::shared_ptr<const solidnoise::Noise<3>> like_kensler(Options options) {
   options.frequency = kensler().options().frequency;
   options.bandwidth = kBandwidth;
   return std::make_shared<Noise>(options);
+}
+
+// Of a Poisson process the excess kurtosis goes with the reciprocal of the impulses.
+template <typename Noise, typename Options>
+std::shared_ptr<const solidnoise::Noise<3>> poisson_like_strata(Options options) {
+  constexpr double kKurtosis = 0.03;
+  constexpr double kSome = 100.0;
+  options.impulses_process = ImpulseSpread::poisson;
+  options.impulses = kSome;
+  options.impulses *= like_kensler<Noise>(options)->excess_kurtosis() / kKurtosis;
+  return like_kensler<Noise>(options);
 }
 
 std::shared_ptr<const Noise<3>> make(Generator generator, double error) {
@@ -31,6 +41,10 @@ std::shared_ptr<const Noise<3>> make(Generator generator, double error) {
       return like_kensler<GaborNoise<3>>(GaborNoiseOptions{.error = error});
     case Generator::directions:
       return like_kensler<OrientedGaborNoise<3>>(OrientedGaborNoiseOptions{.error = error});
+    case Generator::isotropic_poisson:
+      return poisson_like_strata<GaborNoise<3>>(GaborNoiseOptions{.error = error});
+    case Generator::directions_poisson:
+      return poisson_like_strata<OrientedGaborNoise<3>>(OrientedGaborNoiseOptions{.error = error});
     case Generator::kensler:
       break;
   }

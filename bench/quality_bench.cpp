@@ -50,6 +50,8 @@ void add_equal_quality(std::vector<Ratio>& ratios) {
   add("directions/direct", equal_quality_direct, Generator::directions);
   add("isotropic/budget", equal_quality_budget, Generator::isotropic);
   add("directions/budget", equal_quality_budget, Generator::directions);
+  add("isotropic-poisson/budget", equal_quality_budget, Generator::isotropic_poisson);
+  add("directions-poisson/budget", equal_quality_budget, Generator::directions_poisson);
   add("kensler", equal_quality_direct, Generator::kensler);
   const auto compare = [&](const std::string& title, const std::string& slow, const std::string& fast) {
     ratios.push_back({"equal quality: " + title, name + slow, name + fast});
@@ -58,6 +60,9 @@ void add_equal_quality(std::vector<Ratio>& ratios) {
   compare("random directions over isotropic kernels, within 2 %", "isotropic/budget", "directions/budget");
   compare("Kensler over random directions", "directions/direct", "kensler");
   compare("random directions over Kensler, within 2 %", "kensler", "directions/budget");
+  compare("isotropic, strata over Poisson, within 2 %", "isotropic-poisson/budget", "isotropic/budget");
+  compare("random directions, strata over Poisson, within 2 %", "directions-poisson/budget",
+          "directions/budget");
 }
 
 }  // namespace solidnoise::bench
