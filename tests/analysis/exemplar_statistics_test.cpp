@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include "solidnoise/analysis/exemplar/cross_spectra.h"
@@ -98,27 +99,54 @@ TEST(ColorAxes, MeetTheGoldenDependences) {
   for (std::size_t i = 0; i < 9; ++i) {
     EXPECT_NEAR(spectra.covariance[i], expected["C0"][i / 3][i % 3].get<double>(), kFloat);
   }
-  const auto dependence = [&](ColorAxes axes) {
-    return channel_dependence(spectra, color_axes(spectra, axes));
-  };
-  const nlohmann::json j = expected["J_over_norm"];
-  EXPECT_NEAR(dependence(ColorAxes::rgb), j["rgb"].get<double>(), kFloat);
-  EXPECT_NEAR(dependence(ColorAxes::pca), j["pca"].get<double>(), kFloat);
-  EXPECT_NEAR(dependence(ColorAxes::independent), j["ajd"].get<double>(), kFloat);
-}
-
-TEST(ColorAxes, AreOrthonormal) {
-  const CrossSpectra<2> spectra = golden_spectra();
-  for (const ColorAxes kind : {ColorAxes::rgb, ColorAxes::pca, ColorAxes::independent}) {
-    const AxisMatrix axes = color_axes(spectra, kind);
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t j = 0; j < 3; ++j) {
-        double dot = 0.0;
-        for (int c = 0; c < 3; ++c) dot += axes[i][c] * axes[j][c];
-        EXPECT_NEAR(dot, i == j ? 1.0 : 0.0, 1e-12);
+  // The paper's J, of channels that are not scaled, along orthogonal axes.
+  const auto dependence = [&](const AxisMatrix& axes) {
+    double off = 0.0;
+    double all = 0.0;
+    for (std::size_t p = 0; p < 3; ++p) {
+      for (std::size_t q = 0; q < 3; ++q) {
+        for (std::size_t k = 0; k < 64; ++k) {
+          std::complex<double> sum = 0.0;
+          for (std::size_t i = 0; i < 9; ++i) {
+            sum += axes[p][static_cast<int>(i / 3)] * axes[q][static_cast<int>(i % 3)] * spectra.cross[i][k];
+          }
+          all += std::norm(sum);
+          if (p != q) off += std::norm(sum);
+        }
       }
     }
+    return off / all;
+  };
+  const nlohmann::json j = expected["J_over_norm"];
+  EXPECT_NEAR(dependence(color_axes(spectra, ColorAxes::rgb)), j["rgb"].get<double>(), kFloat);
+  EXPECT_NEAR(dependence(color_axes(spectra, ColorAxes::pca)), j["pca"].get<double>(), kFloat);
+}
+
+// Channels along the axes are uncorrelated at the same point, of any exemplar, and not more dependent than
+// along principal axes at others.
+TEST(ColorAxes, LeaveTheChannelsUncorrelated) {
+  const CrossSpectra<2> spectra = golden_spectra();
+  const AxisMatrix axes = color_axes(spectra, ColorAxes::independent);
+  const AxisMatrix directions = channel_directions(axes);
+  for (std::size_t p = 0; p < 3; ++p) {
+    for (std::size_t q = 0; q < 3; ++q) {
+      EXPECT_NEAR(glm::dot(directions[p], axes[q]), p == q ? 1.0 : 0.0, 1e-9);
+      double sum = 0.0;
+      double scale = 0.0;
+      for (std::size_t i = 0; i < 9; ++i) {
+        const double term = directions[p][static_cast<int>(i / 3)] * directions[q][static_cast<int>(i % 3)] *
+                            spectra.covariance[i];
+        sum += term;
+        scale += std::abs(term);
+      }
+      if (p == q) continue;
+      EXPECT_NEAR(sum, 0.0, 1e-9 * scale);
+    }
   }
+  const auto dependence = [&](ColorAxes kind) {
+    return channel_dependence(spectra, channel_directions(color_axes(spectra, kind)));
+  };
+  EXPECT_LE(dependence(ColorAxes::independent), dependence(ColorAxes::pca));
 }
 
 Exemplar<2> wavy_exemplar(const glm::ivec2& count, float offset) {

@@ -92,25 +92,36 @@ void diagonalize_jointly(std::vector<Matrix>& matrices, AxisMatrix& axes) {
   }
 }
 
+// Principal axes, each as long as the standard deviation along it, the longest first.
 template <int Dim>
 AxisMatrix principal_axes(const CrossSpectra<Dim>& spectra) {
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      for (const Complex& value : spectra.cross[static_cast<std::size_t>(3 * i + j)]) {
-        covariance(i, j) += value.real();
-      }
-    }
-  }
+  const Eigen::Matrix3d covariance = Eigen::Map<const Eigen::Matrix3d>(spectra.covariance.data());
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
+  const double least = 0.1 * kNoVariance * covariance.trace();  // colours may lie in a plane
   AxisMatrix result;
   for (int k = 0; k < 3; ++k) {
-    for (int i = 0; i < 3; ++i) result[static_cast<std::size_t>(k)][i] = solver.eigenvectors()(i, 2 - k);
+    const double length = std::sqrt(std::max(solver.eigenvalues()(2 - k), least));
+    for (int i = 0; i < 3; ++i) {
+      result[static_cast<std::size_t>(k)][i] = length * solver.eigenvectors()(i, 2 - k);
+    }
   }
   return result;
 }
 
 }  // namespace
+
+AxisMatrix channel_directions(const AxisMatrix& axes) {
+  Eigen::Matrix3d columns;
+  for (int k = 0; k < 3; ++k) {
+    for (int i = 0; i < 3; ++i) columns(i, k) = axes[static_cast<std::size_t>(k)][i];
+  }
+  const Eigen::Matrix3d rows = columns.inverse();
+  AxisMatrix directions;
+  for (int k = 0; k < 3; ++k) {
+    for (int i = 0; i < 3; ++i) directions[static_cast<std::size_t>(k)][i] = rows(k, i);
+  }
+  return directions;
+}
 
 template <int Dim>
 AxisMatrix color_axes(const CrossSpectra<Dim>& spectra, ColorAxes kind) {
@@ -118,28 +129,32 @@ AxisMatrix color_axes(const CrossSpectra<Dim>& spectra, ColorAxes kind) {
   if (kind == ColorAxes::rgb) return axes;
   axes = principal_axes(spectra);
   if (kind == ColorAxes::independent) {
-    std::vector<Matrix> matrices = rotated_matrices(spectra, axes);
+    std::vector<Matrix> matrices = rotated_matrices(spectra, channel_directions(axes));
     diagonalize_jointly(matrices, axes);
   }
   for (Vec<3>& axis : axes) {
     if (axis.x + axis.y + axis.z < 0.0) axis = -axis;
   }
-  const auto variance = [&](const Vec<3>& axis) {
-    return spectra.variance(std::array{axis.x, axis.y, axis.z});
-  };
   std::stable_sort(axes.begin(), axes.end(),
-                   [&](const Vec<3>& a, const Vec<3>& b) { return variance(a) > variance(b); });
+                   [&](const Vec<3>& a, const Vec<3>& b) { return glm::dot(a, a) > glm::dot(b, b); });
+  for (Vec<3>& axis : axes) axis = glm::normalize(axis);
   return axes;
 }
 
 template <int Dim>
-double channel_dependence(const CrossSpectra<Dim>& spectra, const AxisMatrix& axes) {
+double channel_dependence(const CrossSpectra<Dim>& spectra, const AxisMatrix& directions) {
+  std::array<double, 3> variance{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    variance[k] = spectra.variance(std::array{directions[k].x, directions[k].y, directions[k].z});
+  }
   double off = 0.0;
   double all = 0.0;
-  for (const Matrix& m : rotated_matrices(spectra, axes)) {
+  for (const Matrix& m : rotated_matrices(spectra, directions)) {
     for (std::size_t i = 0; i < 9; ++i) {
-      all += std::norm(m[i]);
-      if (i % 4 != 0) off += std::norm(m[i]);
+      const double scale = variance[i / 3] * variance[i % 3];
+      if (!(scale > 0.0)) continue;
+      all += std::norm(m[i]) / scale;
+      if (i % 4 != 0) off += std::norm(m[i]) / scale;
     }
   }
   return off / all;
@@ -174,12 +189,12 @@ ExemplarChannels exemplar_channels(const CrossSpectra<Dim>& spectra, ColorAxes k
   } else {
     result.mean = Vec<3>(spectra.mean[0], spectra.mean[1], spectra.mean[2]);
     const AxisMatrix axes = color_axes(spectra, kind);
-    for (const Vec<3>& axis : axes) {
-      result.axes.push_back(axis);
-      result.directions.push_back({axis.x, axis.y, axis.z});
+    result.axes.assign(axes.begin(), axes.end());
+    for (const Vec<3>& direction : channel_directions(axes)) {
+      result.directions.push_back({direction.x, direction.y, direction.z});
     }
     const auto dependence = [&](ColorAxes other) {
-      return channel_dependence(spectra, color_axes(spectra, other));
+      return channel_dependence(spectra, channel_directions(color_axes(spectra, other)));
     };
     result.dependence = {dependence(ColorAxes::rgb), dependence(ColorAxes::pca),
                          dependence(ColorAxes::independent)};

@@ -17,21 +17,32 @@ enum class ColorAxes {
   independent,  // as uncorrelated as possible at all distances
 };
 
-// Three orthonormal axes, the one of largest variance first, each with a positive sum.
+// Three vectors.
 using AxisMatrix = std::array<Vec<3>, 3>;
 
-// The axes of an exemplar of three channels. `independent` is the approximate joint diagonalisation of all
-// lagged correlation matrices (Galerne et al. 2012, section 7) by real Jacobi rotations (Cardoso and
-// Souloumiac 1996), begun at the principal axes, so that it never does worse than these. It works on
-// the cross-periodograms, whose sums of squares are those of the lagged matrices by Parseval's theorem.
+// The axes of an exemplar of three channels, of unit length, the one of largest variance first, each with a
+// positive sum: color = mean + sum over k of axes[k] n_k. With channels n_k that do not depend on each other
+// the covariance of the colours is the exemplar's, exactly, but for `rgb`: its axes are no more than the
+// colours'. `independent` first makes the covariance of the samples that of white noise; what is free then, a
+// rotation, is the approximate joint diagonalisation of all lagged correlation matrices (Galerne et al. 2012,
+// section 7) by real Jacobi rotations (Cardoso and Souloumiac 1996), begun at the principal axes, so that it
+// never does worse than these. It works on the cross-periodograms, whose sums of squares are those of the
+// lagged matrices by Parseval's theorem. The paper rotates the colours themselves: its axes are orthogonal,
+// and cannot leave the channels uncorrelated at the same point and nearly so at others, too (covariances were
+// off by up to a third).
 template <int Dim>
 AxisMatrix color_axes(const CrossSpectra<Dim>& spectra, ColorAxes axes);
 
-// How much the channels along the axes depend on each other, 0 to 1: the squared off-diagonal elements of all
-// lagged correlation matrices, in proportion to all elements (the paper's J, eq. 10, which depends on the
-// scale of the colours).
+// The directions by which channels are taken from colours: of the axes' inverse, n_k = directions[k].(color -
+// mean).
+AxisMatrix channel_directions(const AxisMatrix& axes);
+
+// How much the channels along these directions depend on each other, 0 to 1: the squared off-diagonal
+// elements of all lagged correlation matrices, in proportion to all elements (the paper's J, eq. 10), of
+// channels that are scaled to unit variance: that of the paper depends on the scale of the colours, and a
+// channel that is much stronger hides the others.
 template <int Dim>
-double channel_dependence(const CrossSpectra<Dim>& spectra, const AxisMatrix& axes);
+double channel_dependence(const CrossSpectra<Dim>& spectra, const AxisMatrix& directions);
 
 // How much channels depend on each other in the three colour spaces (channel_dependence).
 struct ColorDependence {
@@ -44,7 +55,7 @@ struct ColorDependence {
 // of a grey exemplar, with the axis (1, 1, 1).
 struct ExemplarChannels {
   std::vector<std::vector<double>> directions;  // for CrossSpectra::spectrum
-  std::vector<double> variances;                // of the samples along them
+  std::vector<double> variances;                // of the samples along them: of what they give to the colours
   std::vector<Vec<3>> axes;                     // of the model
   Vec<3> mean{0.0};
   std::optional<ColorDependence> dependence;  // of exemplars in colour

@@ -242,6 +242,11 @@ ExemplarFit<Dim> fit_exemplar(std::span<const Exemplar<Dim>> exemplars, const Ex
     }
     SharedProgress::Channel storage;
     result.channels[k] = fit_channel(periodogram, variance, channel, shared.channel(k, storage));
+    // That of the samples, of which the periodic component has lost some.
+    for (SpectrumBand& band : result.channels[k].spectrum.bands) {
+      for (SpectrumComponent& component : band.components)
+        component.variance *= channels.variances[k] / variance;
+    }
   });
   for (const SpectrumFit& fit : result.channels) {
     result.model.channels.push_back(group_spectrum(fit.spectrum));

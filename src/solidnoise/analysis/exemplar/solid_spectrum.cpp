@@ -225,7 +225,7 @@ SolidExemplarFit fit_solid_exemplar(std::span<const Exemplar<2>> exemplars, Colo
       fit.spectrum.isotropic = true;
     } else {
       const PowerSpectrum<2> periodogram = spectra.spectrum(channels.directions[k]);
-      fit = fit_solid_spectrum(periodogram, periodogram.variance(), kappa);
+      fit = fit_solid_spectrum(periodogram, channels.variances[k], kappa);
     }
     result.model.channels.push_back(fit.spectrum);
   }
