@@ -1,5 +1,6 @@
 #include "solidnoise/volume/preview/glow_preview.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
@@ -57,6 +58,23 @@ TEST(RenderNebula, GlowsBeforeBlack) {
   const Image empty = render_nebula(*openvdb::FloatGrid::create(0.0f), kSmall);
   EXPECT_EQ(empty.at(40, 30, 0), 0.0f);
   EXPECT_THROW(render_nebula(*ball(1.0f), {.width = 1}), std::invalid_argument);
+}
+
+// A face of what is opaque within a voxel looks the same all over, wherever the steps of a ray fall.
+TEST(RenderNebula, ShowsNoStepsOnADenseFace) {
+  const auto grid = openvdb::FloatGrid::create(0.0f);
+  grid->setTransform(openvdb::math::Transform::createLinearTransform(0.08));
+  grid->fill(openvdb::CoordBBox({0, 0, 0}, {24, 24, 24}), 40.0f);
+  const Image image = render_nebula(*grid, {.width = 160, .height = 160});
+  float least = 1.0f;
+  float most = 0.0f;
+  for (int y = 80; y < 100; ++y) {  // in the middle of the front
+    for (int x = 60; x < 80; ++x) {
+      least = std::min(least, image.at(x, y, 2));
+      most = std::max(most, image.at(x, y, 2));
+    }
+  }
+  EXPECT_LT(most - least, 0.02f);  // of 0.07 where each step counts as a whole
 }
 
 }  // namespace

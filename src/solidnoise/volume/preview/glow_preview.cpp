@@ -70,28 +70,49 @@ class GlowPainter {
     Vec3d light(0.0);
     Vec3d clear(1.0);
     if (!intersector.setIndexRay(ray)) return light;
-    const double length = step_ * hull_.voxelSize().x();
     double first = 0.0;
     double last = 0.0;
     while (intersector.march(first, last)) {
-      for (double t = std::ceil(first / step_) * step_; t < last; t += step_) {
-        const Vec3d place = ray(t);
-        const Matter matter = matter_at(place);
-        if (matter.extinction <= 0.0 && matter.emission == Vec3d(0.0)) continue;
-        Vec3d source = matter.emission;
-        if (light_) source += matter.extinction * scene_.albedo * (scene_.ambient + light_->at(place));
-        for (int channel = 0; channel < 3; ++channel) {
-          const double depth = matter.extinction * scene_.dimming[channel] * length;
-          const double through = std::exp(-depth);
-          // The mean of what is left over the step, of 1 at its beginning.
-          const double mean = depth > 1e-4 ? (1.0 - through) / depth : 1.0;
-          light[channel] += clear[channel] * source[channel] * mean * length;
-          clear[channel] *= through;
+      double t = std::ceil(first / step_) * step_;
+      Matter matter = matter_at(ray(t));
+      for (; t < last; t += step_) {
+        const Matter next = matter_at(ray(t + step_));
+        const double extinction = std::max(matter.extinction, next.extinction);
+        const int parts = parts_of_step(extinction);
+        for (int part = 0; part < parts; ++part) {
+          const double place = t + step_ * part / parts;
+          add(part == 0 ? matter : matter_at(ray(place)), ray(place), step_ / parts, light, clear);
         }
+        matter = next;
         if (std::max({clear[0], clear[1], clear[2]}) < 0.01) return light;
       }
     }
     return light;
+  }
+
+  // Into as many a step is divided that each takes little light away: else the first one would count for
+  // nearly all, and where it falls would show as hatching.
+  int parts_of_step(double extinction) const {
+    constexpr double kMostDepth = 0.15;
+    constexpr double kMostParts = 16.0;
+    const double depth = extinction * step_ * hull_.voxelSize().x();
+    return static_cast<int>(std::clamp(std::ceil(depth / kMostDepth), 1.0, kMostParts));
+  }
+
+  // What `length` voxels of some matter send, and what they let through.
+  void add(const Matter& matter, const Vec3d& place, double length, Vec3d& light, Vec3d& clear) const {
+    if (matter.extinction <= 0.0 && matter.emission == Vec3d(0.0)) return;
+    const double units = length * hull_.voxelSize().x();
+    Vec3d source = matter.emission;
+    if (light_) source += matter.extinction * scene_.albedo * (scene_.ambient + light_->at(place));
+    for (int channel = 0; channel < 3; ++channel) {
+      const double depth = matter.extinction * scene_.dimming[channel] * units;
+      const double through = std::exp(-depth);
+      // The mean of what is left over the step, of 1 at its beginning.
+      const double mean = depth > 1e-4 ? (1.0 - through) / depth : 1.0;
+      light[channel] += clear[channel] * source[channel] * mean * units;
+      clear[channel] *= through;
+    }
   }
 
   const openvdb::FloatGrid& hull_;
