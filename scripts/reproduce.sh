@@ -23,7 +23,7 @@ for item in $items; do
 done
 
 version="$("$papers" --version)"
-for page in improving_gabor_noise noise_by_example gradient_noise implementation_report; do
+for page in improving_gabor_noise noise_by_example gradient_noise implementation_report impulses_in_strata; do
   /usr/bin/python3 "research/pages/$page.py" "$data" docs/papers "$version"
 done
 echo "The pages: $PWD/docs/papers"

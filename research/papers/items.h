@@ -19,4 +19,7 @@ Items noise_by_example_items();
 Items gradient_noise_items();
 Items implementation_report_items();
 
+// Those of impulses-in-strata.md, which is of no paper.
+Items strata_items();
+
 }  // namespace solidnoise::papers

@@ -12,6 +12,7 @@ int main(int argc, char** argv) {
   items.merge(solidnoise::papers::noise_by_example_items());
   items.merge(solidnoise::papers::gradient_noise_items());
   items.merge(solidnoise::papers::implementation_report_items());
+  items.merge(solidnoise::papers::strata_items());
   const std::string first = argc > 1 ? argv[1] : "";
   if (argc == 2 && first == "--list") {
     for (const auto& [name, item] : items) std::cout << name << '\n';
