@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <memory>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include <tbb/parallel_for.h>
@@ -27,10 +26,15 @@ namespace {
 
 constexpr int kStrip = 128;  // columns that are evaluated together
 
-// The noise on the plane z = origin.z, and where its lattice begins.
+// A noise in a plane, and where its lattice begins.
+struct NoisePlane {
+  std::shared_ptr<const Noise<2>> noise;
+  Vec<2> origin;
+};
+
+// The plane z = origin.z.
 template <int Dim>
-std::pair<std::shared_ptr<const Noise<2>>, Vec<2>> plane_of(const SpectrumNoiseOptions& options,
-                                                            const Vec<3>& origin) {
+NoisePlane plane_of(const SpectrumNoiseOptions& options, const Vec<3>& origin) {
   auto noise = std::make_shared<const SpectrumNoise<Dim>>(with_truncation_share(options));
   if constexpr (Dim == 2) {
     return {noise, Vec<2>(origin)};
@@ -42,13 +46,14 @@ std::pair<std::shared_ptr<const Noise<2>>, Vec<2>> plane_of(const SpectrumNoiseO
 DenseField<2> evaluate(const SpectrumNoiseOptions& options, const glm::ivec2& count, const Vec<2>& step,
                        const Vec<3>& origin) {
   const bool flat = options.model.channels[static_cast<std::size_t>(options.channel)].dimensions == 2;
-  const auto [noise, first] = flat ? plane_of<2>(options, origin) : plane_of<3>(options, origin);
-  const auto interpolated = interpolate<2>(noise, {first, step}, ErrorBudget(options.error).interpolation);
+  const NoisePlane plane = flat ? plane_of<2>(options, origin) : plane_of<3>(options, origin);
+  const auto interpolated =
+      interpolate<2>(plane.noise, {plane.origin, step}, ErrorBudget(options.error).interpolation);
   DenseField<2> field(count, step);
   const int strips = (count.x + kStrip - 1) / kStrip;
   tbb::parallel_for(0, strips, [&](int strip) {
     const int begin = strip * kStrip;
-    const Lattice<2> lattice{first, step, {begin, 0}, {std::min(kStrip, count.x - begin), count.y}};
+    const Lattice<2> lattice{plane.origin, step, {begin, 0}, {std::min(kStrip, count.x - begin), count.y}};
     const std::size_t offset = static_cast<std::size_t>(begin) * static_cast<std::size_t>(count.y);
     const std::span<float> values(field.values.data() + offset, lattice.size());
     interpolated->block(lattice.bounds())->evaluate(lattice, Samples<2>{values, {}});
