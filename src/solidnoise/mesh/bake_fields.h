@@ -144,7 +144,7 @@ constexpr auto fields_of(std::type_identity<BakeRecipe>) {
       field("contrast", &Recipe::contrast, kPositive, "",
             "The ramp spans 2.5 over this in standard deviations to each side"),
       field("refine", &Recipe::refine, "How densely the mesh is sampled before baking"),
-      field("displace", &Recipe::displace, kFinite, "world units",
+      field("displace", &Recipe::displace, between(-1e12, 1e12), "world units",
             "Move vertices along their normals, by this for a value of 1"),
       field("up", &Recipe::up, kUpAxisChoices, "The up axis: of height, and of the preview"));
 }
