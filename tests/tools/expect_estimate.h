@@ -11,7 +11,14 @@
 
 namespace solidnoise {
 
-// The memory that a command takes at its peak is below what --describe says, and above a half of it. `run`
+// The memory that a run took at its peak is below an estimate, and above a half of it.
+inline void expect_peak(double estimate, const ToolResult& made, const std::string& command) {
+  ASSERT_EQ(made.status, 0) << command << made.err;
+  EXPECT_LT(made.peak_memory, estimate) << command;
+  EXPECT_GT(made.peak_memory, 0.5 * estimate) << command;
+}
+
+// The estimate of --describe is as expect_peak() says. `run`
 // runs the program; `writing` is what lets the command write.
 inline void expect_estimate(const std::function<ToolResult(const std::vector<std::string>&)>& run,
                             std::vector<std::string> command, const std::vector<std::string>& writing) {
@@ -27,10 +34,7 @@ inline void expect_estimate(const std::function<ToolResult(const std::vector<std
   ASSERT_EQ(described.status, 0) << text << described.err;
   const double estimate = nlohmann::json::parse(described.out)["cost"]["memory_bytes"];
   command.insert(command.end(), writing.begin(), writing.end());
-  const ToolResult made = run(command);
-  ASSERT_EQ(made.status, 0) << text << made.err;
-  EXPECT_LT(made.peak_memory, estimate) << text;
-  EXPECT_GT(made.peak_memory, 0.5 * estimate) << text;
+  expect_peak(estimate, run(command), text);
 }
 
 }  // namespace solidnoise

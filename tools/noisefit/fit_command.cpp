@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <filesystem>
@@ -77,13 +78,16 @@ void agree_on_channels(std::vector<Exemplar<2>>& exemplars) {
   for (Exemplar<2>& exemplar : exemplars) exemplar.channels.resize(3, exemplar.channels.front());
 }
 
-double count_samples(const std::vector<Exemplar<2>>& exemplars) {
-  double samples = 0.0;
+void require_fit_cost(const FitCommand& command, const std::vector<Exemplar<2>>& exemplars) {
+  constexpr double kBytesPerPixel = 24.0;  // in colour, of a picture and the exemplar that is made of it
+  FitSize size = fit_size(exemplars, command);
+  size.held = kPictureProgramBytes;
   for (const Exemplar<2>& exemplar : exemplars) {
-    for (const DenseField<2>& channel : exemplar.channels)
-      samples += static_cast<double>(channel.values.size());
+    const auto pixels = static_cast<double>(exemplar.shape().size());
+    size.held += kBytesPerPixel * pixels;
+    if (!command.quiet) size.tested = std::max(size.tested, pixels);
   }
-  return samples;
+  require_fit_cost(command, size);
 }
 
 void warn_of_structure(const std::vector<Exemplar<2>>& exemplars, const std::vector<std::string>& names) {
@@ -148,7 +152,7 @@ int run_fit(const std::vector<std::string>& arguments) {
     if (command.grey) make_grey(exemplars.back());
   }
   agree_on_channels(exemplars);
-  require_fit_cost(command, count_samples(exemplars));
+  require_fit_cost(command, exemplars);
   if (!command.quiet) warn_of_structure(exemplars, command.inputs);
 
   catch_interrupts();

@@ -1,7 +1,12 @@
 #include "noisefit/fit_flags.h"
 
+#include <algorithm>
 #include <stdexcept>
 
+#include <fmt/format.h>
+#include <glm/common.hpp>
+
+#include "solidnoise/analysis/exemplar/exemplar_sheet.h"
 #include "solidnoise/core/check.h"
 
 namespace solidnoise {
@@ -22,15 +27,38 @@ void declare_patch_flag(FlagSet& flags, FitOptions& options, const std::string& 
                 });
 }
 
-// Measured with pictures of 64^2 to 1024^2 pixels and boxes of 32^3 to 96^3 voxels: 105 to 120 bytes, and 15
-// to 35 microseconds of one core, most where the spectrum is rich.
-void require_fit_cost(const FitOptions& options, double samples) {
-  constexpr double kProgramBytes = 140.0 * 0x1p20;  // most of it OpenImageIO
-  constexpr double kBytesPerSample = 128.0;
-  constexpr double kSecondsPerSample = 35e-6;
-  options.require_cost(fmt::format("{:.0f} samples", samples),
-                       {kProgramBytes + kBytesPerSample * samples, kSecondsPerSample * samples});
+template <int Dim>
+FitSize fit_size(const std::vector<Exemplar<Dim>>& exemplars, const FitOptions& options) {
+  FitSize size;
+  glm::vec<Dim, int> patch = exemplars.front().shape().count;
+  for (const Exemplar<Dim>& exemplar : exemplars) {
+    size.read += static_cast<double>(exemplar.channels.size() * exemplar.shape().size());
+    patch = glm::min(patch, exemplar.shape().count);
+  }
+  if (options.fit.patch > 0) patch = glm::min(patch, glm::vec<Dim, int>(options.fit.patch));
+  const auto channels = static_cast<double>(exemplars.front().channels.size());
+  size.fitted = channels;
+  for (int axis = 0; axis < Dim; ++axis) size.fitted *= patch[axis];
+  if (options.outputs.preview.empty()) return size;
+  const auto shown = glm::min(exemplars.front().shape().count, glm::vec<Dim, int>(kLargestShown));
+  size.drawn = channels * shown[0] * shown[1];
+  return size;
 }
+
+// Measured on two cores with pictures of 64^2 to 4096^2 pixels, grey and in colour, and boxes of 32^3 to 96^3
+// voxels: a fit takes 80 to 105 bytes of each sample, most where a core does each channel, and 15 to 35
+// microseconds of one core, most where the spectrum is rich; the test for structure 52 bytes of a pixel, the
+// sheet 115 of a sample.
+void require_fit_cost(const FitOptions& options, const FitSize& size) {
+  const double fit = 128.0 * size.fitted;
+  const double test = 56.0 * size.tested;
+  const double sheet = size.drawn > 0.0 ? 6.0 * 0x1p20 + 130.0 * size.drawn : 0.0;
+  options.require_cost(fmt::format("{:.0f} samples", size.read),
+                       {size.held + std::max({fit, test, sheet}), 35e-6 * size.fitted + 1.2e-6 * size.read});
+}
+
+template FitSize fit_size(const std::vector<Exemplar<2>>&, const FitOptions&);
+template FitSize fit_size(const std::vector<Exemplar<3>>&, const FitOptions&);
 
 void parse_fit(FlagSet& flags, const std::vector<std::string>& arguments, FitOptions& options) {
   flags.footer("A Ctrl-C ends the fit early and keeps the last solution.");

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <type_traits>
+#include <vector>
 
 #include "common/field_flags.h"
 #include "common/run_options.h"
@@ -53,9 +54,28 @@ void declare_output_flags(FlagSet& flags, FitOptions& options, const std::string
 // Declares --patch, the size of what is averaged over.
 void declare_patch_flag(FlagSet& flags, FitOptions& options, const std::string& unit);
 
-// Throws std::runtime_error if a fit of so many samples, those of all channels and exemplars, may take more
-// than is allowed.
-void require_fit_cost(const FitOptions& options, double samples);
+// What decides how much a fit takes. Samples are those of all channels.
+struct FitSize {
+  double held = 0.0;    // bytes of the program and of what it has read
+  double read = 0.0;    // samples of all exemplars
+  double fitted = 0.0;  // samples of a patch
+  double tested = 0.0;  // pixels of the largest picture that is tested for structure
+  double drawn = 0.0;   // samples of what the sheet shows; 0: there is none
+};
+
+// Bytes of the program alone, the second where it reads or writes pictures: most are OpenImageIO's.
+inline constexpr double kProgramBytes = 44.0 * 0x1p20;
+inline constexpr double kPictureProgramBytes = 140.0 * 0x1p20;
+
+// What is read, fitted and, of the first two axes of the first exemplar, drawn.
+template <int Dim>
+FitSize fit_size(const std::vector<Exemplar<Dim>>& exemplars, const FitOptions& options);
+
+// Throws std::runtime_error if a fit may take more than is allowed.
+void require_fit_cost(const FitOptions& options, const FitSize& size);
+
+extern template FitSize fit_size(const std::vector<Exemplar<2>>&, const FitOptions&);
+extern template FitSize fit_size(const std::vector<Exemplar<3>>&, const FitOptions&);
 
 // Parses and applies the flags, and checks what they say. Throws UsageError.
 void parse_fit(FlagSet& flags, const std::vector<std::string>& arguments, FitOptions& options);

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "noisefit/expect_fit_memory.h"
 #include "noisefit/run_noisefit.h"
 #include "solidnoise/image/image_file.h"
 #include "solidnoise/recipe/exemplar_model_json.h"
@@ -76,6 +77,23 @@ TEST_F(NoisefitVolume, TakesABox) {
       {"volume", "in.vdb", "--box", "-0.5", "-0.5", "-0.5", "0.5", "0.5", "0.5", "--out", "x.json"}, there_);
   ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_NE(result.err.find("16 x 16 x 16 voxels"), std::string::npos) << result.err;
+}
+
+TEST_F(NoisefitVolume, TakesTheMemoryThatItSays) {
+  const ToolResult made = run_vdbnoise(
+      {"--preset", "raw", "--out", "large.vdb", "--dim", "96", "--frequency", "6", "--quiet"}, there_);
+  ASSERT_EQ(made.status, 0) << made.err;
+  const std::vector<std::string> whole{"volume", "large.vdb", "--box", "-1", "-1", "-1", "1", "1", "1"};
+  std::vector<std::string> in_patches = whole;
+  in_patches.insert(in_patches.end(), {"--patch", "32"});
+  for (const std::vector<std::string>& command :
+       std::vector<std::vector<std::string>>{{"volume", "in.vdb"},
+                                             {"volume", "in.vdb", "--preview", "x.png"},
+                                             {"volume", "large.vdb"},
+                                             whole,
+                                             in_patches}) {
+    expect_fit_memory(command, there_);
+  }
 }
 
 TEST_F(NoisefitVolume, RefusesWhatItCannotLearnFrom) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -59,8 +60,13 @@ openvdb::CoordBBox middle_of(const openvdb::CoordBBox& box) {
   return middle;
 }
 
+struct VolumeBox {
+  Exemplar<3> exemplar;
+  double grid_bytes = 0.0;  // of all of the grid
+};
+
 // Inactive voxels have their values too: in a fog volume, 0.
-Exemplar<3> read_box(const VolumeCommand& command) {
+VolumeBox read_box(const VolumeCommand& command) {
   const openvdb::FloatGrid::Ptr grid = read_float_grid(command.in, command.grid);
   const GridFrame frame(grid->transform());
   const openvdb::CoordBBox active = grid->evalActiveVoxelBoundingBox();
@@ -74,7 +80,8 @@ Exemplar<3> read_box(const VolumeCommand& command) {
     throw UsageError(fmt::format("--box is {} x {} x {} voxels; it must be {} at most along an axis",
                                  sides.x(), sides.y(), sides.z(), kLargestSide));
   }
-  Exemplar<3> exemplar;
+  VolumeBox result{{}, static_cast<double>(grid->memUsage())};
+  Exemplar<3>& exemplar = result.exemplar;
   DenseField<3>& field =
       exemplar.channels.emplace_back(glm::ivec3(sides.x(), sides.y(), sides.z()), frame.voxel_size());
   const auto accessor = grid->getConstAccessor();
@@ -87,7 +94,15 @@ Exemplar<3> read_box(const VolumeCommand& command) {
   } catch (const std::invalid_argument& error) {
     throw std::runtime_error(error.what());
   }
-  return exemplar;
+  return result;
+}
+
+void require_fit_cost(const VolumeCommand& command, const std::vector<Exemplar<3>>& exemplars,
+                      double grid_bytes) {
+  FitSize size = fit_size(exemplars, command);
+  size.held = (command.outputs.preview.empty() ? kProgramBytes : kPictureProgramBytes) + grid_bytes +
+              sizeof(float) * size.read;
+  require_fit_cost(command, size);
 }
 
 // Slices, from the least to the largest value of the volume's.
@@ -114,8 +129,9 @@ int run_volume(const std::vector<std::string>& arguments) {
   command.fit.raw_values = true;
   command.outputs.check({command.in});
 
-  const std::vector<Exemplar<3>> exemplars{read_box(command)};
-  require_fit_cost(command, static_cast<double>(exemplars.front().channels.front().values.size()));
+  VolumeBox box = read_box(command);
+  const std::vector<Exemplar<3>> exemplars{std::move(box.exemplar)};
+  require_fit_cost(command, exemplars, box.grid_bytes);
   catch_interrupts();
   const Clock::time_point start = Clock::now();
   TaskProgress progress(command.visibility());

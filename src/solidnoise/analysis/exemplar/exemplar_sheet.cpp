@@ -81,7 +81,6 @@ Exemplar<2> procedural_texture(const ExemplarModel& model, const glm::ivec2& cou
 
 namespace {
 
-constexpr int kLargest = 512;  // pixels of an exemplar along an axis
 constexpr int kEnlargeBelow = 200;
 constexpr int kMargin = 12;
 constexpr int kTextLine = 26;
@@ -194,8 +193,8 @@ std::vector<Panel> make_panels(const Exemplar<2>& exemplar, const ExemplarModel&
 
 Image draw_exemplar_sheet(const Exemplar<2>& whole, const ExemplarModel& model,
                           const ExemplarSheetOptions& options) {
-  const glm::ivec2 count =
-      glm::ivec2(std::min(kLargest, whole.shape().count.x), std::min(kLargest, whole.shape().count.y));
+  const glm::ivec2 count = glm::ivec2(std::min(kLargestShown, whole.shape().count.x),
+                                      std::min(kLargestShown, whole.shape().count.y));
   const Exemplar<2> exemplar = cut(whole, count);
   const std::vector<Panel> panels = make_panels(exemplar, model, options.seed);
   const int zoom = std::max(1, (kEnlargeBelow + std::max(count.x, count.y) - 1) / std::max(count.x, count.y));

@@ -17,13 +17,15 @@ struct ExemplarSheetOptions {
   double white = 1.0;
 };
 
+inline constexpr int kLargestShown = 512;  // pixels of an exemplar along an axis
+
 // The picture by which a noise by example is judged (Galerne et al. 2012, figure 4), side by side at the
 // exemplar's own size: the exemplar; its Gaussian version, which is the best that noise can do; the Gaussian
 // texture of the sparse spectrum, which shows what the decomposition lost; the procedural noise, which shows
 // what impulses add. Each with its power spectrum as an inset, frequency 0 in the middle, in logarithmic
 // brightness: periodograms, and the sparse spectrum itself in the third. Exemplars of under 200 pixels are
-// enlarged, large ones cut to 512. For an isotropic or oriented noise in 3D, which has no sparse spectrum in
-// 2D, the third panel shows another slice of the noise. Returns sRGB-encoded pixels, 3 channels.
+// enlarged, large ones cut to kLargestShown. For an isotropic or oriented noise in 3D, which has no sparse
+// spectrum in 2D, the third panel shows another slice of the noise. Returns sRGB-encoded pixels, 3 channels.
 Image draw_exemplar_sheet(const Exemplar<2>& exemplar, const ExemplarModel& model,
                           const ExemplarSheetOptions& options = {});
 

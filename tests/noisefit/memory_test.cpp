@@ -1,0 +1,48 @@
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "noisefit/expect_fit_memory.h"
+
+namespace solidnoise {
+namespace {
+
+// In colour, of 64 to 1024 pixels along a side.
+const TemporaryFolder& pictures() {
+  static const TemporaryFolder folder;
+  if (folder.count() == 0) {
+    for (const int side : {64, 256, 512, 1024}) {
+      write_image(folder.path() / (std::to_string(side) + ".png"), wavy_picture(side, side));
+    }
+    write_image(folder.path() / "wide.png", wavy_picture(1024, 96));
+  }
+  return folder;
+}
+
+class FitMemory : public testing::TestWithParam<std::vector<std::string>> {};
+
+TEST_P(FitMemory, IsWhatAFitTakes) {
+  expect_fit_memory(GetParam(), {.folder = pictures().path()});
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Noisefit, FitMemory,
+    testing::Values(std::vector<std::string>{"64.png"},                                    //
+                    std::vector<std::string>{"64.png", "--preview", "x.png"},              //
+                    std::vector<std::string>{"256.png", "--grey"},                         //
+                    std::vector<std::string>{"512.png", "--quiet"},                        //
+                    std::vector<std::string>{"512.png", "--grey"},                         //
+                    std::vector<std::string>{"512.png", "--preview", "x.png"},             //
+                    std::vector<std::string>{"512.png", "--solid", "--preview", "x.png"},  //
+                    std::vector<std::string>{"512.png", "512.png", "512.png", "512.png", "--quiet"},
+                    std::vector<std::string>{"64.png", "1024.png", "--quiet"},
+                    std::vector<std::string>{"1024.png", "--grey", "--quiet"},
+                    std::vector<std::string>{"1024.png", "--patch", "64", "--quiet"},
+                    std::vector<std::string>{"1024.png", "--patch", "64"},
+                    std::vector<std::string>{"1024.png", "--patch", "64", "--grey"},
+                    std::vector<std::string>{"1024.png", "--patch", "128", "--preview", "x.png"},
+                    std::vector<std::string>{"wide.png", "--grey", "--preview", "x.png"}));
+
+}  // namespace
+}  // namespace solidnoise
