@@ -133,7 +133,6 @@ TEST(SurfaceSpectrumNoise, RefusesWhatItCannotMake) {
   EXPECT_EQ(message([](auto& o) { o = some_spectrum(3); }),
             "the spectrum is of 3 dimensions; it must be of 2");
   EXPECT_EQ(message([](auto& o) { o.period = Vec<4>(50.0); }), "a noise on a surface has no period");
-  EXPECT_EQ(message([](auto& o) { o.evolution.rate = 1.0; }), "a noise on a surface does not evolve");
   EXPECT_THROW(SurfaceSpectrumNoise(some_spectrum(2), 2.0), std::invalid_argument);
 }
 

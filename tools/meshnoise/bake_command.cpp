@@ -13,7 +13,9 @@
 #include <nlohmann/json.hpp>
 #include <tbb/task_arena.h>
 
+#include "common/frames.h"
 #include "common/outputs.h"
+#include "common/parse_value.h"
 #include "common/progress.h"
 #include "common/run_tool.h"
 #include "meshnoise/bake_options.h"
@@ -24,6 +26,7 @@
 #include "solidnoise/mesh/bake_cost.h"
 #include "solidnoise/mesh/bake_mesh.h"
 #include "solidnoise/mesh/bake_recipe_json.h"
+#include "solidnoise/mesh/surface_mesh.h"
 
 namespace solidnoise {
 namespace {
@@ -56,6 +59,42 @@ void check_consistency(const FlagSet& flags, const BakeRecipe& recipe) {
   }
 }
 
+void check_sequence(const FlagSet& flags, const std::string& in, const BakeOptions& options) {
+  if (!options.rest.empty() && options.recipe.refine.mode != RefineRecipe::Mode::off) {
+    throw UsageError(
+        "--rest is a mesh of the same vertices; leave --refine out, or refine both meshes before");
+  }
+  if (!options.rest.empty() && options.recipe.displace != 0.0) {
+    throw UsageError("--rest does not go with --displace, which moves vertices from where they are at rest");
+  }
+  if (options.frames.empty()) {
+    flags.refuse({"--fps"}, "has no effect without --frames");
+    refuse_frame_number("IN", in);
+    refuse_frame_number("--out", options.out);
+    return refuse_frame_number("--preview", options.preview);
+  }
+  if (!options.recipe.changes_with_time() && !has_frame_number(in)) {
+    throw UsageError(
+        "--frames has no effect on a noise that does not change; give --evolve, --dims 4 or a mesh of each "
+        "frame "
+        "(in.####.ply) too");
+  }
+  if (in == "-" || options.out == "-") throw UsageError("--frames needs files, such as out.####.ply");
+}
+
+// One frame of a sequence, and the mesh that it is made on.
+BakeOptions options_of_frame(const BakeOptions& options, int frame, std::string& in) {
+  BakeOptions result = options;
+  if (has_frame_number(in)) in = frame_path("IN", in, frame);
+  if (!result.out.empty()) result.out = frame_path("--out", options.out, frame);
+  if (!result.preview.empty()) result.preview = frame_path("--preview", options.preview, frame);
+  if (frame != options.frames.front()) result.write_recipe.clear();
+  if (options.recipe.changes_with_time()) {
+    result.recipe.noise.time += frame_time(frame, options.fps, options.recipe.noise.loop);
+  }
+  return result;
+}
+
 void check_outputs(const FlagSet& flags, const std::string& in, const BakeOptions& options) {
   if (options.out.empty() && options.preview.empty() && options.write_recipe.empty()) {
     throw UsageError("--out is missing; say where the mesh goes: --out out.ply");
@@ -73,7 +112,7 @@ void check_outputs(const FlagSet& flags, const std::string& in, const BakeOption
   const std::string recipe = flags.value_of("--recipe").value_or("");
   const std::string noise = flags.value_of("--noise").value_or("");
   require_outputs({{options.out, in}, options.preview, {options.write_recipe, recipe}}, options.existing(),
-                  {in, recipe, noise});
+                  {in, recipe, noise, options.rest});
 }
 
 void print_plan(const BakePlan& plan, const std::string& steered_by) {
@@ -152,6 +191,18 @@ MeshReading read_mesh_to_bake(const std::string& in, const BakeOptions& options)
                   names.empty() ? "no numbers" : fmt::format("{}", fmt::join(names, ", "))));
 }
 
+// Gives a mesh the positions that its vertices have at rest; returns it as it was.
+PolygonMesh put_to_rest(PolygonMesh& mesh, const std::string& in, const BakeOptions& options) {
+  const PolygonMesh rest = read_input_mesh(options.rest, Notes::keep_quiet).mesh;
+  if (rest.positions.size() != mesh.positions.size()) {
+    throw std::runtime_error(fmt::format("{}: --rest has {} vertices; {} has {}", options.rest,
+                                         rest.positions.size(), in, mesh.positions.size()));
+  }
+  PolygonMesh deformed = mesh;
+  mesh.positions = rest.positions;
+  return deformed;
+}
+
 void write_recipe(const BakeOptions& options, OutputGroup* group) {
   if (options.write_recipe.empty()) return;
   write_text_file(options.write_recipe, format_json(to_json(options.recipe)),
@@ -185,6 +236,8 @@ void bake_file(const std::string& in, const BakeOptions& options) {
   options.times->begin("reading");
   MeshReading reading = read_mesh_to_bake(in, options);
   if (options.out.empty() && options.preview.empty()) return write_recipe(options, nullptr);
+  std::optional<PolygonMesh> deformed;
+  if (!options.rest.empty()) deformed = put_to_rest(reading.mesh, in, options);
   options.times->begin("plan");
   const BakePlan plan = plan_within(std::move(reading.mesh), options);
   if (!options.quiet) print_plan(plan, steering_name(options.recipe.by));
@@ -192,7 +245,12 @@ void bake_file(const std::string& in, const BakeOptions& options) {
   TaskProgress progress(options.visibility());
   options.times->begin("noise");
   progress.begin("noise", [&] { options.times->begin("colors"); });
-  const BakedMesh baked = bake(plan, options.recipe, options.keep, &progress);
+  BakedMesh baked = bake(plan, options.recipe, options.keep, &progress);
+  if (deformed) {
+    baked.mesh.positions = std::move(deformed->positions);
+    const SurfaceMesh surface(baked.mesh);
+    baked.normals = surface.to_vertices(surface.normals());
+  }
   options.times->begin("writing");
   progress.begin("writing");
   std::optional<Image> preview;
@@ -231,19 +289,31 @@ int run_bake(const std::vector<std::string>& arguments) {
     flags.apply();
     if (in.empty()) throw UsageError("IN is missing; say which mesh: meshnoise bake in.ply --out out.ply");
     check_consistency(flags, options.recipe);
+    check_sequence(flags, in, options);
     options.recipe.validate();
     require_keepable(options.keep, options.recipe);
     const auto threads = options.limit_threads();
     if (flags.given("--describe")) {
       const MeshReading reading = read_mesh_to_bake(in, options);
       std::cout << format_json(describe_bake(plan_within(reading.mesh, options), options.recipe));
-    } else {
+    } else if (options.frames.empty()) {
       check_outputs(flags, in, options);
       bake_file(in, options);
-      if (options.timings) std::cerr << options.times->report();
+    } else {
+      const auto for_each_frame = [&](const auto& visit) {
+        for (const int frame : options.frames) {
+          std::string mesh = in;
+          const BakeOptions of_frame = options_of_frame(options, frame, mesh);
+          visit(mesh, of_frame);
+        }
+      };
+      for_each_frame(
+          [&](const std::string& mesh, const BakeOptions& one) { check_outputs(flags, mesh, one); });
+      for_each_frame([](const std::string& mesh, const BakeOptions& one) { bake_file(mesh, one); });
     }
+    if (options.timings) std::cerr << options.times->report();
   } catch (const std::invalid_argument& error) {
-    throw UsageError(flags.name_flag(error.what()));
+    throw UsageError(flags.name_flag(name_loop(flags, error.what())));
   }
   return kDone;
 }

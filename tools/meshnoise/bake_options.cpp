@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/field_flags.h"
+#include "common/frames.h"
 #include "common/parse_value.h"
 #include "common/recipe_files.h"
 #include "common/run_tool.h"
@@ -221,6 +222,11 @@ void declare_bake_flags(FlagSet& flags, BakeOptions& options) {
   declare_steering(flags, options.recipe);
   declare_direction(flags, options.recipe.direction);
   declare_look(flags, options.recipe);
+  flags.group("Sequences");
+  declare_frame_flags(flags, "out.####.ply; IN may be, too", options.frames, options.fps);
+  flags.keep("--rest", "FILE",
+             "The mesh before it was deformed, of the same vertices: the noise is where they were there",
+             options.rest);
   flags.group("Run");
   flags.add({"--describe", "", "Print what would be made, as JSON, and write nothing"});
   declare_fields<RunOptions>(flags, options, {"threads", "max_memory", "max_time", "quiet", "timings"});

@@ -16,6 +16,9 @@ struct BakeOptions : RunOptions {
   std::string preview;  // .png; empty: none
   std::string write_recipe;       // .json, "-" for the standard output; empty: none
   std::vector<std::string> keep;  // names of numbers that the mesh shall have
+  std::string rest;               // the mesh whose vertices say where the noise is; empty: the mesh itself
+  std::vector<int> frames;        // of a sequence; empty: one mesh
+  double fps = 24.0;              // frames per unit of time
 };
 
 // Declares all flags. Before they are applied the caller puts the recipe that they override into `options`:

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "common/flag_form.h"
+#include "common/frames.h"
 #include "common/parse_value.h"
 #include "common/run_tool.h"
 #include "solidnoise/core/check.h"
@@ -84,22 +85,6 @@ double loop_of(const VolumeRecipe& recipe) {
   return loop.value_or(0.0);
 }
 
-// Frames that a loop has; 0 if the recipe does not loop. Throws UsageError unless they are a whole number.
-int loop_frames(const MakeOptions& options) {
-  constexpr double kTolerance = 1e-6;
-  constexpr double kMost = 1e9;
-  const double frames = loop_of(options.recipe) * options.fps;
-  if (frames == 0.0) return 0;
-  const double whole = std::round(frames);
-  if (whole < 1.0 || whole > kMost || std::abs(frames - whole) > kTolerance * whole) {
-    throw UsageError(
-        fmt::format("--loop is {}, which at {} frames per unit of time is {:.6g} frames; it must be a whole "
-                    "number of them",
-                    loop_of(options.recipe), options.fps, frames));
-  }
-  return static_cast<int>(whole);
-}
-
 // Where noise that loops is blown along it has to come to where it was.
 void check_loop_of_wind(const VolumeRecipe& recipe) {
   const double loop = loop_of(recipe);
@@ -119,23 +104,11 @@ void check_loop_of_wind(const VolumeRecipe& recipe) {
   }
 }
 
-[[noreturn]] void refuse_number(const char* flag, const std::string& path) {
-  throw UsageError(
-      fmt::format("{} is {}, which has a place for the number of a frame; give --frames", flag, path));
-}
-
 }  // namespace
 
 void declare_sequence_flags(FlagSet& flags, MakeOptions& options) {
   flags.group("Sequences and parts");
-  flags.text("--frames", "A-B[xSTEP]",
-             "Make these frames; outputs are named such as cloud.####.vdb or cloud.%04d.vdb",
-             [&](const std::string& text) { options.frames = parse_frames("--frames", text); });
-  flags.number("--fps", "RATE", "With --frames: frames per unit of time; frame n is at n / RATE (default 24)",
-               [&](double value) {
-                 require_in_range("--fps", value, 1e-6, 1e6, "frames per unit of time");
-                 options.fps = value;
-               });
+  declare_frame_flags(flags, "cloud.####.vdb or cloud.%04d.vdb", options.frames, options.fps);
   flags.text("--shard", "K/N", "Make the K-th of N parts of the volume, for vdbnoise merge to join",
              [&](const std::string& text) { parse_shard(text, options.part); });
   flags.add({"--region", FlagForm<Box<3>>::names({}),
@@ -148,12 +121,10 @@ void declare_sequence_flags(FlagSet& flags, MakeOptions& options) {
 void check_sequence(const FlagSet& flags, const MakeOptions& options) {
   if (options.frames.empty()) {
     flags.refuse({"--fps"}, "has no effect without --frames");
-    for (const auto& [flag, path] : {std::pair{"--out", &options.out}, {"--preview", &options.preview}}) {
-      if (has_frame_number(*path)) refuse_number(flag, *path);
-    }
-    visit_inputs(options.recipe, [](const char* flag, const std::string& file) {
-      if (has_frame_number(file)) refuse_number(flag, file);
-    });
+    refuse_frame_number("--out", options.out);
+    refuse_frame_number("--preview", options.preview);
+    visit_inputs(options.recipe,
+                 [](const char* flag, const std::string& file) { refuse_frame_number(flag, file); });
   } else {
     const bool varies = options.recipe_at != nullptr;
     if (!varies && !changes_with_time(options.recipe) && !has_input_per_frame(options.recipe)) {
@@ -168,7 +139,6 @@ void check_sequence(const FlagSet& flags, const MakeOptions& options) {
     }
     if (options.out == "-") throw UsageError("--out is -; frames go to files, such as cloud.####.vdb");
     check_loop_of_wind(options.recipe);
-    loop_frames(options);
     options_of_frame(options, 0);
   }
   if (!options.part.whole() && options.recipe.modification) {
@@ -219,8 +189,7 @@ MakeOptions options_of_frame(const MakeOptions& options, std::size_t index) {
     if (has_frame_number(file)) file = frame_path(flag, file, frame);
   });
   if (!changes_with_time(result.recipe)) return result;
-  const int loop = loop_frames(options);
-  result.recipe.time += (loop == 0 ? frame : frame % loop) / options.fps;
+  result.recipe.time += frame_time(frame, options.fps, loop_of(options.recipe));
   return result;
 }
 

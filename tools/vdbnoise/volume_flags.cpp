@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/field_flags.h"
+#include "common/frames.h"
 #include "common/noise_flags.h"
 #include "common/recipe_files.h"
 #include "common/run_tool.h"
@@ -171,19 +172,12 @@ void declare_time_flags(FlagSet& flags, VolumeRecipe& recipe) {
 }
 
 std::string explain(const FlagSet& flags, const std::string& message) {
-  constexpr std::string_view kPeriod = "period is ";
-  constexpr std::string_view kAxis = " along t;";
-  const std::size_t axis = message.find(kAxis);
-  if (flags.given("--loop") && message.starts_with(kPeriod) && axis != std::string::npos) {
-    const std::string value = message.substr(kPeriod.size(), axis - kPeriod.size());
-    return fmt::format("--loop is {};{}", value, message.substr(axis + kAxis.size()));
-  }
   if (message.starts_with("a position has") || message.starts_with("position ")) {
     for (const char* flag : {"--offset", "--wind", "--warp", "--edge", "--box", "--origin", "--width"}) {
       if (flags.given(flag)) return fmt::format("{} goes too far: {}", flag, message);
     }
   }
-  return flags.name_flag(message);
+  return flags.name_flag(name_loop(flags, message));
 }
 
 }  // namespace solidnoise

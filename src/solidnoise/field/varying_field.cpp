@@ -148,6 +148,7 @@ VaryingGaborOptions varying_options(const NoiseRecipe& octave, const KernelField
     varying.impulses = options.impulses;
     varying.impulses_process = options.impulses_process;
     varying.seed = options.seed;
+    varying.evolution = options.evolution;
   };
   if (const auto* const oriented = std::get_if<OrientedGaborNoiseOptions>(&octave.noise)) {
     copy(*oriented);

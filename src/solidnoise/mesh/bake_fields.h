@@ -64,6 +64,9 @@ constexpr auto fields_of(std::type_identity<SurfaceNoiseRecipe>) {
   constexpr auto is_by_example = [](const Recipe& recipe) {
     return recipe.kind == SurfaceNoiseKind::spectrum;
   };
+  constexpr auto changes = [](const Recipe& recipe) {
+    return recipe.dims == 4 || recipe.evolve > 0.0 || recipe.time != 0.0;
+  };
   return list_fields(
       field("noise", &Recipe::kind, kSurfaceNoiseChoices,
             "surface: of the tangent plane; oriented: its waves follow a direction; solid: the field that "
@@ -77,6 +80,19 @@ constexpr auto fields_of(std::type_identity<SurfaceNoiseRecipe>) {
       fields_of_impulses<Recipe>(),
       field("layer", &Recipe::layer, between(0.1, 1.0), "kernel radii",
             "surface, oriented: half the layer that impulses come from"),
+      field("dims", &Recipe::dims, between(3, 4), "",
+            "solid, kensler-solid: 4 for a slice of a noise of 4, which changes with time")
+          .written_if(changes),
+      field("time", &Recipe::time, kFinite, "units of time",
+            "Of a noise that changes (evolve, 4 dimensions): the moment to bake")
+          .written_if(changes),
+      field("evolve", &Recipe::evolve, between(0.0, kMostTurns), "turns per unit of time",
+            "Gabor noises: impulses turn at rates of this standard deviation; each frame has the noise's "
+            "spectrum")
+          .written_if(changes),
+      field("loop", &Recipe::loop, at_least(0.0), "units of time; 0 for none",
+            "Of a noise that changes: the time after which it repeats")
+          .written_if(changes),
       field("seed", &Recipe::seed, "Another seed makes another noise"), part(&Recipe::fractal));
 }
 

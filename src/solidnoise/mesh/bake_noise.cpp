@@ -32,6 +32,17 @@ void SurfaceNoiseRecipe::validate() const {
   require_fields(*this);
   if (kind == SurfaceNoiseKind::spectrum)
     SpectrumNoiseOptions{.model = exemplar, .channel = channel}.validate();
+  if (dims == 4 && kind != SurfaceNoiseKind::solid && kind != SurfaceNoiseKind::kensler_solid) {
+    throw std::invalid_argument("dims is 4; it applies to solid and kensler-solid noise, others evolve");
+  }
+  if (dims == 4 && evolve > 0.0) {
+    throw std::invalid_argument("dims is 4; it must be 3 where the noise evolves");
+  }
+  if (evolve > 0.0 && !is_gabor(kind)) {
+    throw std::invalid_argument(fmt::format(
+        "evolve is {}; it must be 0 for noise without impulses; kensler-solid may have dims 4", evolve));
+  }
+  evolution().validate();
 }
 
 bool may_vary(SurfaceNoiseKind kind) {
@@ -149,8 +160,8 @@ FieldPtr layered_field(const SurfaceNoiseRecipe& recipe, const std::vector<Layer
       throw std::invalid_argument("stretch applies to layers with solid noises of their own");
     }
     if (!noise) return surface_layer_noise(recipe, kernel);
-    return layer_noise(noise_of_layer(noise, own), [stretch](const NoiseRecipe& solid) {
-      return stretched(make_noise<3>(solid), stretch);
+    return layer_noise(noise_of_layer(noise, own), [&recipe, stretch](const NoiseRecipe& solid) {
+      return stretched(solid_noise_of(recipe, solid), stretch);
     });
   };
   leaves.place = [&](Layer::Place place) { return place_in(box, up, place); };

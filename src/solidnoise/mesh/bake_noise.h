@@ -11,6 +11,7 @@
 #include "solidnoise/core/vec.h"
 #include "solidnoise/field/layer.h"
 #include "solidnoise/noise/fractal_noise.h"
+#include "solidnoise/noise/gabor/evolution.h"
 #include "solidnoise/noise/gabor/gabor_spectrum.h"
 #include "solidnoise/noise/kernel/impulse_statistics.h"
 
@@ -38,9 +39,18 @@ struct SurfaceNoiseRecipe {
   std::uint64_t seed = 0;
   ExemplarModel exemplar{};  // of spectrum
   int channel = 0;           // of the exemplar, that is baked; from 0
+  // How it changes with time: impulses turn (Evolution), each frame having the noise's spectrum; or, of the
+  // solid noises `solid` and `kensler_solid`, a frame is a slice of a noise of 4 dimensions.
+  int dims = 3;         // 3 or 4
+  double time = 0.0;    // of the frame
+  double evolve = 0.0;  // Evolution::rate; 0: it does not evolve
+  double loop = 0.0;    // units of time after which the noise repeats; 0: never
 
   // Throws std::invalid_argument naming the field, its value and what is allowed.
   void validate() const;
+
+  // Of the impulses.
+  Evolution evolution() const { return {evolve, time, dims == 3 ? loop : 0.0}; }
 
   friend bool operator==(const SurfaceNoiseRecipe&, const SurfaceNoiseRecipe&) = default;
 };

@@ -35,6 +35,10 @@ void BakeRecipe::validate() const {
     refuse_variation("bandwidth", bandwidth);
   }
   validate_layers(layers, noise_of_layers(noise));
+  if (noise.time != 0.0 && !changes_with_time()) {
+    throw std::invalid_argument(
+        fmt::format("time is {}; it must be 0 where dims is 3 and no noise evolves", noise.time));
+  }
   by.validate();
   if (glm::length(direction.axis) == 0.0)
     throw std::invalid_argument("direction is 0 0 0; it must point somewhere");
@@ -50,6 +54,12 @@ void BakeRecipe::validate() const {
 
 NoiseRecipe noise_of_layers(const SurfaceNoiseRecipe& recipe) {
   return {GaborNoiseOptions{.seed = recipe.seed}, recipe.fractal};
+}
+
+bool BakeRecipe::changes_with_time() const {
+  return noise.dims == 4 || noise.evolve > 0.0 ||
+         std::ranges::any_of(noises_of(layers, noise_of_layers(noise)),
+                             [](const NoiseRecipe& of_layer) { return evolves(of_layer); });
 }
 
 bool BakeRecipe::steers() const {

@@ -73,6 +73,8 @@ struct BakeRecipe {
   // Whether a parameter follows the steering.
   bool steers() const;
   bool has_exemplar_colors() const { return ramp == kExemplarRamp; }
+  // Whether frames at different times differ.
+  bool changes_with_time() const;
 
   friend bool operator==(const BakeRecipe&, const BakeRecipe&) = default;
 };

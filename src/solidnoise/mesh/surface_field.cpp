@@ -13,6 +13,7 @@
 #include "solidnoise/noise/gabor/surface_gabor_noise.h"
 #include "solidnoise/noise/gabor/surface_spectrum_noise.h"
 #include "solidnoise/noise/gradient/projected_gradient_noise.h"
+#include "solidnoise/noise/noise_views.h"
 
 namespace solidnoise {
 namespace {
@@ -107,6 +108,12 @@ Options common_options(const SurfaceNoiseRecipe& recipe, double frequency) {
     options.impulses = recipe.impulses;
     options.impulses_process = recipe.impulses_process;
   }
+  if constexpr (requires { options.evolution; }) {
+    if (recipe.dims == 3) options.evolution = recipe.evolution();
+  }
+  if constexpr (requires { options.period; }) {
+    if (recipe.dims == 4) options.period[3] = recipe.loop;
+  }
   return options;
 }
 
@@ -195,13 +202,19 @@ void VertexField::evaluate(const Points<3>& points, const Samples<3>& samples) c
   }
 }
 
+std::shared_ptr<const Noise<3>> solid_noise_of(const SurfaceNoiseRecipe& recipe, const NoiseRecipe& noise) {
+  if (recipe.dims == 4) return slice(make_noise<4>(noise), recipe.time);
+  return make_noise<3>(at_time(noise, recipe.time));
+}
+
 FieldPtr make_surface_field(const SurfaceNoiseRecipe& recipe, const SurfaceKernel& kernel) {
   recipe.validate();
   if (const auto solid = solid_recipe(recipe, kernel)) {
     if (kernel.fields.frequency || kernel.fields.bandwidth) {
-      return make_varying_field(*solid, {}, {kernel.fields.frequency, kernel.fields.bandwidth, nullptr});
+      return make_varying_field(*solid, {recipe.dims, recipe.time, Vec<3>(0.0)},
+                                {kernel.fields.frequency, kernel.fields.bandwidth, nullptr});
     }
-    return make_noise<3>(*solid);
+    return solid_noise_of(recipe, *solid);
   }
   const LayerNoise noise = surface_layer_noise(recipe, kernel);
   const std::vector<double> amplitudes = recipe.fractal.amplitudes();
@@ -218,7 +231,9 @@ LayerNoise surface_layer_noise(const SurfaceNoiseRecipe& recipe, const SurfaceKe
     SurfaceNoiseRecipe single = recipe;
     single.fractal.octaves = 1;
     if (k > 0) single.seed = derive_seed(recipe.seed, kOctaveStream + static_cast<std::uint64_t>(k));
-    const SurfaceKernel own = scaled(kernel, std::pow(recipe.fractal.lacunarity, k));
+    const double ratio = std::pow(recipe.fractal.lacunarity, k);
+    single.evolve = evolution_of_octave(recipe.evolution(), ratio).rate;
+    const SurfaceKernel own = scaled(kernel, ratio);
     return solid_recipe(single, own) ? make_surface_field(single, own) : make_tangent_field(single, own);
   };
   const auto channel = [=](int axis) {
@@ -231,7 +246,7 @@ LayerNoise surface_layer_noise(const SurfaceNoiseRecipe& recipe, const SurfaceKe
 
 double impulses_at_point(const SurfaceNoiseRecipe& recipe, const SurfaceKernel& kernel) {
   if (const auto solid = solid_recipe(recipe, kernel)) {
-    const auto noise = make_noise<3>(*solid);
+    const auto noise = solid_noise_of(recipe, *solid);
     const auto parts = noise->parts();
     double impulses = parts.empty() ? noise->waves().impulses : 0.0;
     for (const auto& part : parts) impulses += part.noise->waves().impulses;

@@ -44,6 +44,9 @@ struct SurfaceKernel {
 // of solid noises is the one in space. Throws std::invalid_argument: recipe.validate().
 FieldPtr make_surface_field(const SurfaceNoiseRecipe& recipe, const SurfaceKernel& kernel);
 
+// A noise of space as it is at the time of a noise on a surface, and of as many dimensions.
+std::shared_ptr<const Noise<3>> solid_noise_of(const SurfaceNoiseRecipe& recipe, const NoiseRecipe& noise);
+
 // The same as layers are made of it.
 LayerNoise surface_layer_noise(const SurfaceNoiseRecipe& recipe, const SurfaceKernel& kernel);
 

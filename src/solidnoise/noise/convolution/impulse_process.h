@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -180,11 +181,14 @@ class ImpulseCells {
  public:
   struct Item {
     std::array<float, Dim> position;  // in cells, from the corner of the stratum's cell, exact
-    float weight;                     // 1 or -1
+    float weight;                     // 1 or -1, times the factor of its mark
     float share;                      // uniform on [0, 1)
   };
 
-  explicit ImpulseCells(ImpulseProcess<Dim> process) : process_(std::move(process)), slots_(kSlots) {}
+  using Factor = std::function<double(std::uint64_t mark)>;  // empty: 1
+
+  explicit ImpulseCells(ImpulseProcess<Dim> process, Factor factor = {})
+      : process_(std::move(process)), factor_(std::move(factor)), slots_(kSlots) {}
 
   const CellAxis& axis() const { return process_.axes()[0]; }
   int span() const { return process_.span(); }
@@ -228,6 +232,7 @@ class ImpulseCells {
             static_cast<float>(impulse.position[axis]) / static_cast<float>(CellAxis::kQuantaPerCell);
       }
       item.weight = impulse.mark >> 63 ? 1.0f : -1.0f;
+      if (factor_) item.weight *= static_cast<float>(factor_(impulse.mark));
       item.share = static_cast<float>(share_of(impulse.mark));
       items_.push_back(item);
     });
@@ -235,6 +240,7 @@ class ImpulseCells {
   }
 
   ImpulseProcess<Dim> process_;
+  Factor factor_;
   std::vector<Slot> slots_;
   std::vector<Item> items_;
 };

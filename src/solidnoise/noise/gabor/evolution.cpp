@@ -100,4 +100,9 @@ double ImpulseTurns::at(std::uint64_t mark) const {
   return static_cast<double>(turns % kLoopParts) / static_cast<double>(kLoopParts);
 }
 
+double TurningFactor::operator()(std::uint64_t mark) const {
+  const double start = RandomStream(mark).next_unit();
+  return std::numbers::sqrt2 * std::cos(2.0 * std::numbers::pi * (start + turns_.at(mark)));
+}
+
 }  // namespace solidnoise

@@ -76,4 +76,17 @@ class ImpulseTurns {
   bool loops_;
 };
 
+// What the weights of isotropic kernels, and of kernels on surfaces, are multiplied by, sqrt(2) cos(2 pi (a +
+// rate t)), by their marks; a is uniform on [0, 1).
+class TurningFactor {
+ public:
+  // Precondition: evolution.moves(), valid.
+  explicit TurningFactor(const Evolution& evolution) : turns_(evolution) {}
+
+  double operator()(std::uint64_t mark) const;
+
+ private:
+  ImpulseTurns turns_;
+};
+
 }  // namespace solidnoise

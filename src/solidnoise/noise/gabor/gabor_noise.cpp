@@ -29,14 +29,11 @@ GaborNoiseOptions validated(const GaborNoiseOptions& options) {
 class WeightDraw {
  public:
   WeightDraw(ImpulseWeights weights, const Evolution& evolution) : weights_(weights) {
-    if (evolution.moves()) turns_.emplace(evolution);
+    if (evolution.moves()) turning_.emplace(evolution);
   }
 
   float operator()(std::uint64_t mark) const {
-    if (!turns_) return static_cast<float>(at_rest(mark));
-    const double start = RandomStream(mark).next_unit();
-    const double angle = 2.0 * std::numbers::pi * (start + turns_->at(mark));
-    return static_cast<float>(at_rest(mark) * std::numbers::sqrt2 * std::cos(angle));
+    return static_cast<float>(turning_ ? at_rest(mark) * (*turning_)(mark) : at_rest(mark));
   }
 
  private:
@@ -48,7 +45,7 @@ class WeightDraw {
   }
 
   ImpulseWeights weights_;
-  std::optional<ImpulseTurns> turns_;
+  std::optional<TurningFactor> turning_;
 };
 
 template <int Dim>

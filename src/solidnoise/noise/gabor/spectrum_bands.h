@@ -41,8 +41,8 @@ inline constexpr double kLeastImpulses = 4.0;  // in a band's support
 // its kernels reach over many waves, each of one frequency of the spectrum, and while their histogram is
 // Gaussian, a few of them are still seen as gratings that cross. Of a Poisson process that is an excess
 // kurtosis; strata have none, but given the place. (Found by eye on photographs of moss and soil; the paper
-// takes 1024 impulses, a Poisson process of ours some 500 in two dimensions and 1000 in three, strata whose frequencies
-// are in strata, too, some 110.)
+// takes 1024 impulses, a Poisson process of ours some 500 in two dimensions and 1000 in three, strata whose
+// frequencies are in strata, too, some 110.)
 inline constexpr double kExampleKurtosis = 1.0 / 64.0;
 inline constexpr double kExamplePlaceKurtosis = 1.0 / 70.0;
 

@@ -23,6 +23,7 @@ void SurfaceGaborOptions::validate() const {
   require_in_range("layer", layer, 0.1, 1.0, "kernel radii");
   for (int axis = 0; axis < 3; ++axis) require("direction", direction[axis], kDirections);
   if (direction == Vec<3>(0.0)) throw std::invalid_argument("direction is 0; it must have a length");
+  evolution.validate();
 }
 
 namespace {
@@ -50,7 +51,8 @@ SurfaceGaborNoise::SurfaceGaborNoise(const SurfaceGaborOptions& options)
       compact_(family_->compact(kernel_)) {
   const double r = radius();
   const double nominal = family_->nominal_share() * r;
-  const StrataChoice choice = surface_choice(options, options.layer * nominal);
+  StrataChoice choice = surface_choice(options, options.layer * nominal);
+  if (options.evolution.moves()) choice.weights = turning({});
   const double support = 2.0 * std::numbers::pi * options.layer * std::pow(nominal, 3);
   // Of the kernels as they are evaluated, and their window.
   const KernelMoments plane = family_->moments(kernel_);
@@ -68,13 +70,14 @@ SurfaceGaborNoise::SurfaceGaborNoise(const SurfaceGaborOptions& options)
                                          .transition = options.transition,
                                          .count = {layout.density * std::pow(scale, 3), fixed},
                                          .seed = options.seed};
+  if (options.evolution.moves()) settings.factor = TurningFactor(options.evolution);
   varying_ = std::make_shared<PointConvolution<3>>(settings);
-  varying_excess_kurtosis_ = varying_->excess_kurtosis(scale, moments, *choice.averages);
+  varying_excess_kurtosis_ = varying_->excess_kurtosis(scale, moments, choice.weights, *choice.averages);
   if (layout.count.is_fixed) {
     moments.overlap =
         choice.averages->overlap(layout.side()) * std::pow(moments.second / choice.moments.second, 2);
   }
-  excess_kurtosis_ = noise_excess_kurtosis(layout.density, moments);
+  excess_kurtosis_ = noise_excess_kurtosis(layout.density, moments, choice.weights);
   settings.side = layout.side();
   settings.count = layout.count;
   stationary_ = std::make_shared<PointConvolution<3>>(settings);

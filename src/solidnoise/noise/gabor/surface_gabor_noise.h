@@ -5,6 +5,7 @@
 
 #include "solidnoise/core/field.h"
 #include "solidnoise/core/vec.h"
+#include "solidnoise/noise/gabor/evolution.h"
 #include "solidnoise/noise/kernel/impulse_statistics.h"
 #include "solidnoise/noise/kernel/kernel_family.h"
 #include "solidnoise/noise/noise.h"
@@ -29,6 +30,7 @@ struct SurfaceGaborOptions {
   double layer = 0.5;
   ScaleTransition transition = ScaleTransition::fade;  // where the frequency or bandwidth varies
   std::uint64_t seed = 0;
+  Evolution evolution{};  // how it changes with time; by default it does not
 
   // Throws std::invalid_argument naming the field, its value and what is allowed.
   void validate() const;

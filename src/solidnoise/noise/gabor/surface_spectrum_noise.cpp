@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -37,7 +38,7 @@ class SurfaceSpectrumNoise::Band {
  public:
   // `half_thickness` of the layer, world units.
   Band(const SpectrumBand& band, bool isotropic, const CompactKernel& envelope, double half_thickness,
-       double amplitude, const ImpulseLayout<3>& layout, std::uint64_t seed)
+       double amplitude, const ImpulseLayout<3>& layout, const Evolution& evolution, std::uint64_t seed)
       : frequencies_(band, isotropic),
         sharpness_(2.0 * std::numbers::pi / (band.a * band.a)),
         axis_(layout.axes[0]),
@@ -45,7 +46,9 @@ class SurfaceSpectrumNoise::Band {
         layer_(half_thickness / envelope.radius()),
         amplitude_(amplitude),
         process_(layout.axes, layout.count, derive_seed(seed, kImpulseStream)),
-        kernel_{to_single_precision(envelope, kNoPowers)} {}
+        kernel_{to_single_precision(envelope, kNoPowers)} {
+    if (evolution.moves()) turning_.emplace(evolution);
+  }
 
   const CellAxis& axis() const { return axis_; }
   float radius() const { return radius_; }  // in cells
@@ -64,13 +67,14 @@ class SurfaceSpectrumNoise::Band {
             static_cast<float>(impulse.position[a]) / static_cast<float>(CellAxis::kQuantaPerCell);
       }
       RandomStream stream(impulse.mark);
-      const double sign = stream.next() >> 63 ? 1.0 : -1.0;
+      double weight = stream.next() >> 63 ? 1.0 : -1.0;
+      if (turning_) weight *= (*turning_)(impulse.mark);
       const Vec<2> wave = frequencies_(share_of(impulse.mark), stream);
       // The energy of envelope^2 cos^2 over that of envelope^2 / 2.
       const double energy = 1.0 + std::exp(-sharpness_ * glm::dot(wave, wave));
       impulses.attribute(kWaveX)[end] = static_cast<float>(wave.x * axis_.size());
       impulses.attribute(kWaveY)[end] = static_cast<float>(wave.y * axis_.size());
-      impulses.attribute(kWaveWeight)[end] = static_cast<float>(sign * amplitude_ / std::sqrt(energy));
+      impulses.attribute(kWaveWeight)[end] = static_cast<float>(weight * amplitude_ / std::sqrt(energy));
       impulses.set_size(end + 1);
     });
   }
@@ -81,6 +85,7 @@ class SurfaceSpectrumNoise::Band {
 
  private:
   ComponentDraw<2> frequencies_;
+  std::optional<TurningFactor> turning_;
   double sharpness_;
   CellAxis axis_;
   float radius_;
@@ -94,12 +99,12 @@ SurfaceSpectrumNoise::SurfaceSpectrumNoise(const SpectrumNoiseOptions& options, 
   options.validate();
   require_in_range("layer", layer, 0.1, 1.0, "kernel radii");
   if (options.period != Vec<4>(0.0)) throw std::invalid_argument("a noise on a surface has no period");
-  if (options.evolution.moves()) throw std::invalid_argument("a noise on a surface does not evolve");
   spectrum_ = of_unit_variance(options.spectrum());
   if (spectrum_.dimensions != 2) {
     throw std::invalid_argument(
         fmt::format("the spectrum is of {} dimensions; it must be of 2", spectrum_.dimensions));
   }
+  const WeightMoments weights = options.evolution.moves() ? turning({}) : WeightMoments{};
   std::vector<BandShare> shares;
   for (const SpectrumBand& band : spectrum_.bands) {
     const RandomPhaseGaborKernel<2> kernel(1.0, band.a, Vec<2>(0.0));
@@ -117,10 +122,10 @@ SurfaceSpectrumNoise::SurfaceSpectrumNoise(const SpectrumNoiseOptions& options, 
     const auto layout =
         make_layout<3>(choice, budget.densities[b], options.impulses_process, envelope.radius(), Vec<4>(0.0));
     if (layout.count.is_fixed) moments.overlap = choice.averages->overlap(layout.side());
-    excess_kurtosis_ += variance * variance * noise_excess_kurtosis(layout.density, moments);
+    excess_kurtosis_ += variance * variance * noise_excess_kurtosis(layout.density, moments, weights);
     const double amplitude = std::sqrt(variance / noise_variance(layout.density, moments.second));
     bands_.emplace_back(spectrum_.bands[b], spectrum_.isotropic, envelope, half_thickness, amplitude, layout,
-                        derive_seed(options.seed, kBandStream + b));
+                        options.evolution, derive_seed(options.seed, kBandStream + b));
   }
 }
 

@@ -21,6 +21,7 @@ void VaryingGaborOptions::validate() const {
   require_in_range("error", error, 1e-4, 0.5, "relative RMS error");
   require_impulses(impulses);
   for (int axis = 0; axis < 4; ++axis) require("direction", direction[axis], kDirections);
+  evolution.validate();
 }
 
 namespace {
@@ -65,7 +66,8 @@ VaryingGaborNoise<Dim>::VaryingGaborNoise(const VaryingGaborOptions& options)
       kernel_(family_->at(options.bandwidth)),
       compact_(family_->compact(kernel_)) {
   const double r = radius(options.frequency, options.bandwidth);
-  const StrataChoice choice = varying_choice<Dim>(options);
+  StrataChoice choice = varying_choice<Dim>(options);
+  if (options.evolution.moves()) choice.weights = turning({});
   const ImpulseLayout<Dim> layout =
       make_layout<Dim>(choice, impulse_density(Dim, options.impulses, choice.radius),
                        options.impulses_process, r, Vec<4>(0.0));
@@ -81,14 +83,15 @@ VaryingGaborNoise<Dim>::VaryingGaborNoise(const VaryingGaborOptions& options)
   settings.waves = options.waves;
   settings.transition = options.transition;
   settings.seed = options.seed;
+  if (options.evolution.moves()) settings.factor = TurningFactor(options.evolution);
   settings.count = {layout.density * std::pow(scale, Dim), fixed};
   varying_ = std::make_shared<PointConvolution<Dim>>(settings);
-  varying_excess_kurtosis_ = varying_->excess_kurtosis(scale, moments, *choice.averages);
+  varying_excess_kurtosis_ = varying_->excess_kurtosis(scale, moments, choice.weights, *choice.averages);
   if (layout.count.is_fixed) {
     moments.overlap =
         choice.averages->overlap(layout.side()) * std::pow(moments.second / choice.moments.second, 2);
   }
-  excess_kurtosis_ = noise_excess_kurtosis(layout.density, moments);
+  excess_kurtosis_ = noise_excess_kurtosis(layout.density, moments, choice.weights);
   settings.side = layout.side();
   settings.count = layout.count;
   stationary_ = std::make_shared<PointConvolution<Dim>>(settings);

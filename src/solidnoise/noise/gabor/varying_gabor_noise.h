@@ -6,6 +6,7 @@
 #include "solidnoise/core/field.h"
 #include "solidnoise/core/points.h"
 #include "solidnoise/core/vec.h"
+#include "solidnoise/noise/gabor/evolution.h"
 #include "solidnoise/noise/kernel/impulse_statistics.h"
 #include "solidnoise/noise/kernel/kernel_family.h"
 #include "solidnoise/noise/point/point_convolution.h"
@@ -26,6 +27,7 @@ struct VaryingGaborOptions {
   Vec<4> direction{1.0, 0.0, 0.0, 0.0};                // of oriented waves, the first axes of it; any length
   ScaleTransition transition = ScaleTransition::fade;  // where the frequency or bandwidth varies
   std::uint64_t seed = 0;
+  Evolution evolution{};  // how it changes with time; by default it does not
 
   // Throws std::invalid_argument naming the field, its value and what is allowed.
   void validate() const;

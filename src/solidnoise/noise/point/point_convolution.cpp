@@ -56,10 +56,11 @@ PointConvolution<Dim>::PointConvolution(const Settings& settings) : settings_(se
 
 template <int Dim>
 double PointConvolution<Dim>::excess_kurtosis(double scale, const KernelMoments& moments,
+                                              const WeightMoments& weights,
                                               const CubeAverages& averages) const {
   constexpr int kScales = 16;
   const double density = density_ / std::pow(scale, Dim);
-  if (settings_.transition != ScaleTransition::fade) return noise_excess_kurtosis(density, moments);
+  if (settings_.transition != ScaleTransition::fade) return noise_excess_kurtosis(density, moments, weights);
   const ScaleFade fade(Dim);
   KernelMoments faded{moments.second * fade.second_moment, moments.fourth * fade.fourth_moment};
   for (int i = 0; settings_.count.is_fixed && i < kScales; ++i) {
@@ -67,7 +68,7 @@ double PointConvolution<Dim>::excess_kurtosis(double scale, const KernelMoments&
     const auto count = static_cast<int>(process_->mean_per_cell());
     faded.overlap += fade.overlap(count, std::exp2((i + 0.5) / kScales), of_side) / kScales;
   }
-  return noise_excess_kurtosis(density, faded);
+  return noise_excess_kurtosis(density, faded, weights);
 }
 
 template <int Dim>
@@ -141,7 +142,9 @@ class PointConvolution<Dim>::Evaluation {
 
   Level& level(int l, double size) {
     Level& found = levels_[l];
-    if (!found.cells) found.cells = std::make_unique<ImpulseCells<Dim>>(noise_.grid(l, size));
+    if (!found.cells) {
+      found.cells = std::make_unique<ImpulseCells<Dim>>(noise_.grid(l, size), noise_.settings_.factor);
+    }
     return found;
   }
 

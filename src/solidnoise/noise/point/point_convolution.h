@@ -20,9 +20,9 @@ namespace solidnoise {
 // A point with the kernel that the noise has there.
 template <int Dim>
 struct KernelPoint {
-  double radius = 1.0;  // of the kernel, world units
-  double scale = 1.0;   // that the impulses of a hierarchy of grids follow, world units: a length of the
-                       // kernel that does not depend on its error
+  double radius = 1.0;     // of the kernel, world units
+  double scale = 1.0;      // that the impulses of a hierarchy of grids follow, world units: a length of the
+                           // kernel that does not depend on its error
   double amplitude = 1.0;  // that makes the standard deviation of the value what it should be
   KernelFamily::Member kernel;
   std::array<double, Dim> wave{};  // of an oriented kernel, cycles per world unit
@@ -48,6 +48,8 @@ class PointConvolution {
     double side = 0.0;
     ImpulseCount count{};
     std::uint64_t seed = 0;
+    // Of mean square 1: what the weight of an impulse is multiplied by.
+    typename ImpulseCells<Dim>::Factor factor{};
   };
   explicit PointConvolution(const Settings& settings);
 
@@ -55,9 +57,10 @@ class PointConvolution {
   // units of world units^Dim of one grid, of the scale^Dim of a hierarchy.
   double power() const { return power_; }
 
-  // Of a hierarchy: the excess kurtosis where kernels of these moments have this scale, world units, and of
-  // strata, `averages` being theirs, the mean over all scales.
-  double excess_kurtosis(double scale, const KernelMoments& moments, const CubeAverages& averages) const;
+  // Of a hierarchy: the excess kurtosis where kernels of these moments, and weights, have this scale, world
+  // units, and of strata, `averages` being the kernels', the mean over all scales.
+  double excess_kurtosis(double scale, const KernelMoments& moments, const WeightMoments& weights,
+                         const CubeAverages& averages) const;
 
   // The impulses of one grid.
   ImpulseProcess<Dim> impulses() const { return grid(0, settings_.side); }
