@@ -271,7 +271,9 @@ std::vector<float> bake_field(const Field<3>& field, const BakeVertices& vertice
 }
 
 Band surface_band(const SurfaceNoiseRecipe& recipe, double frequency, double bandwidth) {
-  const LayerNoise noise = surface_layer_noise(recipe, {frequency, bandwidth, {}});
+  SurfaceNoiseRecipe endless = recipe;
+  endless.loop = 0.0;  // which does not change the band, but does not go with every frequency
+  const LayerNoise noise = surface_layer_noise(endless, {frequency, bandwidth, {}});
   return {noise.octave(0)->statistics()->band.lower,
           noise.octave(recipe.fractal.octaves - 1)->statistics()->band.upper};
 }
