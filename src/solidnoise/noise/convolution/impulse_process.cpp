@@ -49,16 +49,6 @@ template class ImpulseProcess<4>;
 
 namespace {
 
-// Moves to the next cell of a range, last axis fastest; false after the last one.
-template <int Dim>
-bool advance(Index<Dim>& cell, const Index<Dim>& first, const Index<Dim>& last) {
-  for (int axis = Dim - 1; axis >= 0; --axis) {
-    if (++cell[axis] <= last[axis]) return true;
-    cell[axis] = first[axis];
-  }
-  return false;
-}
-
 // SIMD loads may read this far past a run's end.
 constexpr std::size_t kPadding = 16;
 
@@ -125,7 +115,7 @@ ImpulseBlock<Dim>::ImpulseBlock(const ImpulseProcess<Dim>& process, const Reach&
       cell_of.push_back(static_cast<std::uint32_t>(cell));
       ++starts_[cell + 1];
     });
-  } while (advance<Dim>(stratum, first, reach.last));
+  } while (next_cell<Dim>(stratum, first, reach.last));
   for (std::size_t cell = 0; cell < cells; ++cell) starts_[cell + 1] += starts_[cell];
 
   for (auto& of_axis : positions_) of_axis.assign(marks.size() + kPadding, 0);

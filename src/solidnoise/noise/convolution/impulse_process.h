@@ -116,6 +116,16 @@ extern template class ImpulseProcess<2>;
 extern template class ImpulseProcess<3>;
 extern template class ImpulseProcess<4>;
 
+// Moves to the next cell of a range, last axis fastest; false after the last one.
+template <int Dim>
+bool next_cell(Index<Dim>& cell, const Index<Dim>& first, const Index<Dim>& last) {
+  for (int axis = Dim - 1; axis >= 0; --axis) {
+    if (++cell[axis] <= last[axis]) return true;
+    cell[axis] = first[axis];
+  }
+  return false;
+}
+
 // The impulses of all cells within reach of a box, sorted by cell (last axis fastest), ready for culling.
 template <int Dim>
 class ImpulseBlock {
@@ -174,24 +184,31 @@ extern template class ImpulseBlock<2>;
 extern template class ImpulseBlock<3>;
 extern template class ImpulseBlock<4>;
 
-// The impulses of the strata that were asked for last, so that strata near each other are not made again and
-// again.
+// The impulses of the cells that were asked for last, so that cells near each other are not made again and
+// again. A cell is a cube of `parts` strata along each axis, and has their impulses.
 template <int Dim>
 class ImpulseCells {
  public:
   struct Item {
-    std::array<float, Dim> position;  // in cells, from the corner of the stratum's cell, exact
+    std::array<float, Dim> position;  // in cells, from the cell's corner, 0 to span()
     float weight;                     // 1 or -1, times the factor of its mark
     float share;                      // uniform on [0, 1)
   };
 
   using Factor = std::function<double(std::uint64_t mark)>;  // empty: 1
 
-  explicit ImpulseCells(ImpulseProcess<Dim> process, Factor factor = {})
-      : process_(std::move(process)), factor_(std::move(factor)), slots_(kSlots) {}
+  explicit ImpulseCells(ImpulseProcess<Dim> process, int parts = 1, Factor factor = {})
+      : process_(std::move(process)),
+        parts_(parts),
+        axis_(parts * process_.axes()[0].size()),
+        factor_(std::move(factor)),
+        slots_(kSlots) {}
 
-  const CellAxis& axis() const { return process_.axes()[0]; }
-  int span() const { return process_.span(); }
+  const CellAxis& axis() const { return axis_; }
+  // Cells along an axis that the impulses of a cell may lie in.
+  static float span(const ImpulseProcess<Dim>& process, int parts) {
+    return 1.0f + static_cast<float>(process.span() - 1) / static_cast<float>(parts);
+  }
 
   // Valid until the next call.
   std::span<const Item> at(const Index<Dim>& cell) {
@@ -207,7 +224,7 @@ class ImpulseCells {
  private:
   static constexpr int kSlotBits = Dim == 4 ? 15 : 13;
   static constexpr std::size_t kSlots = std::size_t{1} << kSlotBits;
-  static constexpr std::size_t kMostItems = 16 * kSlots;
+  static constexpr std::size_t kMostItems = 32 * kSlots;
 
   // A cell and its part of the items.
   struct Slot {
@@ -225,21 +242,32 @@ class ImpulseCells {
     slot.cell = cell;
     slot.filled = true;
     slot.first = static_cast<std::uint32_t>(items_.size());
-    process_.generate(cell, [&](const Impulse<Dim>& impulse) {
-      Item item;
-      for (std::size_t axis = 0; axis < Dim; ++axis) {
-        item.position[axis] =
-            static_cast<float>(impulse.position[axis]) / static_cast<float>(CellAxis::kQuantaPerCell);
-      }
-      item.weight = impulse.mark >> 63 ? 1.0f : -1.0f;
-      if (factor_) item.weight *= static_cast<float>(factor_(impulse.mark));
-      item.share = static_cast<float>(share_of(impulse.mark));
-      items_.push_back(item);
-    });
+    Index<Dim> part(0);
+    const Index<Dim> first(0);
+    const Index<Dim> last(parts_ - 1);
+    do {
+      process_.generate(cell * std::int64_t{parts_} + part,
+                        [&](const Impulse<Dim>& impulse) { add(impulse, part); });
+    } while (next_cell<Dim>(part, first, last));
     slot.count = static_cast<std::uint32_t>(items_.size()) - slot.first;
   }
 
+  void add(const Impulse<Dim>& impulse, const Index<Dim>& part) {
+    Item item;
+    for (int axis = 0; axis < Dim; ++axis) {
+      const auto a = static_cast<std::size_t>(axis);
+      const std::int64_t place = part[axis] * CellAxis::kQuantaPerCell + impulse.position[a];
+      item.position[a] = static_cast<float>(place) / static_cast<float>(parts_ * CellAxis::kQuantaPerCell);
+    }
+    item.weight = impulse.mark >> 63 ? 1.0f : -1.0f;
+    if (factor_) item.weight *= static_cast<float>(factor_(impulse.mark));
+    item.share = static_cast<float>(share_of(impulse.mark));
+    items_.push_back(item);
+  }
+
   ImpulseProcess<Dim> process_;
+  int parts_;
+  CellAxis axis_;
   Factor factor_;
   std::vector<Slot> slots_;
   std::vector<Item> items_;

@@ -71,6 +71,7 @@ SurfaceGaborNoise::SurfaceGaborNoise(const SurfaceGaborOptions& options)
                                          .count = {layout.density * std::pow(scale, 3), fixed},
                                          .seed = options.seed};
   if (options.evolution.moves()) settings.factor = TurningFactor(options.evolution);
+  settings.parts = parts_for_points(scale, nominal);
   varying_ = std::make_shared<PointConvolution<3>>(settings);
   varying_excess_kurtosis_ = varying_->excess_kurtosis(scale, moments, choice.weights, *choice.averages);
   if (layout.count.is_fixed) {
@@ -79,6 +80,7 @@ SurfaceGaborNoise::SurfaceGaborNoise(const SurfaceGaborOptions& options)
   }
   excess_kurtosis_ = noise_excess_kurtosis(layout.density, moments, choice.weights);
   settings.side = layout.side();
+  settings.parts = parts_for_points(settings.side, nominal);
   settings.count = layout.count;
   stationary_ = std::make_shared<PointConvolution<3>>(settings);
 }

@@ -88,7 +88,7 @@ class PointConvolution<Dim>::Evaluation {
       : noise_(noise), points_(points), prepare_(prepare), samples_(samples), extent_(noise.settings_.layer) {
     const Settings& settings = noise.settings_;
     fixed_ = settings.side > 0.0;
-    extent_.span = noise.process_->span();
+    extent_.span = ImpulseCells<Dim>::span(*noise.process_, settings.parts);
     kernel_.dimensions = Dim;
     kernel_.layer = settings.layer > 0.0;
     kernel_.oriented = settings.waves == GaborWaves::oriented;
@@ -131,7 +131,8 @@ class PointConvolution<Dim>::Evaluation {
         if (points.empty()) continue;
         level_ = &level;
         const double size = level.cells->axis().size();
-        coarse_cells_ = extent_.fade ? this->level(l + 1, 2.0 * size).cells.get() : nullptr;
+        const double coarser = 2.0 * size / noise_.settings_.parts;  // strata
+        coarse_cells_ = extent_.fade ? this->level(l + 1, coarser).cells.get() : nullptr;
         power_ = power;
         tiles_.add(points, size, sums.samples());
         points.clear();
@@ -143,7 +144,8 @@ class PointConvolution<Dim>::Evaluation {
   Level& level(int l, double size) {
     Level& found = levels_[l];
     if (!found.cells) {
-      found.cells = std::make_unique<ImpulseCells<Dim>>(noise_.grid(l, size), noise_.settings_.factor);
+      found.cells = std::make_unique<ImpulseCells<Dim>>(noise_.grid(l, size), noise_.settings_.parts,
+                                                        noise_.settings_.factor);
     }
     return found;
   }
@@ -177,7 +179,8 @@ class PointConvolution<Dim>::Evaluation {
       located.fraction[a] = position.fraction;
     }
     located.radius = static_cast<float>(prepared_[point].radius / size);
-    located.density = static_cast<float>(std::pow(prepared_[point].scale / size, Dim));
+    located.density =
+        static_cast<float>(std::pow(noise_.settings_.parts * prepared_[point].scale / size, Dim));
     located.weight = static_cast<float>(weight * prepared_[point].amplitude);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       located.normal[axis] = static_cast<float>(prepared_[point].normal[axis]);

@@ -48,6 +48,8 @@ class PointConvolution {
     double side = 0.0;
     ImpulseCount count{};
     std::uint64_t seed = 0;
+    // Strata along an axis of what is kept and looked up together: for speed alone.
+    int parts = 1;
     // Of mean square 1: what the weight of an impulse is multiplied by.
     typename ImpulseCells<Dim>::Factor factor{};
   };
@@ -82,6 +84,12 @@ class PointConvolution {
   double power_ = 0.0;
   std::optional<ImpulseProcess<Dim>> process_;  // of all grids, but for their cells and keys
 };
+
+// Settings::parts for strata of this side under kernels of this radius: cells that are much smaller than the
+// kernel are many to look up.
+inline int parts_for_points(double side, double radius) {
+  return side < radius ? 2 : 1;
+}
 
 // The window of a layer, as a function of the offset along the normal in half thicknesses, and the integrals
 // of its powers: h(u) = (1 - u^2)^2. Cheap, and value and slope are continuous at |u| = 1. (Kensler et al.

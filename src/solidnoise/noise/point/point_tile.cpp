@@ -45,7 +45,7 @@ void refuse_point(const CellAxis& axis, double coordinate, std::size_t point) {
 
 CellRange::CellRange(const PointCull& cull, Role role) {
   const auto a = static_cast<std::size_t>(role);
-  first = static_cast<int>(std::floor(cull.lower[a] - cull.reach)) - (static_cast<int>(cull.span) - 1);
+  first = static_cast<int>(std::floor(cull.lower[a] - cull.reach - (cull.span - 1.0f)));
   count = std::min(static_cast<int>(std::floor(cull.upper[a] + cull.reach)) - first + 1, kMost);
   for (int i = 0; i < count; ++i) {
     const auto lower = static_cast<float>(first + i);
@@ -114,7 +114,7 @@ PointCull bounds(std::span<const LocatedPoint<Dim>> points, const KernelExtent& 
     most_density = std::max(most_density, point.density);
   }
   cull.reach = largest * extent.reach;
-  cull.span = static_cast<float>(extent.span);
+  cull.span = extent.span;
   if (extent.fade) {
     // fade(y) is 0 outside of 2^-n < y < 1; a small margin for rounding.
     cull.least_turn = 0.9999f / static_cast<float>(1 << Dim) / most_density;

@@ -58,7 +58,7 @@ struct KernelExtent {
   // Half the thickness of the layer around a surface, in kernel radii; 0: no layer, the kernel is a ball.
   float layer = 0.0f;
   float reach = 1.0f;  // farthest impulse, in kernel radii
-  int span = 1;        // ImpulseProcess::span()
+  float span = 1.0f;   // cells that the impulses of one may lie in
   bool fade = false;   // whether impulses are of interest in their turn only (ScaleTransition::fade)
 
   explicit KernelExtent(double layer_) : layer(static_cast<float>(layer_)), reach(std::hypot(1.0f, layer)) {}

@@ -33,7 +33,7 @@ template <typename Source>
 class SurfaceSum {
  public:
   explicit SurfaceSum(const Source& source) : source_(source), extent_(source.layer()) {
-    extent_.span = source.span();
+    extent_.span = static_cast<float>(source.span());
   }
 
   // Adds to the samples of the batch's points.
