@@ -100,8 +100,9 @@ Each voxel summed, or, as volumes are made, from as few samples as the error all
 fewer samples there are, so that lower octaves cost next to nothing. Small kernels are summed at every voxel; they are a little larger
 than those that have the whole error for themselves. Gradients are made from samples of the values, and have the values with them.
 
-"Equal quality" are noises that look alike: Kensler's at 12 voxels per cell, and Gabor noises of its frequency, of its width (0.9 octaves) and as
-far from a Gaussian field as it is (excess kurtosis 0.14 in absolute value). Kensler's is not stationary and cannot be interpolated.
+"Equal quality" are noises that look alike: Kensler's at 12 voxels per cell, and Gabor noises of its frequency, of its width (0.9 octaves). Kensler's
+has an excess kurtosis of -0.14, is not stationary and cannot be interpolated. Gabor noises have the impulses of the default, of excess kurtosis 0,
+or Poisson processes of 0.03, with as many values past four standard deviations.
 """)
     draw_curves(times, page)
     page.write("""
