@@ -30,8 +30,8 @@ TEST(Help, IsAPageAndHasTheRestByGroupOrByWord) {
 
 // The default that a flag has is that of what it changes.
 TEST(Help, TellsTheDefaultsOfThePresetThatIsNamed) {
-  EXPECT_TRUE(contains(run_vdbnoise({"--help", "seed"}).out, "(default 4)"));
-  EXPECT_TRUE(contains(run_vdbnoise({"--preset", "smoke", "--help", "seed"}).out, "(default 2)"));
+  EXPECT_TRUE(contains(run_vdbnoise({"--help", "seed"}).out, "(default 2)"));
+  EXPECT_TRUE(contains(run_vdbnoise({"--preset", "marble", "--help", "seed"}).out, "(default 3)"));
   EXPECT_TRUE(contains(run_vdbnoise({"--raw", "--help", "frequency"}).out, "(default 8)"));
 }
 
