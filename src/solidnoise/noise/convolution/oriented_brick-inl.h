@@ -17,7 +17,7 @@
 #include "solidnoise/noise/convolution/impulse_sums.h"
 #include "solidnoise/noise/convolution/oriented_factor-inl.h"
 #include "solidnoise/noise/convolution/polynomial-inl.h"
-#include "solidnoise/noise/convolution/radial_sum-inl.h"
+#include "solidnoise/noise/convolution/radial_brick-inl.h"
 
 #if defined(SOLIDNOISE_ORIENTED_BRICK_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef SOLIDNOISE_ORIENTED_BRICK_INL
