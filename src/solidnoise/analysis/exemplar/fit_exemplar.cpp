@@ -230,8 +230,7 @@ ExemplarFit<Dim> fit_exemplar(std::span<const Exemplar<Dim>> exemplars, const Ex
   SharedProgress shared(progress, result.channels.size());
   tbb::parallel_for(std::size_t(0), result.channels.size(), [&](std::size_t k) {
     const PowerSpectrum<Dim> periodogram = spectra.spectrum(channels.directions[k]);
-    const double variance = periodogram.variance();
-    if (channels.is_empty(k) || !(variance > 0.0)) {
+    if (channels.is_empty(k) || !(periodogram.variance() > 0.0)) {
       result.channels[k].spectrum = channels.empty_spectrum(Dim, periodogram.step[0]);
       return;
     }
@@ -241,12 +240,8 @@ ExemplarFit<Dim> fit_exemplar(std::span<const Exemplar<Dim>> exemplars, const Ex
       channel.kappa = std::max(channel.kappa, std::min(kLargestKappa, weighted));
     }
     SharedProgress::Channel storage;
-    result.channels[k] = fit_channel(periodogram, variance, channel, shared.channel(k, storage));
-    // That of the samples, of which the periodic component has lost some.
-    for (SpectrumBand& band : result.channels[k].spectrum.bands) {
-      for (SpectrumComponent& component : band.components)
-        component.variance *= channels.variances[k] / variance;
-    }
+    // The variance of the samples, of which the periodic component has lost some.
+    result.channels[k] = fit_channel(periodogram, channels.variances[k], channel, shared.channel(k, storage));
   });
   for (const SpectrumFit& fit : result.channels) {
     result.model.channels.push_back(group_spectrum(fit.spectrum));

@@ -28,8 +28,7 @@ namespace solidnoise {
 class SurfaceSpectrumNoise {
  public:
   // `layer`: half the layer's thickness, in kernel radii, 0.1 to 1. Throws std::invalid_argument:
-  // options.validate(), a spectrum that is not of 2 dimensions, a period, which it cannot
-  // have.
+  // options.validate(), a spectrum that is not of 2 dimensions, a period, which it cannot have.
   SurfaceSpectrumNoise(const SpectrumNoiseOptions& options, double layer);
   ~SurfaceSpectrumNoise();
   SurfaceSpectrumNoise(SurfaceSpectrumNoise&&) noexcept;
