@@ -58,6 +58,19 @@ TEST(MeshSequence, ADeformedMeshKeepsTheValuesOfItsRest) {
   }
 }
 
+TEST(MeshSequence, DescribesItsFirstFrameAsItIsBaked) {
+  const TemporaryFolder folder;
+  write_sample(folder, "rest.ply", sample_torus());
+  write_sample(folder, "walk.1.ply", bent(sample_torus(), 0.5));
+  const auto described = [&](const std::vector<std::string>& arguments) {
+    const ToolResult result = run_meshnoise(arguments, {.folder = folder.path()});
+    EXPECT_EQ(result.status, 0) << result.err;
+    return result.out;
+  };
+  EXPECT_EQ(described({"bake", "walk.#.ply", "--frames", "1-2", "--rest", "rest.ply", "--describe"}),
+            described({"bake", "rest.ply", "--describe"}));
+}
+
 TEST(MeshSequence, RefusesWhatIsNoSequence) {
   const TemporaryFolder folder;
   write_sample(folder, "in.ply", sample_torus());

@@ -294,8 +294,11 @@ int run_bake(const std::vector<std::string>& arguments) {
     require_keepable(options.keep, options.recipe);
     const auto threads = options.limit_threads();
     if (flags.given("--describe")) {
-      const MeshReading reading = read_mesh_to_bake(in, options);
-      std::cout << format_json(describe_bake(plan_within(reading.mesh, options), options.recipe));
+      const BakeOptions one =
+          options.frames.empty() ? options : options_of_frame(options, options.frames.front(), in);
+      MeshReading reading = read_mesh_to_bake(in, one);
+      if (!one.rest.empty()) put_to_rest(reading.mesh, in, one);
+      std::cout << format_json(describe_bake(plan_within(std::move(reading.mesh), one), one.recipe));
     } else if (options.frames.empty()) {
       check_outputs(flags, in, options);
       bake_file(in, options);
