@@ -6,6 +6,7 @@
 
 #include "solidnoise/core/numerics.h"
 #include "solidnoise/core/special_functions.h"
+#include "solidnoise/noise/kernel/radial_band.h"
 
 namespace solidnoise {
 namespace {
@@ -209,27 +210,10 @@ double GradientKernel<Dim>::excess_kurtosis() const {
 
 template <int Dim>
 typename Noise<Dim>::Band GradientKernel<Dim>::band() const {
-  constexpr double kTail = 5e-4;
   constexpr double kHighest = 4.0;  // S falls as f^-(n + 9): the rest has less than 1e-7 of the variance
   constexpr double kPanel = 0.125;  // two cycles of the spectrum's lobes, 1/2 apart, need no finer panels
-  const double total = mean_variance() / unit_sphere_area(Dim);
-  const auto power = [&](double f) { return std::pow(f, Dim - 1) * power_spectrum(f); };
-
-  // Walks from `start` in panels until the tail is passed, then bisects within that panel.
-  const auto edge = [&](double start, double panel) {
-    double before = 0.0;
-    for (double f = start;; f += panel) {
-      const double within = std::abs(integrate(power, f, f + panel));
-      if (before + within > kTail * total) {
-        const auto excess = [&](double g) {
-          return before + std::abs(integrate(power, f, g)) - kTail * total;
-        };
-        return panel > 0.0 ? bisect(excess, f, f + panel) : bisect(excess, f + panel, f);
-      }
-      before += within;
-    }
-  };
-  return {edge(0.0, kPanel), edge(kHighest, -kPanel)};
+  return radial_band([&](double f) { return std::pow(f, Dim - 1) * power_spectrum(f); },
+                     mean_variance() / unit_sphere_area(Dim), kHighest, kPanel);
 }
 
 template class GradientKernel<1>;
