@@ -19,8 +19,10 @@
 
 #include "block_bench.h"
 #include "ratio_reporter.h"
+#include "reference/cellular_reference.h"
 #include "reference/gabor_reference.h"
 #include "reference/kensler_reference.h"
+#include "solidnoise/noise/cellular/cellular_noise.h"
 #include "solidnoise/noise/gabor/gabor_noise.h"
 #include "solidnoise/noise/gabor/oriented_gabor_noise.h"
 #include "solidnoise/noise/gradient/gradient_noise.h"
@@ -123,6 +125,18 @@ void add_kensler(std::vector<Ratio>& ratios) {
       {"Kensler 3D, 12 voxels per cell, over scalar", name + "scalar", name + "best", 12.0, 15.0});
 }
 
+void add_cellular(std::vector<Ratio>& ratios) {
+  const auto noise = std::make_shared<CellularNoise<3>>(CellularNoiseOptions{.frequency = 1.0 / 12.0});
+  const std::string name = "cellular/3/distance/N30/R23/";
+  const reference::CellularProcedure<3> procedure(*noise);
+  benchmark::RegisterBenchmark((name + "scalar").c_str(), [=](benchmark::State& state) {
+    evaluate_points<3, double>(state, procedure, 1.0);
+  });
+  register_noise<3>(name + "best", noise);
+  ratios.push_back(
+      {"cellular 3D, 12 voxels per cell, over scalar", name + "scalar", name + "best", 140.0, 190.0});
+}
+
 // Wall-clock time per voxel of one thread, and of two that evaluate different blocks.
 void add_threads(std::vector<Ratio>& ratios) {
   const auto noise = make_gabor<GaborNoise, 3, GaborNoiseOptions>(16, 32);
@@ -147,6 +161,7 @@ int main(int argc, char** argv) {
   solidnoise::bench::add_oriented(ratios);
   solidnoise::bench::add_animated(ratios);
   solidnoise::bench::add_kensler(ratios);
+  solidnoise::bench::add_cellular(ratios);
   solidnoise::bench::add_scattered(ratios);
   solidnoise::bench::add_threads(ratios);
 

@@ -2,6 +2,7 @@
 // movements of them, and their interpolation within an error.
 #pragma once
 
+#include "solidnoise/noise/cellular/cellular_noise.h"
 #include "solidnoise/noise/error_budget.h"
 #include "solidnoise/noise/fractal_noise.h"
 #include "solidnoise/noise/gabor/gabor_noise.h"

@@ -76,9 +76,9 @@ TEST(NoiseRecipeJson, MessagesGiveThePathTheValueAndWhatIsAllowed) {
   EXPECT_EQ(message_of(R"({"type": "gabor", "frequency": "8"})"),
             "noise.frequency is \"8\"; it must be a number");
   EXPECT_EQ(message_of(R"({"type": "perlin"})"),
-            "noise.type is \"perlin\"; it must be one of gabor, gabor-oriented, kensler, spectrum");
+            "noise.type is \"perlin\"; it must be one of gabor, gabor-oriented, kensler, spectrum, cellular");
   EXPECT_EQ(message_of(R"({"frequency": 8})"),
-            "noise.type is missing; it must be one of gabor, gabor-oriented, kensler, spectrum");
+            "noise.type is missing; it must be one of gabor, gabor-oriented, kensler, spectrum, cellular");
   EXPECT_EQ(message_of(R"({"type": "gabor", "octaves": 2.5})"),
             "noise.octaves is 2.5; it must be a whole number");
   EXPECT_EQ(message_of(R"({"type": "gabor", "octaves": 99999999999})"),

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "solidnoise/noise/cellular/cellular_entry.h"
 #include "solidnoise/noise/gabor/gabor_entries.h"
 #include "solidnoise/noise/gradient/gradient_entry.h"
 #include "solidnoise/noise/registry/noise_recipe.h"

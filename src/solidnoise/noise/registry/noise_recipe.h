@@ -4,6 +4,7 @@
 #include <memory>
 #include <variant>
 
+#include "solidnoise/noise/cellular/cellular_noise_options.h"
 #include "solidnoise/noise/fractal_noise.h"
 #include "solidnoise/noise/gabor/gabor_options.h"
 #include "solidnoise/noise/gabor/spectrum_noise.h"
@@ -14,7 +15,8 @@ namespace solidnoise {
 
 // Everything that defines a noise: plain data. One more noise is one more alternative here.
 struct NoiseRecipe {
-  std::variant<GaborNoiseOptions, OrientedGaborNoiseOptions, GradientNoiseOptions, SpectrumNoiseOptions>
+  std::variant<GaborNoiseOptions, OrientedGaborNoiseOptions, GradientNoiseOptions, SpectrumNoiseOptions,
+               CellularNoiseOptions>
       noise{};
   FractalOptions fractal{};
 
