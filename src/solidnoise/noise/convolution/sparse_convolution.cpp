@@ -25,6 +25,12 @@ SparseConvolution<Dim>::SparseConvolution(ImpulseProcess<Dim> process,
   }
 }
 
+namespace {
+
+constexpr std::uint32_t kShortRow = 16;  // impulses that are culled at once
+
+}  // namespace
+
 // Culls the source's impulses to those whose kernel meets the neighborhood.
 template <int Dim>
 void SparseConvolution<Dim>::gather(const Source& source, const Neighborhood& neighborhood,
@@ -39,27 +45,47 @@ void SparseConvolution<Dim>::gather(const Source& source, const Neighborhood& ne
   }
 
   list.clear();
+  // Takes the impulses of a contiguous run.
+  const auto cull = [&](std::uint32_t begin, std::uint32_t end) {
+    if (begin == end) return;
+    for (int axis = 0; axis < Dim; ++axis) {
+      run.position[role_of_axis<Dim>(axis)] = source.impulses.position(axis) + begin;
+    }
+    for (int channel = 0; channel < box.attributes; ++channel) {
+      run.attribute[channel] = source.attributes[channel].data() + begin;
+    }
+    run.count = end - begin;
+    cull_impulses(run, box, list);
+  };
   constexpr int kLast = Dim - 1;
-  Index<Dim> cell = neighborhood.first - reach_;
-  while (true) {
-    const auto [begin, end] =
-        source.impulses.run(cell, cell[kLast], neighborhood.last[kLast] + reach_[kLast]);
-    if (begin != end) {
-      for (int axis = 0; axis < Dim; ++axis) {
-        run.position[role_of_axis<Dim>(axis)] = source.impulses.position(axis) + begin;
+  const Index<Dim> first = neighborhood.first - reach_;
+  const Index<Dim> last = neighborhood.last + reach_;
+  const auto row = [&](const Index<Dim>& cell) {
+    return source.impulses.run(cell, first[kLast], last[kLast]);
+  };
+  if constexpr (Dim == 1) {
+    const auto only = row(first);
+    cull(only.begin, only.end);
+  } else {
+    // Rows follow each other in the block: where they are short, those of a plane are taken together, with
+    // what lies between them.
+    constexpr int kRow = Dim - 2;
+    const auto rows = static_cast<std::uint32_t>(last[kRow] - first[kRow] + 1);
+    Index<Dim> cell = first;
+    do {
+      Index<Dim> end = cell;
+      end[kRow] = last[kRow];
+      const std::uint32_t begin = row(cell).begin;
+      const std::uint32_t past = row(end).end;
+      if (past - begin <= rows * kShortRow) {
+        cull(begin, past);
+        cell = end;
+      } else {
+        const auto [from, to] = row(cell);
+        cull(from, to);
       }
-      for (int channel = 0; channel < box.attributes; ++channel) {
-        run.attribute[channel] = source.attributes[channel].data() + begin;
-      }
-      run.count = end - begin;
-      cull_impulses(run, box, list);
-    }
-    int axis = kLast - 1;
-    while (axis >= 0 && ++cell[axis] > neighborhood.last[axis] + reach_[axis]) {
-      cell[axis] = neighborhood.first[axis] - reach_[axis];
-      --axis;
-    }
-    if (axis < 0) return;
+      cell[kLast] = last[kLast];
+    } while (next_cell<Dim>(cell, first, last));
   }
 }
 
