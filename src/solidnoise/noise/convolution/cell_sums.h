@@ -30,7 +30,7 @@ template <int Dim>
 std::vector<CellPoint<Dim>> order_by_cell(const Points<Dim>& points, const std::array<CellAxis, Dim>& axes);
 
 // Cells of a group along each axis, and parts of a cell, as powers of 2.
-inline constexpr int kGroupBits = 2;
+inline constexpr int kGroupBits = 3;
 
 template <int Dim>
 bool in_one_group(const CellPoint<Dim>& a, const CellPoint<Dim>& b) {
