@@ -14,7 +14,7 @@
 #include "noisefit/commands.h"
 #include "noisefit/model_file.h"
 #include "solidnoise/analysis/exemplar/describe_fit.h"
-#include "solidnoise/analysis/exemplar/edit_spectrum.h"
+#include "solidnoise/analysis/exemplar/edit_model.h"
 
 namespace solidnoise {
 namespace {
@@ -43,14 +43,6 @@ struct EditCommand : RunOptions {
         {flag, [this, operation](GaborSpectrum& spectrum, std::size_t) { operation(spectrum, group); }});
   }
 };
-
-// A group may be missing in some channels, but not in all.
-bool has_group(const GaborSpectrum& spectrum, const std::string& name) {
-  for (const std::string& group : spectrum.groups) {
-    if (group == name) return true;
-  }
-  return false;
-}
 
 // The component that "A VARIANCE X Y [Z]" describes.
 void add_one(GaborSpectrum& spectrum, const std::vector<double>& v, const std::string& group) {
@@ -147,19 +139,17 @@ int run_edit(const std::vector<std::string>& arguments) {
                                  model.channels.size()));
   }
   const bool makes_group = flags.given("--add") || flags.given("--copy") || flags.given("--regroup");
-  bool edited = false;
-  for (std::size_t k = 0; k < model.channels.size(); ++k) {
-    if (command.channel && *command.channel != static_cast<int>(k)) continue;
-    if (command.group && !makes_group && !has_group(model.channels[k], *command.group)) continue;
-    edited = true;
+  const EditTarget target{command.group, command.channel, makes_group};
+  const bool edited = edit_model(model, target, [&](GaborSpectrum& spectrum, std::size_t channel) {
     for (const Operation& operation : command.operations) {
       try {
-        operation.run(model.channels[k], k);
+        operation.run(spectrum, channel);
       } catch (const std::invalid_argument& error) {
-        throw UsageError(fmt::format("{}: {}: channel {}: {}", operation.flag, command.in, k, error.what()));
+        throw UsageError(
+            fmt::format("{}: {}: channel {}: {}", operation.flag, command.in, channel, error.what()));
       }
     }
-  }
+  });
   if (!edited) throw UsageError(fmt::format("{} has no group {}", command.in, *command.group));
   write_model(command.out, model, {.existing = command.existing()});
   if (!command.quiet) std::cerr << describe(model);
