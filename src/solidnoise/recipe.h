@@ -7,3 +7,4 @@
 #include "solidnoise/recipe/json_reader.h"
 #include "solidnoise/recipe/json_schema.h"
 #include "solidnoise/recipe/noise_recipe_json.h"
+#include "solidnoise/recipe/recipe_file.h"
