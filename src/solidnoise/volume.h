@@ -11,6 +11,8 @@
 #include "solidnoise/volume/preview/picture.h"
 #include "solidnoise/volume/slice/slice_field.h"
 #include "solidnoise/volume/slice/slice_image.h"
+#include "solidnoise/volume/slice/slice_view.h"
+#include "solidnoise/volume/stored_recipe.h"
 #include "solidnoise/volume/stream_volume.h"
 #include "solidnoise/volume/topology/mesh_level_set.h"
 #include "solidnoise/volume/vdb/vdb_read.h"

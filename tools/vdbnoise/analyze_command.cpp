@@ -15,11 +15,7 @@
 #include "solidnoise/image/image_file.h"
 #include "solidnoise/recipe/noise_recipe_json.h"
 #include "solidnoise/volume/analyze_volume.h"
-#include "solidnoise/volume/finish_volume.h"
-#include "solidnoise/volume/make_volume.h"
 #include "solidnoise/volume/vdb/vdb_read.h"
-#include "solidnoise/volume/volume_field.h"
-#include "solidnoise/volume/volume_recipe_json.h"
 #include "vdbnoise/commands.h"
 
 namespace solidnoise {
@@ -29,25 +25,6 @@ constexpr char kAnalyzeDescription[] =
     "Measures a grid of an OpenVDB file and prints JSON: moments, histogram beside the Gaussian, radial "
     "power\n"
     "spectrum beside the closed form of the recipe that the file carries.";
-
-// A transform of 128^3 voxels takes about a second and 100 MB.
-constexpr int kLongestSide = 128;
-
-std::optional<VolumeRecipe> stored_recipe(const openvdb::FloatGrid& grid, const std::string& file) {
-  const auto metadata = grid.getMetadata<openvdb::StringMetadata>(kRecipeKey);
-  if (!metadata) return std::nullopt;
-  try {
-    return volume_recipe_from_json(parse_json(metadata->value()));
-  } catch (const std::invalid_argument& error) {
-    throw std::runtime_error(fmt::format("{}: {}", file, error.what()));
-  }
-}
-
-bool holds_noise_itself(const VolumeRecipe& recipe) {
-  const auto* raw = std::get_if<RawShaping>(&recipe.shaping);
-  return raw && raw->range == RawShaping::Range::raw && recipe.layers.empty() && !recipe.within &&
-         !recipe.parameters.any();
-}
 
 // The slice through the middle of a block, across z.
 DenseField<2> middle_slice(const DenseField<3>& block) {
@@ -94,15 +71,7 @@ int run_analyze(const std::vector<std::string>& arguments) {
   require_extension("--plot", plot, {".png"}, StandardOutput::refused);
   require_outputs({plot}, options.existing(), {file});
 
-  AnalysisSubject subject;
-  subject.grid = read_float_grid(file, grid_name);
-  subject.recipe = stored_recipe(*subject.grid, file);
-  if (subject.recipe) subject.recipe = recipe_of_grid(*subject.recipe, subject.grid->getName());
-  const openvdb::Vec3d voxel = subject.grid->voxelSize();
-  if (subject.recipe) *subject.recipe = at_resolution(*subject.recipe, {voxel.x(), voxel.y(), voxel.z()});
-  if (subject.recipe && holds_noise_itself(*subject.recipe))
-    subject.noise = make_volume_noise(*subject.recipe);
-  subject.block = dense_block(*subject.grid, kLongestSide);
+  const AnalysisSubject subject = analysis_subject(read_float_grid(file, grid_name), file);
   if (!plot.empty() && !subject.block) {
     throw std::runtime_error(file + ": no block of its voxels is dense enough for --plot");
   }

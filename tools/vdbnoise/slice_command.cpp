@@ -81,7 +81,7 @@ void make_slice(SliceOptions options) {
   const std::vector<SliceField> fields = make_slice_fields(options);
   const SliceField& field = fields.front();
   if (field.bounds) {
-    fit_plane(options, *field.bounds);
+    fit_plane(options, *field.bounds, options.plane);
     options.color = fields.size() > 1;
   }
   if (options.color && (!options.ramp.empty() || !options.spectrum.empty() || options.line)) {

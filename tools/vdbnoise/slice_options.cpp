@@ -8,8 +8,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
 
 #include "common/field_flags.h"
 #include "common/noise_flags.h"
@@ -24,7 +22,6 @@ namespace solidnoise {
 namespace {
 
 constexpr int kMostPixels = 16384;  // along a side
-constexpr double kWidth = 2.0;      // world units, unless it is given or the period
 
 void declare_output(FlagSet& flags, SliceOptions& options) {
   flags.group("Output");
@@ -128,25 +125,6 @@ void declare_plane(FlagSet& flags, SliceOptions& options) {
                 });
 }
 
-// --normal and --up say one thing together.
-void turn_plane(SliceOptions& options) {
-  if (!options.normal && !options.up) return;
-  const Vec<3> normal = options.normal.value_or(Vec<3>(0.0, 0.0, 1.0));
-  const bool from_above = normal.x == 0.0 && normal.z == 0.0;
-  options.plane.face(normal,
-                     options.up.value_or(from_above ? Vec<3>(0.0, 0.0, -1.0) : Vec<3>(0.0, 1.0, 0.0)));
-}
-
-// The plane is one period wide unless it is told otherwise, where the noise has one along it.
-void size_plane(SliceOptions& options) {
-  SlicePlane& plane = options.plane;
-  const double period = options.file.empty() ? period_along(plane.right, options.recipe.noise) : 0.0;
-  const double width = options.width.value_or(period > 0.0 ? period : kWidth);
-  plane.pixel = width / plane.columns;
-  const double height = plane.pixel * plane.rows;
-  options.wraps = period > 0.0 && width == period && height == period_along(plane.up, options.recipe.noise);
-}
-
 void check_outputs(const SliceOptions& options) {
   if (options.out.empty() && options.spectrum.empty()) {
     throw UsageError("--out is missing; say where the picture goes: --out noise.png");
@@ -242,24 +220,13 @@ void check_slice_options(const FlagSet& flags, SliceOptions& options,
   check_line(flags, options);
   check_file(flags, options, noise_flags);
   if (options.file.empty()) check_recipe(options);
-  turn_plane(options);
   options.line = options.is_line();
   if (options.line) options.plane.rows = 1;
+  place_plane(options, options);
   if (!options.spectrum.empty()) {
     const int side = std::min(options.plane.columns, options.plane.rows);
     require_at_least("resolution", side, 2, "pixels along both axes, for --spectrum");
   }
-  if (options.origin) options.plane.origin = *options.origin;
-  size_plane(options);
-}
-
-void fit_plane(SliceOptions& options, const Box<3>& bounds) {
-  SlicePlane& plane = options.plane;
-  if (!options.origin) plane.origin = 0.5 * (bounds.lower + bounds.upper);
-  if (options.width) return;
-  const Vec<3> size = bounds.upper - bounds.lower;
-  plane.pixel = std::max(glm::dot(size, glm::abs(plane.right)) / plane.columns,
-                         glm::dot(size, glm::abs(plane.up)) / plane.rows);
 }
 
 }  // namespace solidnoise

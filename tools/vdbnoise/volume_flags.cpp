@@ -16,28 +16,15 @@
 #include "common/run_tool.h"
 #include "solidnoise/core/check.h"
 #include "solidnoise/recipe/noise_recipe_json.h"
-#include "solidnoise/volume/finish_volume.h"
-#include "solidnoise/volume/vdb/vdb_read.h"
+#include "solidnoise/volume/stored_recipe.h"
 #include "solidnoise/volume/volume_recipe_json.h"
 #include "vdbnoise/grid_flags.h"
 
 namespace solidnoise {
-namespace {
-
-std::string stored_recipe(const std::filesystem::path& path) {
-  for (const GridSummary& summary : read_vdb_summary(path).grids) {
-    const auto found = summary.metadata.find(kRecipeKey);
-    if (found != summary.metadata.end()) return found->second;
-  }
-  throw std::runtime_error(fmt::format("{}: none of its grids carries a recipe of vdbnoise", path.string()));
-}
-
-}  // namespace
-
 VolumeRecipe choose_volume_recipe(const FlagSet& flags, const std::string& standard) {
   VolumeRecipe recipe;
   const auto text_in = [](const std::filesystem::path& path) {
-    return path.extension() == ".vdb" ? stored_recipe(path) : read_text_file(path);
+    return path.extension() == ".vdb" ? recipe_text_in(path) : read_text_file(path);
   };
   load_recipe(flags, standard, text_in, [&](const Json& json) { recipe = volume_recipe_from_json(json); });
   return recipe;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <variant>
 
 #include <nlohmann/json.hpp>
@@ -12,8 +13,10 @@
 #include "solidnoise/noise/gabor/gabor_noise.h"
 #include "solidnoise/noise/gabor/oriented_gabor_noise.h"
 #include "solidnoise/noise/kernel/impulse_statistics.h"
+#include "solidnoise/volume/stored_recipe.h"
 #include "solidnoise/volume/topology/grid_frame.h"
 #include "solidnoise/volume/vdb/grid_values.h"
+#include "solidnoise/volume/volume_field.h"
 
 namespace solidnoise {
 namespace {
@@ -190,7 +193,28 @@ Json describe_expected(const Noise<3>* noise) {
   return json;
 }
 
+bool holds_noise_itself(const VolumeRecipe& recipe) {
+  const auto* raw = std::get_if<RawShaping>(&recipe.shaping);
+  return raw && raw->range == RawShaping::Range::raw && recipe.layers.empty() && !recipe.within &&
+         !recipe.parameters.any();
+}
+
 }  // namespace
+
+AnalysisSubject analysis_subject(openvdb::FloatGrid::Ptr grid, const std::string& file) {
+  constexpr int kLongestSide = 128;
+  AnalysisSubject subject;
+  subject.grid = std::move(grid);
+  subject.recipe = stored_recipe(*subject.grid, file);
+  if (subject.recipe) subject.recipe = recipe_of_grid(*subject.recipe, subject.grid->getName());
+  const openvdb::Vec3d voxel = subject.grid->voxelSize();
+  if (subject.recipe) *subject.recipe = at_resolution(*subject.recipe, {voxel.x(), voxel.y(), voxel.z()});
+  if (subject.recipe && holds_noise_itself(*subject.recipe)) {
+    subject.noise = make_volume_noise(*subject.recipe);
+  }
+  subject.block = dense_block(*subject.grid, kLongestSide);
+  return subject;
+}
 
 AnalysisReport analyze(const AnalysisSubject& subject) {
   const Moments moments = measure(*subject.grid);
