@@ -32,6 +32,17 @@ if(embree_FOUND)
   target_link_libraries(embree::embree INTERFACE embree)
 endif()
 
+if(SOLIDNOISE_BUILD_PYTHON)
+  # The system's Python, which Blender's is too: the first one on the path may have neither NumPy nor pyopenvdb.
+  if(NOT DEFINED Python_EXECUTABLE AND EXISTS /usr/bin/python3)
+    set(Python_EXECUTABLE /usr/bin/python3)
+  endif()
+  find_package(Python 3.9 QUIET COMPONENTS Interpreter Development.Module NumPy)
+  if(Python_FOUND)
+    find_package(pybind11 2.10 CONFIG QUIET)
+  endif()
+endif()
+
 if(SOLIDNOISE_BUILD_IMAGE)
   # Not by its config file: Debian's refuses to load unless OpenImageIO's own tools, and Qt with them, are installed,
   # and names an include folder that does not exist.

@@ -21,5 +21,6 @@ build/bench/bench/count_case --list | while read -r name voxels; do
 done
 
 /usr/bin/python3 bench/programs.py build/bench/tools "$data"
+PYTHONPATH=build/bench/python /usr/bin/python3 bench/overhead.py build/bench/bench/lattice_case
 PYTHONPATH=research/pages /usr/bin/python3 bench/performance.py "$data" docs "Solidnoise $(build/bench/tools/vdbnoise --version | cut -d" " -f2)"
 echo "The page: $PWD/docs/performance.md"

@@ -7,6 +7,7 @@ packages=(
   libopenvdb-dev libboost-iostreams-dev zlib1g-dev libtbb-dev libopenimageio-dev libpng-dev libopenmesh-dev
   libglm-dev libeigen3-dev libembree-dev libhwy-dev libkissfft-dev
   libfmt-dev nlohmann-json3-dev fonts-dejavu-core
+  pybind11-dev python3-dev python3-numpy
   "$@"
 )
 

@@ -4,6 +4,6 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-scripts/setup.sh libgtest-dev libopenvdb-tools python3-openvdb python3-jsonschema
+scripts/setup.sh libgtest-dev libopenvdb-tools python3-openvdb python3-jsonschema python3-pytest mypy
 scripts/build.sh release -DSOLIDNOISE_BUILD_TESTS=ON "$@"
 ctest --preset release --parallel "$(nproc)"

@@ -67,7 +67,7 @@ def check(tools, project, record):
 
 
 def make(tools, project, entry):
-    environment = {**os.environ, "PATH": f"{tools}:{os.environ['PATH']}"}
+    environment = {**os.environ, "PATH": f"{tools}:{os.environ['PATH']}", "PYTHONPATH": str(tools.parent / "python")}
     with tempfile.TemporaryDirectory() as folder:
         for name in ("examples", "meshes", "scripts"):
             os.symlink(project / name, pathlib.Path(folder) / name)

@@ -1,0 +1,122 @@
+#include "arrays.h"
+
+#include <cstring>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace solidnoise::python {
+namespace {
+
+// As it is if it holds floats; other numbers become float64.
+py::array as_floats(py::handle object, const std::string& name) {
+  if (py::isinstance<py::array_t<double>>(object) || py::isinstance<py::array_t<float>>(object)) {
+    return py::reinterpret_borrow<py::array>(object);
+  }
+  const py::array array = py::array::ensure(object);
+  if (!array) throw py::error_already_set();
+  if (std::string("biuf").find(array.dtype().kind()) == std::string::npos) {
+    throw py::type_error(name + " must be numbers");
+  }
+  return py::array_t<double, py::array::forcecast>::ensure(array);
+}
+
+template <typename Number>
+double read(const char* place) {
+  Number number;
+  std::memcpy(&number, place, sizeof number);  // which may be anywhere
+  return static_cast<double>(number);
+}
+
+// With the channels first, as memory has them.
+std::vector<py::ssize_t> memory_shape(const std::vector<py::ssize_t>& shape, int channels) {
+  std::vector<py::ssize_t> result = shape;
+  if (channels > 1) result.insert(result.begin(), channels);
+  return result;
+}
+
+py::object channels_last(const py::array& array, int channels) {
+  if (channels == 1) return array;
+  return py::module_::import("numpy").attr("moveaxis")(array, 0, -1);
+}
+
+std::string text_of(const std::vector<py::ssize_t>& shape) {
+  return fmt::format("({}{})", fmt::join(shape, ", "), shape.size() == 1 ? "," : "");
+}
+
+}  // namespace
+
+Rows::Rows(py::handle object, const std::string& name, py::ssize_t columns)
+    : array_(as_floats(object, name)) {
+  if (array_.ndim() == 0 || array_.shape(array_.ndim() - 1) != columns) {
+    const std::vector<py::ssize_t> found(array_.shape(), array_.shape() + array_.ndim());
+    throw std::invalid_argument(
+        fmt::format("{} has the shape {}; it must be (..., {})", name, text_of(found), columns));
+  }
+  data_ = static_cast<const char*>(array_.data());
+  is_single_ = py::isinstance<py::array_t<float>>(array_);
+  for (py::ssize_t axis = 0; axis + 1 < array_.ndim(); ++axis) {
+    shape_.push_back(array_.shape(axis));
+    strides_.push_back(array_.strides(axis));
+    count_ *= static_cast<std::size_t>(array_.shape(axis));
+  }
+  column_stride_ = array_.strides(array_.ndim() - 1);
+}
+
+double Rows::at(std::size_t row, int column) const {
+  const char* const place = find(row, column);
+  return is_single_ ? read<float>(place) : read<double>(place);
+}
+
+const char* Rows::find(std::size_t row, int column) const {
+  const char* place = data_ + column * column_stride_;
+  for (std::size_t axis = shape_.size(); axis-- > 0;) {
+    const auto size = static_cast<std::size_t>(shape_[axis]);
+    place += static_cast<py::ssize_t>(row % size) * strides_[axis];
+    row /= size;
+  }
+  return place;
+}
+
+std::vector<double> numbers_of(py::handle object, const std::string& name) {
+  const py::array array = as_floats(object, name);
+  const auto dense = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(array);
+  return {dense.data(), dense.data() + dense.size()};
+}
+
+Values make_values(const std::vector<py::ssize_t>& shape, int channels) {
+  py::array_t<float> array(memory_shape(shape, channels));
+  const std::span memory(array.mutable_data(), static_cast<std::size_t>(array.size()));
+  return {channels_last(array, channels), memory};
+}
+
+Values values_in(py::handle out, const std::vector<py::ssize_t>& shape, int channels) {
+  if (!py::isinstance<py::array_t<float>>(out)) throw py::type_error("out must be an array of float32");
+  py::array array = py::reinterpret_borrow<py::array>(out);
+  if (channels > 1 && array.ndim() > 0) {
+    array = py::module_::import("numpy").attr("moveaxis")(array, -1, 0);
+  }
+  const std::vector<py::ssize_t> wanted = memory_shape(shape, channels);
+  const std::vector<py::ssize_t> found(array.shape(), array.shape() + array.ndim());
+  if (found != wanted) {
+    throw std::invalid_argument(
+        fmt::format("out has the shape {}; it must be {}", text_of(found), text_of(wanted)));
+  }
+  if ((array.flags() & py::array::c_style) == 0) {
+    throw std::invalid_argument("out must be contiguous, its last axis the fastest");
+  }
+  if (!array.writeable()) throw std::invalid_argument("out cannot be written to");
+  auto* const memory = static_cast<float*>(array.mutable_data());
+  return {py::reinterpret_borrow<py::object>(out), {memory, static_cast<std::size_t>(array.size())}};
+}
+
+py::array array_of(const std::vector<Vec<3>>& vectors) {
+  static_assert(sizeof(Vec<3>) == 3 * sizeof(double));
+  const py::array_t<double> array({static_cast<py::ssize_t>(vectors.size()), py::ssize_t{3}});
+  if (!vectors.empty())
+    std::memcpy(const_cast<double*>(array.data()), vectors.data(), vectors.size() * sizeof(Vec<3>));
+  return array;
+}
+
+}  // namespace solidnoise::python

@@ -1,0 +1,313 @@
+#include "mesh.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <pybind11/stl.h>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "arrays.h"
+#include "call.h"
+#include "documentation.h"
+#include "json.h"
+#include "solidnoise/geometry/polygon_mesh.h"
+#include "solidnoise/mesh/bake_mesh.h"
+#include "solidnoise/mesh/bake_noise.h"
+#include "solidnoise/mesh/bake_recipe_json.h"
+#include "solidnoise/mesh/curvature.h"
+#include "solidnoise/mesh/surface_mesh.h"
+#include "solidnoise/recipe/exemplar_model_json.h"
+#include "solidnoise/recipe/field_json.h"
+
+namespace solidnoise::python {
+namespace {
+
+std::vector<Vec<3>> vectors_of(py::handle object, const std::string& name) {
+  const Rows rows(object, name, 3);
+  std::vector<Vec<3>> vectors;
+  vectors.reserve(rows.count());
+  for (std::size_t i = 0; i < rows.count(); ++i) vectors.push_back(rows.vector<3>(i));
+  return vectors;
+}
+
+// Negative indices, too large ones, and those of too few corners are the caller's mistakes.
+std::uint32_t vertex_of(std::int64_t index, std::size_t face, std::size_t vertices) {
+  if (index >= 0 && index < static_cast<std::int64_t>(vertices)) return static_cast<std::uint32_t>(index);
+  throw std::invalid_argument(
+      fmt::format("faces[{}] has the vertex {}; it must be between 0 and {}", face, index, vertices - 1));
+}
+
+void add_face(PolygonMesh& mesh, const std::int64_t* corners, std::size_t count) {
+  std::vector<std::uint32_t> face;
+  for (std::size_t i = 0; i < count; ++i) {
+    face.push_back(vertex_of(corners[i], mesh.face_count(), mesh.positions.size()));
+  }
+  mesh.add_face(face);
+}
+
+// Whole numbers of a sequence or an array.
+py::array_t<std::int64_t, py::array::c_style | py::array::forcecast> integers_of(py::handle object) {
+  const py::array array = py::array::ensure(object);
+  if (!array) throw py::error_already_set();
+  if (array.size() > 0 && std::string("iu").find(array.dtype().kind()) == std::string::npos) {
+    throw py::type_error("faces must be whole numbers");
+  }
+  return array;
+}
+
+// An array of faces of equal size, or a sequence of faces of any.
+void add_faces(PolygonMesh& mesh, py::handle faces) {
+  const bool is_list = py::isinstance<py::list>(faces) || py::isinstance<py::tuple>(faces);
+  if (is_list) {
+    for (const py::handle face : faces) {
+      const auto corners = integers_of(face);
+      add_face(mesh, corners.data(), static_cast<std::size_t>(corners.size()));
+    }
+    return;
+  }
+  const auto rows = integers_of(faces);
+  if (rows.ndim() != 2)
+    throw std::invalid_argument("faces must have the shape (faces, corners), or be a list of faces");
+  const auto corners = static_cast<std::size_t>(rows.shape(1));
+  for (py::ssize_t i = 0; i < rows.shape(0); ++i) add_face(mesh, rows.data(i, 0), corners);
+}
+
+PolygonMesh mesh_of(py::handle vertices, py::handle faces, const py::dict& attributes) {
+  PolygonMesh mesh;
+  mesh.positions = vectors_of(vertices, "vertices");
+  mesh.position_type = ScalarType::float64;
+  add_faces(mesh, faces);
+  for (const auto& [name, values] : attributes) {
+    VertexProperty property{name.cast<std::string>(), ScalarType::float64,
+                            numbers_of(values, name.cast<std::string>())};
+    if (property.values.size() != mesh.positions.size()) {
+      throw std::invalid_argument(fmt::format("{} has {} numbers; it must have one for each of {} vertices",
+                                              property.name, property.values.size(), mesh.positions.size()));
+    }
+    mesh.set_property(std::move(property));
+  }
+  return mesh;
+}
+
+// An array (faces, corners) where all have as many, else a list.
+py::object faces_of(const PolygonMesh& mesh) {
+  const std::size_t count = mesh.face_count();
+  const std::size_t corners = count == 0 ? 3 : mesh.face(0).size();
+  if (mesh.corners.size() != count * corners) {
+    py::list faces;
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto face = mesh.face(i);
+      faces.append(array_of(std::vector<std::uint32_t>(face.begin(), face.end())));
+    }
+    return faces;
+  }
+  return array_of(std::vector<std::uint32_t>(mesh.corners),
+                  {static_cast<py::ssize_t>(count), static_cast<py::ssize_t>(corners)});
+}
+
+py::array colors_of(const std::vector<Color>& colors) {
+  std::vector<float> numbers;
+  numbers.reserve(3 * colors.size());
+  for (const Color& color : colors) numbers.insert(numbers.end(), {color.r, color.g, color.b});
+  return array_of(std::move(numbers), {static_cast<py::ssize_t>(colors.size()), 3});
+}
+
+py::array property_of(const PolygonMesh& mesh, const std::string& name) {
+  const VertexProperty& property = *mesh.property(name);
+  return array_of(std::vector<float>(property.values.begin(), property.values.end()));
+}
+
+BakeRecipe bake_recipe_of(py::handle recipe, const py::dict& keywords) {
+  BakeRecipe result;
+  use_recipe(recipe, keywords, [&](const Json& json) { result = bake_recipe_from_json(with_header(json)); });
+  return result;
+}
+
+py::dict bake_arrays(py::handle vertices, py::handle faces, py::handle recipe, const py::dict& attributes,
+                     const std::vector<std::string>& keep, std::optional<int> threads, py::object progress,
+                     const py::kwargs& keywords) {
+  const Call call(threads, std::move(progress));
+  const BakeRecipe read = bake_recipe_of(recipe, keywords);
+  PolygonMesh mesh = mesh_of(vertices, faces, attributes);
+  BakedMesh baked;
+  run(call, [&](Progress& told) { baked = bake(plan_bake(std::move(mesh), read), read, keep, &told); });
+  py::dict result;
+  result["vertices"] = array_of(baked.mesh.positions);
+  result["faces"] = faces_of(baked.mesh);
+  result["normals"] = array_of(baked.normals);
+  result["colors"] = colors_of(baked.colors);
+  result["noise"] = property_of(baked.mesh, "noise");
+  for (const std::string& name : keep) {
+    if (name != "direction") {
+      result[py::str(name)] = property_of(baked.mesh, name);
+      continue;
+    }
+    py::list parts;
+    for (const char* const axis : {"x", "y", "z"}) parts.append(property_of(baked.mesh, name + "_" + axis));
+    result[py::str(name)] = py::module_::import("numpy").attr("stack")(parts, -1);
+  }
+  return result;
+}
+
+py::dict measure(py::handle vertices, py::handle faces, int smooth, double smooth_radius,
+                 std::optional<int> threads) {
+  const PolygonMesh mesh = mesh_of(vertices, faces, {});
+  Curvature measured;
+  run({threads, py::none()}, [&](Progress&) {
+    measured = measure_curvature(SurfaceMesh(mesh), {smooth, smooth_radius});
+  });
+  std::vector<double> mean;
+  std::vector<double> gaussian;
+  for (std::size_t i = 0; i < measured.size(); ++i) {
+    mean.push_back(measured.mean(i));
+    gaussian.push_back(measured.gaussian(i));
+  }
+  py::dict result;
+  result["k1"] = array_of(std::move(measured.k1));
+  result["k2"] = array_of(std::move(measured.k2));
+  result["k1_direction"] = array_of(measured.k1_direction);
+  result["k2_direction"] = array_of(measured.k2_direction);
+  result["mean"] = array_of(std::move(mean));
+  result["gaussian"] = array_of(std::move(gaussian));
+  return result;
+}
+
+// One number for all, or one for each vertex.
+VertexNumber vertex_number(py::handle object, const std::string& name, std::size_t vertices) {
+  const std::vector<double> numbers = numbers_of(object, name);
+  if (numbers.size() == 1) return {numbers.front(), {}};
+  if (numbers.size() != vertices) {
+    throw std::invalid_argument(
+        fmt::format("{} has {} numbers; it must have one, or one for each of {} vertices", name,
+                    numbers.size(), vertices));
+  }
+  return {numbers.empty() ? 1.0 : *std::min_element(numbers.begin(), numbers.end()),
+          {numbers.begin(), numbers.end()}};
+}
+
+struct SurfaceParameters {
+  py::object frequency;
+  py::object bandwidth;
+  py::object magnitude;
+  py::object directions;
+};
+
+py::array surface_noise(py::handle points, py::handle normals, py::handle recipe,
+                        const SurfaceParameters& parameters, const Call& call, const py::kwargs& keywords) {
+  SurfaceNoiseRecipe read;
+  use_recipe(recipe, keywords, [&](const Json& json) {
+    JsonReader reader(json);
+    read_fields(reader, read);
+    reader.finish();
+    reader.validate(read);
+  });
+  const std::vector<Vec<3>> positions = vectors_of(points, "points");
+  const std::vector<Vec<3>> at = vectors_of(normals, "normals");
+  std::vector<Vec<3>> directions;
+  if (!parameters.directions.is_none()) directions = vectors_of(parameters.directions, "directions");
+  BakeVertices vertices;
+  vertices.positions = positions;
+  vertices.normals = at;
+  vertices.frequency = vertex_number(parameters.frequency, "frequency", positions.size());
+  vertices.bandwidth = vertex_number(parameters.bandwidth, "bandwidth", positions.size());
+  vertices.magnitude = vertex_number(parameters.magnitude, "magnitude", positions.size());
+  vertices.directions = directions;
+  std::vector<float> values;
+  run(call, [&](Progress& told) { values = bake_noise(read, vertices, &told); });
+  return array_of(std::move(values));
+}
+
+}  // namespace
+
+void add_mesh(py::module_& module) {
+  using namespace py::literals;
+  module.def("bake", &bake_arrays, "vertices"_a, "faces"_a, "recipe"_a = py::none(), py::kw_only(),
+             "attributes"_a = py::dict(), "keep"_a = py::tuple(), "threads"_a = py::none(),
+             "progress"_a = py::none(),
+             document("bake(vertices, faces, recipe=None, *, attributes={}, keep=(), threads=None, "
+                      "progress=None, **keys)",
+                      R"(Bakes a noise on a mesh: the same values, to the last bit, as meshnoise bake.
+
+    baked = solidnoise.bake(vertices, faces, solidnoise.preset("rust"), frequency=(4, 32))
+    baked["colors"], baked["noise"]
+
+vertices : array (n, 3), world units
+    Rest positions. Those at equal places are one point of the surface.
+faces : array (m, corners) of whole numbers, or a list of faces of any number of corners
+    Indices of vertices.
+recipe : dict, or the path of a .json file
+    What meshnoise reads and writes; a preset, such as rust.
+attributes : dict of arrays (n,)
+    Numbers of the vertices, that ranges may follow: by={"attribute": NAME}.
+keep : names
+    What else is wanted of each vertex: frequency, bandwidth, magnitude, bias, weight (what ranges follow, 0 to 1), steering (the
+    number that it is made of), direction.
+keys
+    Of the recipe: take the place of its own, or, where both are dicts, are merged into them.
+
+The keys of a recipe, where a range is two numbers:
+
+)" + describe_options(bake_recipe_schema()) +
+                          R"(
+Returns a dict of arrays: vertices (n, 3), faces, normals (n, 3), colors (n, 3), in linear light, noise (n,), and those that keep names.
+A recipe that refines the mesh has more vertices than there were: those come first, in their order. Raises ValueError.)")
+                 .c_str());
+  module.def("curvature", &measure, "vertices"_a, "faces"_a, py::kw_only(), "smooth"_a = 2,
+             "smooth_radius"_a = 0.0, "threads"_a = py::none(),
+             R"(curvature(vertices, faces, *, smooth=2, smooth_radius=0.0, threads=None)
+--
+
+The curvature of a mesh at its vertices, 1 / world unit, positive where the surface bulges out along its normals: a sphere of radius R
+has k1 = k2 = 1 / R.
+
+vertices, faces : as of bake()
+smooth : int, 0 to 10000, rounds
+    Of smoothing with the neighbours.
+smooth_radius : float, at least 0, world units
+    Of smoothing that does not depend on the mesh.
+
+Returns a dict of float64 arrays: k1 >= k2 (n,), their directions k1_direction and k2_direction (n, 3), unit tangents, and mean and
+gaussian (n,).)");
+  module.def(
+      "surface_noise",
+      [](py::handle points, py::handle normals, py::handle recipe, py::object frequency, py::object bandwidth,
+         py::object magnitude, py::object directions, std::optional<int> threads, py::object progress,
+         const py::kwargs& keywords) {
+        return surface_noise(
+            points, normals, recipe,
+            {std::move(frequency), std::move(bandwidth), std::move(magnitude), std::move(directions)},
+            {threads, std::move(progress)}, keywords);
+      },
+      "points"_a, "normals"_a, "recipe"_a = py::none(), py::kw_only(), "frequency"_a = 8.0,
+      "bandwidth"_a = 1.0, "magnitude"_a = 1.0, "directions"_a = py::none(), "threads"_a = py::none(),
+      "progress"_a = py::none(),
+      document(
+          "surface_noise(points, normals, recipe=None, *, frequency=8.0, bandwidth=1.0, magnitude=1.0, "
+          "directions=None, "
+          "threads=None, progress=None, **keys)",
+          R"(Noise on a surface, at points that have normals, with parameters that may differ from point to point.
+
+points, normals : arrays (n, 3)
+    Positions, world units, and smooth normals of any length but 0.
+frequency : float or array (n,), cycles per world unit
+bandwidth : float or array (n,), 0.1 to 4, octaves
+magnitude : float or array (n,), at least 0
+    The standard deviation of values.
+directions : array (n, 3)
+    Of oriented noise: along which its waves travel, of either sign.
+recipe, keys
+    Of the noise:
+
+)" + describe_options(schema_of<SurfaceNoiseRecipe>()) +
+              "\nReturns float32 (n,), of mean 0. Raises ValueError.")
+          .c_str());
+}
+
+}  // namespace solidnoise::python

@@ -1,0 +1,94 @@
+"""Long calls: progress, interruption, the end of the interpreter. Each of those that may end the process has one of its own."""
+
+import os
+import signal
+import subprocess
+import sys
+import textwrap
+
+import pytest
+import solidnoise
+
+
+def run(script: str) -> "subprocess.CompletedProcess[str]":
+    return subprocess.run([sys.executable, "-X", "faulthandler", "-c", textwrap.dedent(script)], capture_output=True, text=True, timeout=120)
+
+
+def test_progress_rises_to_1() -> None:
+    fractions: list[float] = []
+    solidnoise.gabor(frequency=40).lattice(0, 0.004, 200, progress=fractions.append)
+    assert fractions and fractions == sorted(fractions) and fractions[-1] == 1.0
+
+
+def test_what_progress_raises_ends_the_call() -> None:
+    class Enough(Exception):
+        pass
+
+    def stop(fraction: float) -> None:
+        raise Enough(fraction)
+
+    with pytest.raises(Enough) as raised:
+        solidnoise.gabor(frequency=100).lattice(0, 0.002, 900, progress=stop)  # some ten seconds
+    assert raised.value.args[0] < 1.0
+
+
+def test_interruption_ends_a_call() -> None:
+    found = run("""
+        import os, signal, threading, solidnoise
+        threading.Timer(0.3, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
+        try:
+            solidnoise.gabor(frequency=300).lattice(0, 0.0005, 900)  # minutes
+        except KeyboardInterrupt:
+            print("interrupted")
+        print(solidnoise.gabor().lattice(0, 0.1, 8).shape)  # and the next one works
+    """)
+    assert found.stdout == "interrupted\n(8, 8, 8)\n" and found.returncode == 0, found.stderr
+
+
+def test_the_interpreter_ends_with_work_under_way() -> None:
+    found = run("""
+        import threading, time, solidnoise
+        def work():
+            while True:
+                solidnoise.gabor(frequency=300).lattice(0, 0.0005, 600)
+        for _ in range(3):
+            threading.Thread(target=work, daemon=True).start()
+        time.sleep(0.5)
+        print("ends")
+    """)
+    assert found.stdout == "ends\n" and found.returncode == 0, found.stderr
+
+
+def test_other_threads_go_on_during_a_call() -> None:
+    import threading
+
+    turns = 0
+    done = threading.Event()
+
+    def count() -> None:
+        nonlocal turns
+        while not done.is_set():
+            turns += 1
+            done.wait(0.001)
+
+    thread = threading.Thread(target=count)
+    thread.start()
+    begun = turns
+    solidnoise.gabor(frequency=100).lattice(0, 0.002, 200)
+    during = turns - begun
+    done.set()
+    thread.join()
+    assert during > 5  # had the call kept the interpreter to itself, it would be 0 or 1
+
+
+def test_a_signal_handler_runs_during_a_call() -> None:
+    seen: list[int] = []
+    before = signal.signal(signal.SIGUSR1, lambda number, frame: seen.append(number))
+    try:
+        import threading
+
+        threading.Timer(0.1, lambda: os.kill(os.getpid(), signal.SIGUSR1)).start()
+        solidnoise.gabor(frequency=100).lattice(0, 0.002, 300)
+        assert seen == [signal.SIGUSR1]
+    finally:
+        signal.signal(signal.SIGUSR1, before)
