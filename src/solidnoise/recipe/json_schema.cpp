@@ -56,6 +56,7 @@ Json object_schema(Json properties) {
 void describe_schema(Json& schema, std::string_view help, std::string_view unit) {
   if (help.empty()) return;
   schema["description"] = std::string(help) + (unit.empty() ? "" : " (" + std::string(unit) + ")");
+  if (!unit.empty()) schema["unit"] = unit;
 }
 
 Json file_schema(std::string_view title, Json schema) {

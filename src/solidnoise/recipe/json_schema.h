@@ -16,7 +16,7 @@ Json numbers_schema(const Interval& allowed, std::size_t count);  // an array of
 Json words_schema(const std::vector<std::string_view>& words);
 Json object_schema(Json properties);  // of these keys and no others
 
-// Adds a sentence for people.
+// Adds a sentence for people, and the unit by itself, too, for those who make controls of a schema.
 void describe_schema(Json& schema, std::string_view help, std::string_view unit);
 
 // The schema of a whole file: what every recipe begins with goes before the schema's own properties.
