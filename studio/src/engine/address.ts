@@ -1,0 +1,56 @@
+import type { Noise, State } from "../store.ts";
+
+// The whole state in the address: #recipe=..., which vdbnoise reads, too (base64url of the JSON), and what the view adds to it.
+
+const encode = (text: string): string => {
+  let bytes = "";
+  for (const byte of new TextEncoder().encode(text)) bytes += String.fromCharCode(byte);
+  return btoa(bytes).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
+};
+const decode = (code: string): string =>
+  new TextDecoder().decode(Uint8Array.from(atob(code.replaceAll("-", "+").replaceAll("_", "/")), (c) => c.charCodeAt(0)));
+
+// Without blanks outside of strings; numbers stay as they are written.
+export const compact = (text: string): string => text.replace(/("(?:[^"\\]|\\.)*")|\s+/g, "$1");
+
+export function addressOf(state: State): string {
+  const order = [state.active, ...state.noises.keys()].filter((index, place, all) => all.indexOf(index) === place);
+  const parts = order.map((index) => {
+    const noise = state.noises[index] as Noise;
+    return `recipe=${encode(compact(noise.text))}${noise.grid ? `&grid=${encodeURIComponent(noise.grid)}` : ""}`;
+  });
+  const { origin, normal, up, width } = state.plane;
+  parts.push(`plane=${[...origin, ...normal, ...up, width].map((x) => Number(x.toPrecision(6))).join("_")}`);
+  if (state.ramp) parts.push(`ramp=${encodeURIComponent(state.ramp)}`);
+  parts.push(`view=${state.mode}`);
+  return `${location.href.split("#")[0]}#${parts.join("&")}`;
+}
+
+// Browsers keep some 2 MB; a noise of a photograph takes some 50 KB.
+export function writeAddress(state: State): void {
+  history.replaceState(null, "", addressOf(state));
+}
+
+export function readAddress(): Partial<State> | undefined {
+  const hash = location.hash.slice(1);
+  if (!hash.includes("recipe=")) return undefined;
+  const read: Partial<State> = { noises: [], active: 0 };
+  try {
+    for (const part of hash.split("&")) {
+      const [key, value = ""] = [part.slice(0, part.indexOf("=")), part.slice(part.indexOf("=") + 1)];
+      if (key === "recipe") read.noises!.push({ text: decode(value), grid: "" });
+      if (key === "grid" && read.noises!.length > 0) read.noises![read.noises!.length - 1]!.grid = decodeURIComponent(value);
+      if (key === "ramp") read.ramp = decodeURIComponent(value);
+      if (key === "view" && ["slice", "volume", "surface", "example"].includes(value)) read.mode = value as State["mode"];
+      if (key === "plane") {
+        const n = value.split("_").map(Number);
+        if (n.length === 10 && n.every(Number.isFinite)) {
+          read.plane = { origin: [n[0]!, n[1]!, n[2]!], normal: [n[3]!, n[4]!, n[5]!], up: [n[6]!, n[7]!, n[8]!], width: n[9]! };
+        }
+      }
+    }
+    return read;
+  } catch {
+    return undefined;
+  }
+}

@@ -1,0 +1,94 @@
+// The library in WebAssembly: one instance, which answers one question after the other (studio/wasm/binding.cpp).
+
+export interface Answer {
+  json: Record<string, unknown>;
+  floats: Float32Array<ArrayBuffer>[];
+}
+
+export type Question = { do: string } & Record<string, unknown>;
+
+interface Exports {
+  memory: WebAssembly.Memory;
+  reserve(bytes: number): number;
+  release(memory: number): void;
+  ask(question: number, bytes: number, count: number): number;
+  array_values(index: number): number;
+  array_size(index: number): number;
+  _initialize(): void;
+}
+
+const kBadFile = 8;
+const kNoCall = 52;
+
+// What the C library asks of a system. There are no files: whatever opens or reads one is told that there is none.
+function system(memory: () => WebAssembly.Memory): WebAssembly.ModuleImports {
+  const view = () => new DataView(memory().buffer);
+  const known: Record<string, (...numbers: number[]) => number> = {
+    fd_write: (_file, _vectors, _count, written) => {
+      view().setUint32(written ?? 0, 0, true);
+      return kBadFile;
+    },
+    clock_time_get: (_clock, ...rest) => {
+      view().setBigUint64(rest[rest.length - 1] ?? 0, BigInt(Math.round(performance.now() * 1e6)), true);
+      return 0;
+    },
+    environ_sizes_get: (count, size) => {
+      view().setUint32(count ?? 0, 0, true);
+      view().setUint32(size ?? 0, 0, true);
+      return 0;
+    },
+    environ_get: () => 0,
+    emscripten_notify_memory_growth: () => 0,
+    proc_exit: (status) => {
+      throw new Error(`the library ended with status ${status}`);
+    },
+  };
+  return new Proxy(known as WebAssembly.ModuleImports, {
+    get: (target, name: string) => target[name] ?? (() => kNoCall),
+    has: () => true,
+  });
+}
+
+export class Library {
+  private constructor(private readonly exports: Exports) {}
+
+  static async load(module: WebAssembly.Module): Promise<Library> {
+    let exports: Exports | undefined;
+    const imports = system(() => exports!.memory);
+    // Every import is a function: the proxy has one of any name.
+    const instance = await WebAssembly.instantiate(module, { env: imports, wasi_snapshot_preview1: imports });
+    exports = instance.exports as unknown as Exports;
+    exports._initialize();
+    return new Library(exports);
+  }
+
+  // Throws an Error that says what is wrong with the question.
+  ask(question: Question, bytes?: Uint8Array): Answer {
+    const { exports } = this;
+    const text = new TextEncoder().encode(JSON.stringify(question) + "\0");
+    const place = exports.reserve(text.length);
+    new Uint8Array(exports.memory.buffer).set(text, place);
+    const count = bytes?.length ?? 0;
+    const bytesPlace = count > 0 ? exports.reserve(count) : 0;
+    if (bytes && count > 0) new Uint8Array(exports.memory.buffer).set(bytes, bytesPlace);
+    let json: Record<string, unknown>;
+    try {
+      json = JSON.parse(this.textAt(exports.ask(place, bytesPlace, count))) as Record<string, unknown>;
+    } finally {
+      exports.release(place);
+      if (bytesPlace) exports.release(bytesPlace);
+    }
+    if (typeof json.error === "string") throw new Error(json.error);
+    const floats: Float32Array<ArrayBuffer>[] = [];
+    for (let i = 0; i < (json.arrays as number); ++i) {
+      const size = exports.array_size(i);
+      floats.push(new Float32Array(exports.memory.buffer.slice(exports.array_values(i), exports.array_values(i) + 4 * size) as ArrayBuffer));
+    }
+    return { json, floats };
+  }
+
+  private textAt(place: number): string {
+    const memory = new Uint8Array(this.exports.memory.buffer);
+    return new TextDecoder().decode(memory.subarray(place, memory.indexOf(0, place)));
+  }
+}

@@ -1,0 +1,35 @@
+import { type Answer, Library, type Question } from "./library.ts";
+
+// One instance of the library. Messages: the compiled module first, then questions, each of which is answered.
+
+export interface ToWorker {
+  module?: WebAssembly.Module;
+  id?: number;
+  question?: Question;
+  bytes?: Uint8Array<ArrayBuffer>;
+}
+export interface FromWorker {
+  id: number;
+  answer?: Answer;
+  error?: string;
+  milliseconds: number;
+}
+
+let library: Promise<Library>;
+
+self.onmessage = async ({ data }: MessageEvent<ToWorker>) => {
+  if (data.module) {
+    library = Library.load(data.module);
+    return;
+  }
+  if (data.id === undefined || !data.question) return;
+  const begin = performance.now();
+  const reply = (rest: Partial<FromWorker>, transfer: Transferable[] = []) =>
+    self.postMessage({ id: data.id, milliseconds: performance.now() - begin, ...rest }, { transfer });
+  try {
+    const answer = (await library).ask(data.question, data.bytes);
+    reply({ answer }, answer.floats.map((array) => array.buffer));
+  } catch (error) {
+    reply({ error: error instanceof Error ? error.message : String(error) });
+  }
+};

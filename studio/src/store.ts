@@ -1,0 +1,238 @@
+import { batch, signal } from "@preact/signals";
+import { Dropped, type Pool } from "./engine/pool.ts";
+import { readAddress, writeAddress } from "./engine/address.ts";
+
+// Everything that undo brings back, reload keeps, and a link carries.
+
+export interface Plane {
+  origin: Vector;
+  normal: Vector;
+  up: Vector;
+  width: number;
+}
+export type Vector = [number, number, number];
+
+export interface Noise {
+  text: string; // the recipe, as the library writes it
+  grid: string; // which of its grids is looked at; empty: the first
+}
+
+export type Mode = "slice" | "volume" | "surface" | "example";
+
+export interface State {
+  noises: Noise[]; // one to three, side by side
+  active: number;
+  plane: Plane;
+  ramp: string; // of pictures of values; empty: grey
+  mode: Mode;
+}
+
+// What the library says of a recipe.
+export interface Info {
+  recipe: string;
+  kind: "volume" | "surface";
+  changes: boolean;
+  box: number[];
+  grids: GridInfo[];
+}
+export interface GridInfo {
+  names: string[];
+  raw: boolean;
+  scalar: boolean;
+  layers: boolean;
+  statistics?: { variance: number; excess_kurtosis: number; band: [number, number] };
+}
+
+export type Path = (string | number)[];
+export interface Edit {
+  path: Path;
+  value?: string; // JSON; none: the key is removed
+  keep?: string[]; // keys of what was there that stay
+}
+
+const kStart: State = {
+  noises: [{ text: "", grid: "" }],
+  active: 0,
+  plane: { origin: [0, 0, 0], normal: [0, 0, 1], up: [0, 1, 0], width: 2 },
+  ramp: "",
+  mode: "slice",
+};
+
+export const state = signal<State>(kStart);
+export const infos = signal<ReadonlyMap<string, Info>>(new Map());
+export const problem = signal<{ message: string; path?: Path } | undefined>(undefined);
+export const can = signal({ undo: false, redo: false });
+export const time = signal<number | undefined>(undefined); // while it plays
+
+export const activeNoise = (): Noise => state.value.noises[state.value.active] ?? state.value.noises[0]!;
+export const infoOf = (noise: Noise): Info | undefined => infos.value.get(noise.text);
+
+let desk: Pool;
+let past: State[] = [];
+let future: State[] = [];
+let lastTag = "";
+let lastTime = 0;
+const kCoalesce = 700; // milliseconds in which changes of one kind are one step of undo
+const kMostSteps = 200;
+const kStorage = "solidnoise-studio";
+
+// Makes a new state; changes with one tag that follow each other quickly are undone together.
+export function commit(next: State, tag: string): void {
+  const now = performance.now();
+  if (tag !== lastTag || now - lastTime > kCoalesce) {
+    past.push(state.value);
+    if (past.length > kMostSteps) past.shift();
+  }
+  future = [];
+  lastTag = tag;
+  lastTime = now;
+  show(next);
+}
+
+function show(next: State): void {
+  batch(() => {
+    state.value = next;
+    can.value = { undo: past.length > 0, redo: future.length > 0 };
+  });
+  clearTimeout(saving);
+  saving = setTimeout(save, 250);
+}
+
+let saving: ReturnType<typeof setTimeout> | undefined;
+export function save(): void {
+  try {
+    localStorage.setItem(kStorage, JSON.stringify(state.value));
+  } catch {
+    // A full or forbidden storage: the address has all of it, too.
+  }
+  writeAddress(state.value);
+}
+
+export function undo(): void {
+  const before = past.pop();
+  if (!before) return;
+  future.push(state.value);
+  lastTag = "";
+  problem.value = undefined;
+  show(before);
+  void knowAll();
+}
+
+export function redo(): void {
+  const after = future.pop();
+  if (!after) return;
+  past.push(state.value);
+  lastTag = "";
+  problem.value = undefined;
+  show(after);
+  void knowAll();
+}
+
+function learn(text: string, info: Info): void {
+  const known = new Map(infos.value);
+  known.set(text, info);
+  known.set(info.recipe, info);
+  while (known.size > 400) known.delete(known.keys().next().value!);
+  infos.value = known;
+}
+
+export async function check(text: string): Promise<Info> {
+  const info = (await desk.ask("desk", { do: "check", recipe: text })).json as unknown as Info;
+  learn(text, info);
+  return info;
+}
+
+async function knowAll(): Promise<void> {
+  for (const { text } of state.value.noises) {
+    if (!infos.value.has(text)) await check(text);
+  }
+}
+
+export function replaceNoise(noise: Noise, tag: string, rest: Partial<State> = {}): void {
+  const noises = state.value.noises.slice();
+  noises[state.value.active] = noise;
+  commit({ ...state.value, ...rest, noises }, tag);
+}
+
+// A recipe by its text, checked; says what is wrong with it in `problem`.
+export async function setText(text: string, tag: string, rest: Partial<State> = {}): Promise<boolean> {
+  try {
+    const info = await check(text);
+    const grids = info.grids.flatMap((grid) => grid.names);
+    const grid = grids.includes(activeNoise().grid) ? activeNoise().grid : "";
+    batch(() => {
+      problem.value = undefined;
+      replaceNoise({ text: info.recipe, grid }, tag, rest);
+    });
+    return true;
+  } catch (error) {
+    if (!(error instanceof Dropped)) problem.value = { message: (error as Error).message };
+    return false;
+  }
+}
+
+// Edits wait for the one under way; of one path the last counts, so that a slider is never ahead of its picture.
+let editing = false;
+let waiting: Edit[] = [];
+export async function edit(edits: Edit[], tag: string): Promise<void> {
+  for (const one of edits) {
+    const key = JSON.stringify(one.path);
+    if (one.value !== undefined && !one.keep) waiting = waiting.filter((other) => JSON.stringify(other.path) !== key);
+    waiting.push(one);
+  }
+  if (editing) return;
+  editing = true;
+  try {
+    while (waiting.length > 0) {
+      const now = waiting;
+      waiting = [];
+      const noise = activeNoise();
+      try {
+        const answer = await desk.ask("desk", { do: "edit", recipe: noise.text, edits: now });
+        const info = answer.json as unknown as Info;
+        learn(info.recipe, info);
+        const grids = info.grids.flatMap((grid) => grid.names);
+        batch(() => {
+          problem.value = undefined;
+          replaceNoise({ text: info.recipe, grid: grids.includes(noise.grid) ? noise.grid : "" }, tag);
+        });
+      } catch (error) {
+        problem.value = { message: (error as Error).message, ...(now[0] ? { path: now[0].path } : {}) };
+      }
+    }
+  } finally {
+    editing = false;
+  }
+}
+
+// What the page begins with: its address, what was there before, or a preset.
+export async function begin(pool: Pool, preset: string): Promise<void> {
+  desk = pool;
+  const stored = (): Partial<State> | undefined => {
+    try {
+      return JSON.parse(localStorage.getItem(kStorage) ?? "null") as Partial<State> | undefined;
+    } catch {
+      return undefined;
+    }
+  };
+  for (const from of [readAddress(), stored()]) {
+    if (!from?.noises?.length) continue;
+    try {
+      const noises: Noise[] = [];
+      for (const { text, grid } of from.noises.slice(0, 3)) noises.push({ text: (await check(text)).recipe, grid });
+      show({ ...kStart, ...from, noises, active: Math.min(from.active ?? 0, noises.length - 1) });
+      return;
+    } catch (error) {
+      problem.value = { message: (error as Error).message };
+    }
+  }
+  const info = await check(preset);
+  show({ ...kStart, noises: [{ text: info.recipe, grid: "" }] });
+}
+
+// Another address in the same page: a link that was pasted, or the browser's way back.
+addEventListener("hashchange", () => {
+  const from = readAddress();
+  if (!from?.noises?.[0] || from.noises[0].text === activeNoise().text) return;
+  void setText(from.noises[0].text, "address", { ...(from.plane ? { plane: from.plane } : {}) });
+});
