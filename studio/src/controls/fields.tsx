@@ -1,0 +1,291 @@
+import { type ComponentChildren, type JSX } from "preact";
+import { useId, useState } from "preact/hooks";
+import { edit, type Path, problem } from "../store.ts";
+import {
+  fromSlider, helpOf, isObject, type Json, labelOf, resolved, rounded, type Schema, slideOf, toSlider, typeName,
+} from "./schema.ts";
+import { RampEditor } from "./ramp.tsx";
+
+// Controls for whatever the schema says: nothing here knows what a noise is.
+
+export interface FieldProps {
+  schema: Schema;
+  root: Schema;
+  value: Json | undefined;
+  path: Path;
+  name: string;
+}
+
+const tagOf = (path: Path): string => path.join(".");
+export const set = (path: Path, value: Json): void => void edit([{ path, value: JSON.stringify(value) }], tagOf(path));
+export const remove = (path: Path): void => void edit([{ path }], `-${tagOf(path)}`);
+
+const isWrong = (path: Path): boolean => {
+  const wrong = problem.value?.path;
+  return wrong !== undefined && tagOf(wrong) === tagOf(path);
+};
+
+export function Row({ label, help, unit, children, path, id, onRemove }: {
+  label: string; help: string; unit?: string | undefined; children: ComponentChildren; path: Path; id?: string; onRemove?: () => void;
+}): JSX.Element {
+  return (
+    <div class={`row${isWrong(path) ? " wrong" : ""}`} title={unit ? `${help} (${unit})` : help} data-path={tagOf(path)}>
+      <label class="name" for={id}>{label}</label>
+      {children}
+      {onRemove && <button class="icon remove" aria-label={`Remove ${label}`} title="Back to the default" onClick={onRemove}>×</button>}
+    </div>
+  );
+}
+
+// A slider that is a bar, with the number in it to type.
+export function NumberField({ schema, value, path, name }: FieldProps): JSX.Element {
+  const id = useId();
+  const number = typeof value === "number" ? value : Number(schema.default ?? schema.minimum ?? 0);
+  const [slide, setSlide] = useState(() => slideOf(schema, number, number));
+  const now = number < slide.low || number > slide.high ? slideOf(schema, number, number) : slide;
+  const whole = schema.type === "integer";
+  const huge = whole && (schema.maximum ?? Infinity) > 1e9 && schema.minimum === 0;
+  const write = (x: number): void => {
+    if (Number.isFinite(x)) set(path, whole ? Math.round(x) : x);
+  };
+  const t = toSlider(now, number);
+  const help = helpOf(schema);
+  if (huge) {
+    return (
+      <Row label={labelOf(name)} help={help} unit={schema.unit} path={path} id={id}>
+        <input id={id} class="text" type="text" inputMode="numeric" value={String(number)}
+          onChange={(event) => /^\d+$/.test(event.currentTarget.value) && void edit([{ path, value: event.currentTarget.value }], tagOf(path))} />
+        <button class="icon" aria-label={`Another ${name}`} title="Another one" onClick={() => write(Math.floor(Math.random() * 1e6))}>⚄</button>
+      </Row>
+    );
+  }
+  return (
+    <Row label={labelOf(name)} help={help} unit={schema.unit} path={path} id={id}>
+      <span class="slide" style={{ "--t": `${100 * t}%` }}>
+        <input id={id} type="range" min="0" max="1" step={whole && !now.logarithmic ? 1 / Math.max(1, now.high - now.low) : 0.001} value={t}
+          aria-valuetext={`${number} ${schema.unit ?? ""}`}
+          onInput={(event) => {
+            const x = fromSlider(now, Number(event.currentTarget.value));
+            write(whole ? Math.round(x) : rounded(x, now));
+          }}
+          onChange={() => setSlide(slideOf(schema, number, number))} />
+      </span>
+      <input class="number" type="text" inputMode="decimal" aria-label={`${labelOf(name)}, number`} value={String(Number(number.toPrecision(7)))}
+        onChange={(event) => write(Number(event.currentTarget.value))}
+        onKeyDown={(event) => {
+          const step = event.key === "ArrowUp" ? 1 : event.key === "ArrowDown" ? -1 : 0;
+          if (step === 0) return;
+          event.preventDefault();
+          write(whole ? number + step : rounded(fromSlider(now, t + 0.01 * step), now));
+        }} />
+    </Row>
+  );
+}
+
+const kAxes = ["X", "Y", "Z", "T"];
+function NumbersField({ schema, value, path, name }: FieldProps): JSX.Element {
+  const numbers = (Array.isArray(value) ? value : (schema.default as number[] | undefined) ?? []).map(Number);
+  const axis = (i: number): string => (numbers.length === 6 ? `${i < 3 ? "from" : "to"} ${kAxes[i % 3]}` : (kAxes[i] ?? ""));
+  return (
+    <Row label={labelOf(name)} help={helpOf(schema)} unit={schema.unit} path={path}>
+      <span class={`numbers n${numbers.length}`}>
+        {numbers.map((number, i) => (
+          <input key={i} class="number" type="text" inputMode="decimal" aria-label={`${labelOf(name)} ${axis(i)}`} title={axis(i)}
+            value={String(Number(number.toPrecision(6)))}
+            onChange={(event) => {
+              const changed = Number(event.currentTarget.value);
+              if (Number.isFinite(changed)) set(path, numbers.map((old, k) => (k === i ? changed : old)));
+            }} />
+        ))}
+      </span>
+    </Row>
+  );
+}
+
+function WordField({ schema, value, path, name }: FieldProps): JSX.Element {
+  const id = useId();
+  const words = schema.enum ?? [];
+  return (
+    <Row label={labelOf(name)} help={helpOf(schema)} path={path} id={id}>
+      <select id={id} value={String(value ?? schema.default)} onChange={(event) => set(path, event.currentTarget.value)}>
+        {words.map((word) => <option key={word} value={String(word)}>{String(word)}</option>)}
+      </select>
+    </Row>
+  );
+}
+
+function ToggleField({ schema, value, path, name }: FieldProps): JSX.Element {
+  const id = useId();
+  return (
+    <Row label={labelOf(name)} help={helpOf(schema)} path={path} id={id}>
+      <input id={id} class="toggle" type="checkbox" role="switch" checked={Boolean(value ?? schema.default)}
+        onChange={(event) => set(path, event.currentTarget.checked)} />
+    </Row>
+  );
+}
+
+function TextField({ schema, value, path, name }: FieldProps): JSX.Element {
+  const id = useId();
+  return (
+    <Row label={labelOf(name)} help={helpOf(schema)} path={path} id={id}>
+      <input id={id} class="text" type="text" value={String(value ?? "")} onChange={(event) => set(path, event.currentTarget.value)} />
+    </Row>
+  );
+}
+
+// One of several kinds of thing, such as noises: its kind, and the fields of that.
+export function KindField({ schema, root, value, path, name }: FieldProps): JSX.Element {
+  const alternatives = schema.oneOf ?? [];
+  const type = isObject(value) ? String(value.type) : typeName(alternatives[0] ?? {});
+  const current = alternatives.find((alternative) => typeName(alternative) === type);
+  // Kinds that a page has no files for are shown only where a recipe has them.
+  const offered = alternatives.filter((alternative) => {
+    const needs = Object.values(alternative.properties ?? {}).some((field) => field.type === "object" || (field.type === "string" && !field.enum));
+    return typeName(alternative) === type || !needs;
+  });
+  const change = (alternative: Schema): void => {
+    const keep = Object.keys(alternative.properties ?? {}).filter((key) => key !== "type");
+    void edit([{ path, value: JSON.stringify({ type: typeName(alternative) }), keep }], `type ${tagOf(path)}`);
+  };
+  return (
+    <>
+      <div class="kinds" role="radiogroup" aria-label={labelOf(name)}>
+        {offered.map((alternative) => {
+          const own = typeName(alternative);
+          return (
+            <button key={own} role="radio" aria-checked={own === type} class={own === type ? "on" : ""} title={alternative.description ?? ""}
+              onClick={() => own !== type && change(alternative)}>{own}</button>
+          );
+        })}
+      </div>
+      {current && <ObjectFields schema={current} root={root} value={value} path={path} name={name} skip={["type", "exemplar"]} />}
+    </>
+  );
+}
+
+// The fields of an object; those that it may have and has not wait under a button.
+export function ObjectFields({ schema, root, value, path, skip = [] }: FieldProps & { skip?: string[] }): JSX.Element {
+  const object = isObject(value) ? value : {};
+  const entries = Object.entries(schema.properties ?? {}).filter(([key]) => !skip.includes(key));
+  const shown = entries.filter(([key, field]) => key in object || field.default !== undefined);
+  const hidden = entries.filter(([key, field]) => !(key in object) && field.default === undefined && startOf(field, root) !== undefined);
+  return (
+    <>
+      {shown.map(([key, field]) => (
+        <Field key={key} schema={field} root={root} value={object[key]} path={[...path, key]} name={key} />
+      ))}
+      {hidden.length > 0 && (
+        <div class="more">
+          {hidden.map(([key, field]) => (
+            <button key={key} title={field.description ?? ""} onClick={() => set([...path, key], startOf(field, root)!)}>+ {labelOf(key).toLowerCase()}</button>
+          ))}
+        </div>
+      )}
+    </>
+  );
+}
+
+// What a field that is not there begins as; none for what the page cannot make, such as files.
+export function startOf(field: Schema, root: Schema): Json | undefined {
+  const schema = resolved(field, root);
+  if (schema.default !== undefined) return schema.default as Json;
+  if (schema.enum) return schema.enum[0] as Json;
+  if (schema.oneOf) return { type: typeName(schema.oneOf[0] ?? {}) };
+  if (schema.type === "array" && schema.items?.type === "array") return [[-1, -1], [1, 1]];
+  if (schema.type === "array" && resolved(schema.items ?? {}, root).type === "object") return [{}];
+  if (schema.type === "object" && schema.properties) {
+    // An object with a text that has no default wants a file.
+    return Object.values(schema.properties).some((part) => part.type === "string" && part.default === undefined && !part.enum && /\.vdb/.test(part.description ?? "")) ? undefined : {};
+  }
+  if (schema.type === "boolean") return false;
+  if (schema.type === "number" || schema.type === "integer") return Math.max(schema.minimum ?? 0, schema.exclusiveMinimum === undefined ? 0 : 1);
+  return undefined;
+}
+
+function ListField({ schema, root, value, path, name }: FieldProps): JSX.Element {
+  const items = Array.isArray(value) ? value : [];
+  const item = resolved(schema.items ?? {}, root);
+  const removeAt = (i: number): void => (items.length > 1 ? remove([...path, i]) : remove(path));
+  const move = (i: number, by: number): void => {
+    const moved = items.slice();
+    const [taken] = moved.splice(i, 1);
+    moved.splice(i + by, 0, taken!);
+    set(path, moved);
+  };
+  return (
+    <div class="cards">
+      {items.map((one, i) => (
+        <details class="card" key={i} open={items.length < 4}>
+          <summary>
+            <span>{summaryOf(one, i)}</span>
+            <span class="tools">
+              {i > 0 && <button class="icon" aria-label="Up" title="Up" onClick={(event) => { event.preventDefault(); move(i, -1); }}>↑</button>}
+              <button class="icon" aria-label="Copy" title="Copy" onClick={(event) => { event.preventDefault(); set(path, [...items.slice(0, i + 1), one, ...items.slice(i + 1)]); }}>⧉</button>
+              <button class="icon" aria-label="Remove" title="Remove" onClick={(event) => { event.preventDefault(); removeAt(i); }}>×</button>
+            </span>
+          </summary>
+          <ObjectFields schema={item} root={root} value={one} path={[...path, i]} name={name} />
+        </details>
+      ))}
+      <button class="add" onClick={() => set(path, [...items, startOf(item, root) ?? {}])}>+ Add {labelOf(name).toLowerCase().replace(/s$/, "")}</button>
+    </div>
+  );
+}
+
+// What a card is about, in a few words.
+function summaryOf(value: Json, i: number): string {
+  if (!isObject(value)) return `${i + 1}`;
+  const own = isObject(value.noise) ? String(value.noise.type) : undefined;
+  const words = [value.use, value.place !== "none" && value.place, value.layers && value.combine, own, value.fold !== "none" && value.fold].filter(
+    (word): word is string => typeof word === "string" && word !== "");
+  return words.length > 0 ? words.join(", ") : "the recipe's noise";
+}
+
+function NamedField({ schema, root, value, path, name }: FieldProps): JSX.Element {
+  const item = resolved(schema.additionalProperties as Schema, root);
+  const entries = isObject(value) ? Object.entries(value) : [];
+  return (
+    <div class="cards">
+      {entries.map(([key, one]) => (
+        <details class="card" key={key}>
+          <summary><span>{key}</span><span class="tools"><button class="icon" aria-label="Remove" onClick={(event) => { event.preventDefault(); remove([...path, key]); }}>×</button></span></summary>
+          <ObjectFields schema={item} root={root} value={one} path={[...path, key]} name={name} />
+        </details>
+      ))}
+    </div>
+  );
+}
+
+export function Field(props: FieldProps): JSX.Element | null {
+  const schema = resolved(props.schema, props.root);
+  const own = { ...props, schema };
+  const { value, path, name } = own;
+  const optional = schema.default === undefined && value !== undefined;
+  if (schema.oneOf) return <Group {...own} optional={props.schema.$ref !== undefined}><KindField {...own} /></Group>;
+  if (schema.enum) return <WordField {...own} />;
+  if (schema.type === "boolean") return <ToggleField {...own} />;
+  if (schema.type === "number" || schema.type === "integer") return <NumberField {...own} />;
+  if (schema.type === "string") return <TextField {...own} />;
+  if (schema.type === "array") {
+    if (schema.items?.type === "number") return <NumbersField {...own} />;
+    if (schema.items?.type === "array") return <Group {...own} optional><RampEditor value={value} path={path} name={name} /></Group>;
+    return <Group {...own} optional={optional}><ListField {...own} /></Group>;
+  }
+  if (schema.properties) return <Group {...own} optional={optional}><ObjectFields {...own} /></Group>;
+  if (typeof schema.additionalProperties === "object") return <NamedField {...own} />;
+  return null;
+}
+
+function Group({ schema, path, name, value, optional, children }: FieldProps & { optional?: boolean | undefined; children: ComponentChildren }): JSX.Element {
+  return (
+    <details class={`group${isWrong(path) ? " wrong" : ""}`} open={value !== undefined} data-path={tagOf(path)}>
+      <summary title={schema.description ?? ""}>
+        <span>{labelOf(name)}</span>
+        {optional && value !== undefined && (
+          <span class="tools"><button class="icon" aria-label={`Remove ${labelOf(name)}`} title="Remove" onClick={(event) => { event.preventDefault(); remove(path); }}>×</button></span>
+        )}
+      </summary>
+      {children}
+    </details>
+  );
+}

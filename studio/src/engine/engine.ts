@@ -1,0 +1,23 @@
+import type { Schema } from "../controls/schema.ts";
+import { loadModule, Pool } from "./pool.ts";
+
+// What all views share: workers, the table of fields, ramps.
+export const engine = {
+  pool: undefined as unknown as Pool,
+  desk: undefined as unknown as Pool, // for what must answer at once: recipes
+  schema: {} as Schema,
+  bakeSchema: {} as Schema,
+  ramps: new Map<string, Float32Array>(),
+  times: { start: 0, slice: 0 } as Record<string, number>,
+};
+
+export async function startEngine(): Promise<void> {
+  const module = await loadModule();
+  const cores = navigator.hardwareConcurrency || 4;
+  engine.desk = new Pool(module, 1);
+  engine.pool = new Pool(module, Math.max(1, Math.min(8, cores > 2 ? cores - 1 : cores)));
+  const { json, floats } = await engine.desk.ask("desk", { do: "fields" });
+  engine.schema = json.volume as Schema;
+  engine.bakeSchema = (json.surface ?? {}) as Schema;
+  (json.ramps as string[]).forEach((name, i) => engine.ramps.set(name, floats[i]!));
+}

@@ -1,0 +1,185 @@
+import type { Noise, Plane } from "../store.ts";
+import { Dropped, type Pool, type Timed } from "./pool.ts";
+
+// A picture of a plane by the pool, in strips: as soon as a change comes, at the size that is done within the time of a glance, and
+// sharper when nothing more comes.
+
+export interface Shown {
+  low?: number;
+  high?: number;
+  sigma?: number;
+  colors?: boolean;
+  encoded?: boolean;
+  vector?: boolean;
+}
+export interface SlicePicture {
+  columns: number;
+  rows: number;
+  channels: Float32Array[]; // column by column, from the bottom up
+  shown: Shown;
+  plane: Plane;
+  milliseconds: number; // from the question to the picture
+  work: number; // of all workers together
+}
+
+export interface SliceRequest {
+  noise: Noise;
+  plane: Plane;
+  time: number | undefined;
+  columns: number;
+  rows: number;
+}
+
+export async function sampleSlice(pool: Pool, topic: string, request: SliceRequest, urgent: boolean): Promise<SlicePicture> {
+  const { noise, plane, time, columns, rows } = request;
+  const begin = performance.now();
+  const strips = Math.max(1, Math.min(pool.size, Math.floor(columns / 32)));
+  const question = {
+    do: "slice", recipe: noise.text, grid: noise.grid, plane: { ...plane, columns, rows },
+    ...(time === undefined ? {} : { time }),
+  };
+  const jobs: Promise<[number, Timed]>[] = [];
+  for (let i = 0; i < strips; ++i) {
+    const first = Math.floor((i * columns) / strips);
+    const count = Math.floor(((i + 1) * columns) / strips) - first;
+    jobs.push(pool.ask(topic, { ...question, first: [first, 0], count: [count, rows] }, { urgent }).then((answer) => [first, answer]));
+  }
+  const parts = await Promise.all(jobs);
+  const channels = parts[0]![1].floats.map(() => new Float32Array(columns * rows));
+  let work = 0;
+  for (const [first, answer] of parts) {
+    work += answer.milliseconds;
+    answer.floats.forEach((values, channel) => channels[channel]?.set(values, first * rows));
+  }
+  return { columns, rows, channels, shown: parts[0]![1].json as Shown, plane, milliseconds: performance.now() - begin, work };
+}
+
+// What is black and what is white.
+export function rangeOf({ channels, shown }: SlicePicture): [number, number] {
+  if (shown.low !== undefined && shown.high !== undefined) return [shown.low, shown.high];
+  let low = Infinity;
+  let high = -Infinity;
+  for (const values of channels) {
+    for (const value of values) {
+      if (value < low) low = value;
+      if (value > high) high = value;
+    }
+  }
+  return low < high ? [low, high] : [low - 1, low + 1];
+}
+
+const encodedByte = new Uint8ClampedArray(4097);
+for (let i = 0; i <= 4096; ++i) {
+  const linear = i / 4096;
+  encodedByte[i] = 255 * (linear <= 0.0031308 ? 12.92 * linear : 1.055 * linear ** (1 / 2.4) - 0.055);
+}
+
+// Pixels, the first row at the top: grey in proportion to the value, by a ramp of 256 colours, or as colours.
+export function drawSlice(picture: SlicePicture, ramp: Float32Array | undefined): ImageData {
+  const { columns, rows, channels, shown } = picture;
+  const [low, high] = rangeOf(picture);
+  const image = new ImageData(columns, rows);
+  const bytes = image.data;
+  const scale = 1 / (high - low);
+  const color = channels.length === 3;
+  for (let column = 0; column < columns; ++column) {
+    for (let row = 0; row < rows; ++row) {
+      const from = column * rows + row;
+      const to = 4 * ((rows - 1 - row) * columns + column);
+      bytes[to + 3] = 255;
+      if (color) {
+        for (let c = 0; c < 3; ++c) {
+          const value = channels[c]![from]!;
+          if (shown.colors && !shown.encoded) bytes[to + c] = encodedByte[Math.min(4096, Math.max(0, Math.round(4096 * value)))]!;
+          else bytes[to + c] = Math.round(255 * (value - low) * scale);
+        }
+        continue;
+      }
+      const t = Math.min(1, Math.max(0, (channels[0]![from]! - low) * scale));
+      if (!ramp) {
+        bytes[to] = bytes[to + 1] = bytes[to + 2] = Math.round(255 * t);
+      } else {
+        const entry = 3 * Math.round(255 * t);
+        for (let c = 0; c < 3; ++c) bytes[to + c] = Math.round(255 * ramp[entry + c]!);
+      }
+    }
+  }
+  return image;
+}
+
+// Pictures of one view: a coarse one that follows, and a fine one when it rests.
+export class SliceMaker {
+  private side = 256; // of the coarse picture, the longest side
+  private running = false;
+  private again = false;
+  private rest: ReturnType<typeof setTimeout> | undefined;
+  private request: SliceRequest | undefined;
+  private generation = 0;
+
+  constructor(
+    private readonly pool: Pool,
+    private readonly topic: string,
+    private readonly show: (picture: SlicePicture, sharp: boolean) => void,
+    private readonly fail: (error: Error) => void,
+  ) {}
+
+  // `request` has the size of the fine picture.
+  want(request: SliceRequest): void {
+    this.request = request;
+    ++this.generation;
+    this.pool.drop(`${this.topic} sharp`);
+    clearTimeout(this.rest);
+    if (this.running) {
+      this.again = true;
+      return;
+    }
+    void this.follow();
+  }
+
+  stop(): void {
+    clearTimeout(this.rest);
+    this.pool.drop(this.topic);
+    this.pool.drop(`${this.topic} sharp`);
+    this.request = undefined;
+  }
+
+  private sized(side: number): SliceRequest {
+    const request = this.request!;
+    const scale = Math.min(1, side / Math.max(request.columns, request.rows));
+    return { ...request, columns: Math.max(8, Math.round(request.columns * scale)), rows: Math.max(8, Math.round(request.rows * scale)) };
+  }
+
+  private async follow(): Promise<void> {
+    this.running = true;
+    try {
+      do {
+        this.again = false;
+        const picture = await sampleSlice(this.pool, this.topic, this.sized(this.side), true);
+        if (!this.request) return;
+        this.show(picture, false);
+        // As fine as half a dozen pictures a second at the least, and as many as the eye wants, allow.
+        if (picture.milliseconds > 90 && this.side > 64) this.side /= 2;
+        else if (picture.milliseconds < 15 && this.side < 256) this.side *= 2;
+      } while (this.again);
+      const generation = this.generation;
+      this.rest = setTimeout(() => void this.sharpen(generation), 90);
+    } catch (error) {
+      if (!(error instanceof Dropped)) this.fail(error as Error);
+    } finally {
+      this.running = false;
+    }
+  }
+
+  private async sharpen(generation: number): Promise<void> {
+    try {
+      for (const side of [256, 2048]) {
+        if (generation !== this.generation || !this.request) return;
+        if (side === 256 && (this.side === 256 || Math.max(this.request.columns, this.request.rows) <= 256)) continue;
+        const picture = await sampleSlice(this.pool, `${this.topic} sharp`, this.sized(side), false);
+        if (generation === this.generation) this.show(picture, side > 256);
+      }
+    } catch (error) {
+      if (!(error instanceof Dropped)) this.fail(error as Error);
+    }
+  }
+}

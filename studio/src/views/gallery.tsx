@@ -1,0 +1,72 @@
+import type { JSX } from "preact";
+import { useEffect, useRef } from "preact/hooks";
+import { engine } from "../engine/engine.ts";
+import { drawSlice, sampleSlice } from "../engine/slice.ts";
+import { check, setText, type Info } from "../store.ts";
+import { type Start, starts } from "../starts.ts";
+
+// Presets and examples, each with a picture that is made while one looks.
+
+export function Gallery({ close }: { close: () => void }): JSX.Element {
+  const dialog = useRef<HTMLDialogElement>(null);
+  useEffect(() => {
+    dialog.current?.showModal();
+    return () => engine.pool.drop("gallery");
+  }, []);
+  const part = (kind: Start["kind"], title: string): JSX.Element => (
+    <section>
+      <h3>{title}</h3>
+      <div class="grid">{starts.filter((start) => start.kind === kind).map((start) => <Card key={start.name} start={start} close={close} />)}</div>
+    </section>
+  );
+  return (
+    <dialog class="gallery" ref={dialog} onClose={close} onClick={(event) => event.target === dialog.current && close()}>
+      <header><h2>Start from</h2><button class="icon" aria-label="Close" onClick={close}>×</button></header>
+      {part("preset", "Presets")}
+      {part("example", "Examples")}
+    </dialog>
+  );
+}
+
+const known = new Map<string, ImageData>();
+
+function Card({ start, close }: { start: Start; close: () => void }): JSX.Element | null {
+  const canvas = useRef<HTMLCanvasElement>(null);
+  const card = useRef<HTMLButtonElement>(null);
+  const fit = (info: Info): { origin: [number, number, number]; normal: [number, number, number]; up: [number, number, number]; width: number } => {
+    const { box } = info;
+    return {
+      origin: [0, 1, 2].map((axis) => (box[axis]! + box[axis + 3]!) / 2) as [number, number, number],
+      normal: [0, 0, 1], up: [0, 1, 0], width: Math.max(...[0, 1, 2].map((axis) => box[axis + 3]! - box[axis]!)),
+    };
+  };
+  useEffect(() => {
+    const put = (image: ImageData): void => canvas.current?.getContext("2d")?.putImageData(image, 0, 0);
+    const ready = known.get(start.name);
+    if (ready) return put(ready);
+    void (async () => {
+      try {
+        const info = await check(start.text);
+        const picture = await sampleSlice(engine.pool, "gallery", { noise: { text: info.recipe, grid: "" }, plane: fit(info), time: undefined, columns: 96, rows: 96 }, false);
+        const image = drawSlice(picture, start.name === "marble" ? engine.ramps.get("marble") : undefined);
+        known.set(start.name, image);
+        put(image);
+      } catch {
+        // What needs a file is not for the page.
+        card.current?.remove();
+      }
+    })();
+  }, []);
+  const description = /"description":\s*"([^"]*)"/.exec(start.text)?.[1] ?? "";
+  return (
+    <button ref={card} class="start" title={description} onClick={async () => {
+      const info = await check(start.text);
+      await setText(start.text, `start ${start.name}`, { plane: fit(info) });
+      close();
+    }}>
+      <canvas ref={canvas} width="96" height="96" aria-hidden="true" />
+      <span>{start.name.replaceAll("_", " ")}</span>
+      <small>{description}</small>
+    </button>
+  );
+}

@@ -1,0 +1,124 @@
+import { useSignalEffect } from "@preact/signals";
+import type { JSX } from "preact";
+import { useEffect, useRef, useState } from "preact/hooks";
+import { engine } from "../engine/engine.ts";
+import { Dropped } from "../engine/pool.ts";
+import { activeNoise, infoOf, state, time } from "../store.ts";
+import { Orbit } from "./orbit.ts";
+import { type VolumeLook, VolumeRenderer } from "./volume_renderer.ts";
+
+// The voxels of a preview, marched through: a cloud under a sun, a fire or nebula that glows, or a body with the values' colours.
+
+const kSun: [number, number, number] = [0.5, 0.75, 0.45];
+
+export function VolumeView(): JSX.Element {
+  const canvas = useRef<HTMLCanvasElement>(null);
+  const renderer = useRef<VolumeRenderer | undefined>(undefined);
+  const [trouble, setTrouble] = useState("");
+  const [told, tell] = useState("");
+  const [cut, setCut] = useState(0.5);
+  const orbit = useRef(new Orbit(0.7, 0.35, 2.6));
+  const frame = useRef(0);
+  const generation = useRef(0);
+
+  const render = (): void => {
+    cancelAnimationFrame(frame.current);
+    frame.current = requestAnimationFrame(() => renderer.current?.render(orbit.current, cut));
+  };
+
+  useEffect(() => {
+    try {
+      renderer.current = new VolumeRenderer(canvas.current!);
+    } catch (error) {
+      setTrouble((error as Error).message);
+      return;
+    }
+    const stop = orbit.current.attach(canvas.current!, render);
+    const observer = new ResizeObserver(() => {
+      const element = canvas.current!;
+      const scale = Math.min(1, 900 / Math.max(element.clientWidth, element.clientHeight));
+      element.width = Math.max(1, Math.round(element.clientWidth * scale));
+      element.height = Math.max(1, Math.round(element.clientHeight * scale));
+      render();
+    });
+    observer.observe(canvas.current!);
+    return () => {
+      stop();
+      observer.disconnect();
+      engine.pool.drop("volume");
+      renderer.current?.dispose();
+      renderer.current = undefined;
+    };
+  }, []);
+  useEffect(render, [cut]);
+
+  // Coarse first, then fine: 32, 64, 128 voxels along the longest side.
+  const make = async (own: number): Promise<void> => {
+    const noise = activeNoise();
+    const info = infoOf(noise);
+    if (!info || !renderer.current) return;
+    const single = info.grids.find((grid) => grid.names.includes(noise.grid)) ?? info.grids[0]!;
+    const begin = performance.now();
+    try {
+      for (const dim of [32, 64, 128]) {
+        const when = time.value;
+        const question = { recipe: noise.text, grid: noise.grid, dim, ...(when === undefined ? {} : { time: when }) };
+        const box = info.box;
+        const sides = [0, 1, 2].map((axis) => box[axis + 3]! - box[axis]!);
+        const columns = Math.ceil((dim * sides[0]!) / Math.max(...sides)) + 1;
+        const thick = Math.max(4, Math.ceil(columns / Math.max(4, 2 * engine.pool.size)));
+        const jobs = [];
+        for (let first = 0; first < columns; first += thick) {
+          jobs.push(engine.pool.ask("volume", { do: "volume", ...question, first, count: thick }));
+        }
+        const parts = await Promise.all(jobs);
+        if (own !== generation.current) return;
+        const size = parts[0]!.json.size as [number, number, number];
+        const values = new Float32Array(size[0] * size[1] * size[2]);
+        for (const part of parts) {
+          if (part.floats[0]) values.set(part.floats[0], Number(part.json.first) * size[1] * size[2]);
+        }
+        let light: Float32Array | undefined;
+        let factor = 1;
+        if (!single.raw) {
+          const bytes = new Uint8Array(values.buffer.slice(0));
+          const lit = await engine.pool.ask("volume", { do: "light", ...question, size, sun: kSun }, { bytes });
+          light = lit.floats[0];
+          factor = Number(lit.json.factor);
+        }
+        if (own !== generation.current || !renderer.current) return;
+        const look: VolumeLook = single.raw ? "solid" : /nebula/.test(noise.text.match(/"look": "(\w+)"/)?.[1] ?? "") ? "glow" : "cloud";
+        renderer.current.load({ size, values, light, factor, sides: sides as [number, number, number], look, sun: kSun, up: /"up": "z"/.test(noise.text) ? 2 : 1,
+          ramp: engine.ramps.get(state.value.ramp || (single.raw ? "marble" : "grey"))! });
+        render();
+        tell(`${size.join(" × ")} voxels · ${(performance.now() - begin).toFixed(0)} ms`);
+        engine.times[`volume ${dim}`] = performance.now() - begin;
+        canvas.current?.dispatchEvent(new CustomEvent("pictured", { bubbles: true, detail: { dim } }));
+        if (when !== undefined) return;
+        setTrouble("");
+      }
+    } catch (error) {
+      if (!(error instanceof Dropped)) setTrouble((error as Error).message);
+    }
+  };
+  useSignalEffect(() => {
+    state.value.noises;
+    state.value.active;
+    state.value.ramp;
+    time.value;
+    infoOf(activeNoise());
+    engine.pool.drop("volume");
+    void make(++generation.current);
+  });
+  const raw = infoOf(activeNoise())?.grids.find((grid) => grid.names.includes(activeNoise().grid || grid.names[0]!))?.raw ?? false;
+  return (
+    <figure class="view volume">
+      <canvas ref={canvas} tabIndex={0} role="img" aria-label="The volume. Drag or arrow keys turn it, the wheel or plus and minus move the eye." />
+      {trouble && <p class="failure" role="alert">{trouble}</p>}
+      <figcaption>
+        <span>{told}</span>
+        {raw && <label class="inline">Cut <input type="range" min="0" max="1" step="0.01" value={cut} onInput={(event) => setCut(Number(event.currentTarget.value))} /></label>}
+      </figcaption>
+    </figure>
+  );
+}

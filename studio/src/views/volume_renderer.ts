@@ -1,0 +1,191 @@
+import { contextOf, lookAt, programOf } from "./gl.ts";
+import type { Orbit } from "./orbit.ts";
+
+export type VolumeLook = "cloud" | "glow" | "solid";
+
+export interface VolumeData {
+  size: [number, number, number];
+  values: Float32Array; // x slowest, z fastest
+  light: Float32Array | undefined; // optical depth to the sun
+  factor: number; // from values to extinction per world unit
+  sides: [number, number, number]; // of the box, world units
+  look: VolumeLook;
+  sun: [number, number, number];
+  up: 1 | 2;
+  ramp: Float32Array;
+}
+
+const kVertex = `
+const vec2 corners[3] = vec2[](vec2(-1, -1), vec2(3, -1), vec2(-1, 3));
+out vec2 place;
+void main() { place = corners[gl_VertexID]; gl_Position = vec4(place, 0, 1); }`;
+
+// Rays through the box, from the front: extinction by the densities, light of the sun by the depth that each voxel knows, as often
+// scattered light fills the shadows; or the first surface of what is above a value, lit by its gradient. Textures have z first.
+const kFragment = `
+in vec2 place;
+out vec4 color;
+uniform sampler3D values, light;
+uniform sampler2D ramp;
+uniform vec3 eye, right, up, forward, halfSides, sun;
+uniform vec2 aspect;
+uniform float factor, cut, low, high;
+uniform int look, steps;
+
+float hash(vec2 p) { return fract(52.9829189 * fract(dot(p, vec2(0.06711056, 0.00583715)))); }
+vec3 at(vec3 p) { return (p / halfSides * 0.5 + 0.5).zyx; }
+vec3 sky(vec3 d) {
+  float t = 0.5 + 0.5 * d.y;
+  return mix(vec3(0.10, 0.13, 0.19), vec3(0.22, 0.36, 0.58), smoothstep(0.1, 1.0, t));
+}
+vec3 encoded(vec3 c) { return mix(12.92 * c, 1.055 * pow(max(c, vec3(1e-5)), vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c)); }
+float phase(float cosine, float g) { return (1.0 - g * g) / pow(1.0 + g * g - 2.0 * g * cosine, 1.5); }
+
+void main() {
+  vec3 d = normalize(forward + place.x * aspect.x * right + place.y * aspect.y * up);
+  vec3 a = (-halfSides - eye) / d, b = (halfSides - eye) / d;
+  vec3 near3 = min(a, b), far3 = max(a, b);
+  float from = max(max(near3.x, near3.y), max(near3.z, 0.0)), to = min(far3.x, min(far3.y, far3.z));
+  vec3 back = look == 0 ? sky(d) : look == 1 ? vec3(0.004, 0.005, 0.010) : mix(vec3(0.035), vec3(0.075), 0.5 - 0.4 * place.y);
+  if (from >= to) { color = vec4(encoded(back), 1); return; }
+  float stride = length(2.0 * halfSides) / float(steps);
+  vec3 sum = vec3(0);
+  float through = 1.0;
+  float t = from + stride * hash(gl_FragCoord.xy);
+  if (look == 2) {
+    // A body with a corner cut off, and only what is above the value where one is asked for.
+    vec3 normal = vec3(0);
+    bool hit = false;
+    for (t = from; t < to; t += 0.5 * stride) {
+      vec3 p = eye + t * d;
+      bool gone = cut > 0.0 && all(greaterThan(p / halfSides, vec3(1.0 - 2.0 * cut)));
+      if (gone) continue;
+      hit = true;
+      break;
+    }
+    if (!hit) { color = vec4(encoded(back), 1); return; }
+    vec3 p = eye + t * d;
+    vec3 q = p / halfSides;
+    vec3 corner = vec3(1.0 - 2.0 * cut);
+    vec3 outer = abs(abs(q) - 1.0), inner = abs(q - corner);
+    float least = 1e9;
+    for (int i = 0; i < 3; ++i) {
+      if (outer[i] * halfSides[i] < least) { least = outer[i] * halfSides[i]; normal = vec3(0); normal[i] = sign(q[i]); }
+      if (cut > 0.0 && inner[i] * halfSides[i] < least && t > from + 0.25 * stride) { least = inner[i] * halfSides[i]; normal = vec3(0); normal[i] = 1.0; }
+    }
+    float value = texture(values, at(p)).r;
+    vec3 body = texture(ramp, vec2(clamp((value - low) / (high - low), 0.0, 1.0), 0.5)).rgb;
+    body = pow(body, vec3(2.2));
+    float lit = 0.35 + 0.65 * max(0.0, dot(normal, normalize(sun)));
+    color = vec4(encoded(body * lit), 1);
+    return;
+  }
+  float cosine = dot(d, normalize(sun));
+  float forwardLobe = 0.75 * phase(cosine, 0.45) + 0.25 * phase(cosine, -0.2);
+  for (int i = 0; i < 512; ++i) {
+    if (t >= to || through < 0.004) break;
+    vec3 p = eye + t * d;
+    float density = texture(values, at(p)).r * factor;
+    if (density > 0.0) {
+      float absorbed = 1.0 - exp(-density * stride);
+      if (look == 1) {
+        float heat = clamp(density * 0.12, 0.0, 1.0);
+        vec3 glow = mix(vec3(0.10, 0.02, 0.20), vec3(0.85, 0.25, 0.35), smoothstep(0.0, 0.5, heat));
+        glow = mix(glow, vec3(1.0, 0.85, 0.65), smoothstep(0.45, 1.0, heat));
+        sum += through * absorbed * glow * 2.0;
+      } else {
+        float depth = texture(light, at(p)).r;
+        // Light scattered once, and many times: as if through thinner clouds (Wrenninge 2015).
+        float direct = 0.0, weight = 1.0, thin = 1.0;
+        for (int k = 0; k < 4; ++k) { direct += weight * exp(-depth * thin); weight *= 0.55; thin *= 0.28; }
+        vec3 ambient = mix(vec3(0.16, 0.20, 0.27), vec3(0.30, 0.40, 0.55), 0.5 + 0.5 * p.y / halfSides.y);
+        vec3 here = vec3(1.0, 0.95, 0.88) * direct * 0.42 * mix(1.0, forwardLobe, 0.5) + ambient * 0.55;
+        sum += through * absorbed * here;
+      }
+      through *= 1.0 - absorbed;
+    }
+    t += stride;
+  }
+  color = vec4(encoded(sum + through * back), 1);
+}`;
+
+export class VolumeRenderer {
+  private readonly gl: WebGL2RenderingContext;
+  private readonly program: WebGLProgram;
+  private readonly textures: WebGLTexture[];
+  private data: VolumeData | undefined;
+  private range: [number, number] = [-2.5, 2.5];
+
+  constructor(private readonly canvas: HTMLCanvasElement) {
+    this.gl = contextOf(canvas);
+    this.program = programOf(this.gl, kVertex, kFragment);
+    this.textures = [0, 1, 2].map(() => this.gl.createTexture());
+    this.gl.bindVertexArray(this.gl.createVertexArray());
+  }
+
+  load(data: VolumeData): void {
+    const { gl } = this;
+    this.data = data;
+    gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
+    const [nx, ny, nz] = data.size;
+    const fill = (unit: number, values: Float32Array): void => {
+      gl.activeTexture(gl.TEXTURE0 + unit);
+      gl.bindTexture(gl.TEXTURE_3D, this.textures[unit]!);
+      gl.texImage3D(gl.TEXTURE_3D, 0, gl.R16F, nz, ny, nx, 0, gl.RED, gl.FLOAT, values);
+      gl.texParameteri(gl.TEXTURE_3D, gl.TEXTURE_MIN_FILTER, gl.LINEAR);
+      gl.texParameteri(gl.TEXTURE_3D, gl.TEXTURE_MAG_FILTER, gl.LINEAR);
+      for (const wrap of [gl.TEXTURE_WRAP_R, gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_3D, wrap, gl.CLAMP_TO_EDGE);
+    };
+    fill(0, data.values);
+    fill(1, data.light ?? data.values);
+    gl.activeTexture(gl.TEXTURE2);
+    gl.bindTexture(gl.TEXTURE_2D, this.textures[2]!);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGB8, 256, 1, 0, gl.RGB, gl.UNSIGNED_BYTE, Uint8Array.from(data.ramp, (x) => Math.round(255 * x)));
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE);
+    let low = Infinity;
+    let high = -Infinity;
+    for (const value of data.values) {
+      low = Math.min(low, value);
+      high = Math.max(high, value);
+    }
+    this.range = low < high ? [low, high] : [low - 1, low + 1];
+  }
+
+  render(orbit: Orbit, cut: number): void {
+    const { gl, data, program } = this;
+    if (!data) return;
+    gl.viewport(0, 0, this.canvas.width, this.canvas.height);
+    gl.useProgram(program);
+    const at = (name: string): WebGLUniformLocation | null => gl.getUniformLocation(program, name);
+    const radius = 0.5 * Math.hypot(...data.sides);
+    // With the Z axis up the world is turned about x.
+    const turned = (v: readonly number[]): number[] => (data.up === 2 ? [v[0]!, -v[2]!, v[1]!] : [...v]);
+    const eye = orbit.eye().map((x) => x * radius);
+    const { right, up, forward } = lookAt(eye);
+    gl.uniform3fv(at("eye"), turned(eye));
+    gl.uniform3fv(at("right"), turned(right));
+    gl.uniform3fv(at("up"), turned(up));
+    gl.uniform3fv(at("forward"), turned(forward));
+    gl.uniform3fv(at("halfSides"), data.sides.map((x) => x / 2));
+    gl.uniform3fv(at("sun"), data.sun);
+    const field = 0.42;
+    const ratio = this.canvas.width / this.canvas.height;
+    gl.uniform2f(at("aspect"), ratio > 1 ? field * ratio : field, ratio > 1 ? field : field / ratio);
+    gl.uniform1f(at("factor"), data.factor);
+    gl.uniform1f(at("cut"), cut);
+    gl.uniform1f(at("low"), this.range[0]);
+    gl.uniform1f(at("high"), this.range[1]);
+    gl.uniform1i(at("look"), ["cloud", "glow", "solid"].indexOf(data.look));
+    gl.uniform1i(at("steps"), Math.min(300, Math.ceil(1.7 * Math.max(...data.size))));
+    gl.uniform1i(at("values"), 0);
+    gl.uniform1i(at("light"), 1);
+    gl.uniform1i(at("ramp"), 2);
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
+  }
+
+  dispose(): void {
+    for (const texture of this.textures) this.gl.deleteTexture(texture);
+    this.gl.deleteProgram(this.program);
+  }
+}
