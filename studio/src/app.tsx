@@ -6,18 +6,20 @@ import { RecipePanel } from "./views/recipe.tsx";
 import { SliceView } from "./views/slice.tsx";
 import { SpectrumView } from "./views/spectrum.tsx";
 import { ViewBar } from "./views/viewbar.tsx";
+import { ExampleView } from "./views/example.tsx";
+import { SurfaceView } from "./views/surface.tsx";
 import { VolumeView } from "./views/volume.tsx";
 import { addressOf } from "./engine/address.ts";
-import { activeNoise, can, commit, infoOf, type Mode, redo, state, undo } from "./store.ts";
+import { can, commit, type Mode, redo, state, undo } from "./store.ts";
 
-const kModes: [Mode, string][] = [["slice", "Slice"], ["volume", "Volume"]];
+const kModes: [Mode, string][] = [["slice", "Slice"], ["volume", "Volume"], ["surface", "Surface"], ["example", "By example"]];
 
 export function App(): JSX.Element {
   const [gallery, setGallery] = useState(false);
   const [panel, setPanel] = useState(innerWidth > 1100);
   const { noises, active, mode } = state.value;
   return (
-    <div class="app">
+    <div class={`app ${mode}`}>
       <header class="bar">
         <h1><Mark />Solidnoise <span>Studio</span></h1>
         <button class="wide" onClick={() => setGallery(true)}>Gallery</button>
@@ -31,12 +33,12 @@ export function App(): JSX.Element {
         <button class="icon" aria-label="Undo" title="Undo (Ctrl+Z)" disabled={!can.value.undo} onClick={undo}>↶</button>
         <button class="icon" aria-label="Redo" title="Redo (Ctrl+Shift+Z)" disabled={!can.value.redo} onClick={redo}>↷</button>
         <CopyButton text={() => addressOf(state.value)} label="Copy link" />
-        <button class="wide" aria-pressed={panel} onClick={() => setPanel(!panel)}>Recipe</button>
+        <button class="wide" aria-pressed={panel} disabled={mode === "example"} onClick={() => setPanel(!panel)}>Recipe</button>
         <button class="icon" aria-label="Dark or light" title="Dark or light" onClick={toggleTheme}>◐</button>
       </header>
-      <aside class="controls" aria-label="Controls"><Controls /></aside>
+      {mode !== "example" && <aside class="controls" aria-label="Controls"><Controls /></aside>}
       <main class={`stage ${mode}`}>
-        <ViewBar />
+        {mode !== "example" && <ViewBar />}
         <div class={`views n${mode === "slice" ? noises.length : 1}`}>
           {mode === "slice" && noises.map((noise, index) => (
             <section key={index} class={`pane${index === active && noises.length > 1 ? " active" : ""}`}
@@ -52,10 +54,12 @@ export function App(): JSX.Element {
             </section>
           ))}
           {mode === "volume" && <VolumeView />}
+          {mode === "surface" && <SurfaceView />}
+          {mode === "example" && <ExampleView />}
         </div>
         {mode === "slice" && <SpectrumView />}
       </main>
-      {panel && <RecipePanel />}
+      {panel && mode !== "example" && <RecipePanel />}
       {gallery && <Gallery close={() => setGallery(false)} />}
     </div>
   );
@@ -92,5 +96,3 @@ function Mark(): JSX.Element {
     </svg>
   );
 }
-
-export { activeNoise, infoOf };

@@ -8,9 +8,11 @@ import "./studio.css";
 const root = document.getElementById("studio")!;
 document.documentElement.dataset.theme = localStorage.getItem("solidnoise-theme") ?? (matchMedia("(prefers-color-scheme: light)").matches ? "light" : "dark");
 
+const textOf = (name: string): string => starts.find((start) => start.name === name)!.text;
+
 try {
   await startEngine();
-  await begin(engine.desk, starts.find((start) => start.name === "raw")!.text);
+  await begin(engine.desk, textOf("raw"), textOf("rust"));
   engine.times.start = performance.now();
   root.replaceChildren();
   render(<App />, root);

@@ -25,6 +25,15 @@ export interface State {
   plane: Plane;
   ramp: string; // of pictures of values; empty: grey
   mode: Mode;
+  bake: string; // the recipe of the surface, as the library writes it
+  mesh: string; // by its file's name
+  example: string; // the model of a photograph, as JSON; empty: none
+  groups: Record<string, GroupEdit>; // what is done to its groups
+}
+export interface GroupEdit {
+  magnitude: number;
+  scale: number;
+  rotate: number; // degrees
 }
 
 // What the library says of a recipe.
@@ -56,6 +65,10 @@ const kStart: State = {
   plane: { origin: [0, 0, 0], normal: [0, 0, 1], up: [0, 1, 0], width: 2 },
   ramp: "",
   mode: "slice",
+  bake: "",
+  mesh: "wyrm.ply",
+  example: "",
+  groups: {},
 };
 
 export const state = signal<State>(kStart);
@@ -64,7 +77,9 @@ export const problem = signal<{ message: string; path?: Path } | undefined>(unde
 export const can = signal({ undo: false, redo: false });
 export const time = signal<number | undefined>(undefined); // while it plays
 
-export const activeNoise = (): Noise => state.value.noises[state.value.active] ?? state.value.noises[0]!;
+// What the controls and the recipe are of.
+export const activeNoise = (): Noise =>
+  state.value.mode === "surface" ? { text: state.value.bake, grid: "" } : (state.value.noises[state.value.active] ?? state.value.noises[0]!);
 export const infoOf = (noise: Noise): Info | undefined => infos.value.get(noise.text);
 
 let desk: Pool;
@@ -143,15 +158,17 @@ export async function check(text: string): Promise<Info> {
 }
 
 async function knowAll(): Promise<void> {
-  for (const { text } of state.value.noises) {
-    if (!infos.value.has(text)) await check(text);
+  for (const text of [state.value.bake, ...state.value.noises.map((noise) => noise.text)]) {
+    if (text && !infos.value.has(text)) await check(text);
   }
 }
 
 export function replaceNoise(noise: Noise, tag: string, rest: Partial<State> = {}): void {
-  const noises = state.value.noises.slice();
-  noises[state.value.active] = noise;
-  commit({ ...state.value, ...rest, noises }, tag);
+  const next = { ...state.value, ...rest };
+  if (next.mode === "surface") return commit({ ...next, bake: noise.text }, tag);
+  const noises = next.noises.slice();
+  noises[next.active] = noise;
+  commit({ ...next, noises }, tag);
 }
 
 // A recipe by its text, checked; says what is wrong with it in `problem`.
@@ -162,7 +179,10 @@ export async function setText(text: string, tag: string, rest: Partial<State> = 
     const grid = grids.includes(activeNoise().grid) ? activeNoise().grid : "";
     batch(() => {
       problem.value = undefined;
-      replaceNoise({ text: info.recipe, grid }, tag, rest);
+      // A recipe of the other kind turns to the view that shows it.
+      const { mode } = state.value;
+      const fitting: Mode = info.kind === "surface" ? "surface" : mode === "surface" ? "slice" : mode;
+      replaceNoise({ text: info.recipe, grid }, tag, { mode: fitting, ...rest });
     });
     return true;
   } catch (error) {
@@ -206,8 +226,9 @@ export async function edit(edits: Edit[], tag: string): Promise<void> {
 }
 
 // What the page begins with: its address, what was there before, or a preset.
-export async function begin(pool: Pool, preset: string): Promise<void> {
+export async function begin(pool: Pool, preset: string, surface: string): Promise<void> {
   desk = pool;
+  const bake = (await check(surface)).recipe;
   const stored = (): Partial<State> | undefined => {
     try {
       return JSON.parse(localStorage.getItem(kStorage) ?? "null") as Partial<State> | undefined;
@@ -220,19 +241,20 @@ export async function begin(pool: Pool, preset: string): Promise<void> {
     try {
       const noises: Noise[] = [];
       for (const { text, grid } of from.noises.slice(0, 3)) noises.push({ text: (await check(text)).recipe, grid });
-      show({ ...kStart, ...from, noises, active: Math.min(from.active ?? 0, noises.length - 1) });
+      const own = from.bake ? (await check(from.bake)).recipe : bake;
+      show({ ...kStart, ...from, noises, bake: own, active: Math.min(from.active ?? 0, noises.length - 1) });
       return;
     } catch (error) {
       problem.value = { message: (error as Error).message };
     }
   }
   const info = await check(preset);
-  show({ ...kStart, noises: [{ text: info.recipe, grid: "" }] });
+  show({ ...kStart, noises: [{ text: info.recipe, grid: "" }], bake });
 }
 
 // Another address in the same page: a link that was pasted, or the browser's way back.
 addEventListener("hashchange", () => {
   const from = readAddress();
   if (!from?.noises?.[0] || from.noises[0].text === activeNoise().text) return;
-  void setText(from.noises[0].text, "address", { ...(from.plane ? { plane: from.plane } : {}) });
+  void setText(from.noises[0].text, "address", { ...(from.plane ? { plane: from.plane } : {}), mode: from.mode ?? "slice" });
 });

@@ -1,7 +1,10 @@
-// What would read grids: recipes that need it are refused before (refuse_files() in recipes.cpp).
+// What the page has not: grids, of which recipes are refused before (refuse_files() in recipes.cpp), and meshes that OpenMesh reads.
 
 #include <stdexcept>
 
+#include "solidnoise/core/input_file.h"
+#include "solidnoise/geometry/mesh_codecs.h"
+#include "solidnoise/mesh/refine.h"
 #include "solidnoise/volume/make_volume.h"
 #include "solidnoise/volume/slice/grid_slice.h"
 
@@ -12,7 +15,31 @@ namespace {
   throw std::logic_error("grids are for vdbnoise");
 }
 
+[[noreturn]] void refuse_format(const std::string& name) {
+  throw std::runtime_error(name + ": the page reads .ply and .obj; meshnoise reads .off, .stl and .om, too");
+}
+
 }  // namespace
+
+std::string read_file(const std::filesystem::path& path, std::uint64_t) {
+  throw std::runtime_error(path.string() + ": the page reads no files by their names");
+}
+MeshReading read_off(std::string_view, const std::string& name) {
+  refuse_format(name);
+}
+MeshReading read_stl(std::string_view, const std::string& name) {
+  refuse_format(name);
+}
+MeshReading read_om(std::string_view, const std::string& name) {
+  refuse_format(name);
+}
+
+RefinedMesh refine_by_openmesh(const PolygonMesh&, const std::vector<double>&, const RefineOptions&) {
+  throw std::invalid_argument("refine.method: the page refines by \"own\"; meshnoise has OpenMesh's methods, too");
+}
+RefinedMesh subdivide_by_openmesh(const PolygonMesh& mesh, int, const RefineOptions& options) {
+  return refine_by_openmesh(mesh, {}, options);
+}
 
 KernelFields ParameterFields::kernel() const {
   refuse();

@@ -19,7 +19,9 @@ namespace {
 constexpr NamedCommand kCommands[] = {
     {"fields", describe_fields},      {"check", check_recipe},           {"edit", edit_recipe},
     {"slice", make_slice},            {"spectrum", make_spectrum},       {"volume", make_volume_values},
-    {"light", light_volume},
+    {"light", light_volume},          {"mesh", load_mesh},               {"bake", bake_mesh},
+    {"fit", fit_example},             {"version", draw_version},         {"texture", draw_example},
+    {"edit example", edit_example},
 };
 
 // Answers live until the next question.

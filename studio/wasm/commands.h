@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "solidnoise/mesh/bake_recipe.h"
 #include "solidnoise/recipe/json.h"
 #include "solidnoise/volume/volume_recipe.h"
 
@@ -37,6 +38,17 @@ Answer make_spectrum(const Json&, std::span<const unsigned char>);
 Answer make_volume_values(const Json&, std::span<const unsigned char>);
 Answer light_volume(const Json&, std::span<const unsigned char>);
 
+// Surfaces.
+Answer load_mesh(const Json&, std::span<const unsigned char>);
+Answer bake_mesh(const Json&, std::span<const unsigned char>);
+
+// Noise by example.
+Answer fit_example(const Json&, std::span<const unsigned char>);
+Answer draw_version(const Json&, std::span<const unsigned char>);
+Answer draw_example(const Json&, std::span<const unsigned char>);
+Answer edit_example(const Json&, std::span<const unsigned char>);
+
+BakeRecipe read_bake_recipe(const std::string& text);
 // A recipe as the page has it. What needs files that a page has not is refused with the command that does it.
 VolumeRecipe read_recipe(const std::string& text);
 // The same of a question's "recipe", in the short form of the grid that its "grid" names.

@@ -9,17 +9,23 @@
 #include <boost/math/special_functions/beta.hpp>
 
 namespace std {
+namespace {
+
+// Without long doubles, which WebAssembly has in software only.
+using InDouble = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
+
+}  // namespace
 
 double beta(double a, double b) {
-  return boost::math::beta(a, b);
+  return boost::math::beta(a, b, InDouble());
 }
 
 double cyl_bessel_j(double order, double x) {
-  return boost::math::cyl_bessel_j(order, x);
+  return boost::math::cyl_bessel_j(order, x, InDouble());
 }
 
 double cyl_neumann(double order, double x) {
-  return boost::math::cyl_neumann(order, x);
+  return boost::math::cyl_neumann(order, x, InDouble());
 }
 
 namespace {

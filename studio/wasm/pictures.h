@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,7 @@ struct SliceSubject {
   std::vector<SliceField> plain;  // one for each channel; empty: `field`
   FieldPtr field;
   SlicePlane plane;
+  std::optional<ExemplarModel> exemplar;  // of the colours of `plain`, where they are its
   Json shown;  // what is known of the values: see make_slice()
 };
 // Made anew only where recipe, grid, time or plane differ from the last question's.

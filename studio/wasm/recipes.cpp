@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "solidnoise/image/color.h"
+#include "solidnoise/mesh/bake_recipe_json.h"
 #include "solidnoise/recipe/json_reader.h"
 #include "solidnoise/volume/volume_field.h"
 #include "solidnoise/volume/volume_recipe_json.h"
@@ -55,9 +56,26 @@ Json describe(const VolumeRecipe& recipe) {
   return json;
 }
 
+// Whether a text is of meshnoise: by a key that vdbnoise does not have.
+bool is_of_surface(const std::string& text) {
+  static const Json of_volume = volume_recipe_schema()["properties"];
+  static const Json of_surface = bake_recipe_schema()["properties"];
+  const Json json = parse_json(text);
+  for (const auto& [key, value] : json.items()) {
+    if (of_surface.contains(key) && !of_volume.contains(key)) return true;
+  }
+  return false;
+}
+
 Answer described(const std::string& text) {
+  if (is_of_surface(text)) {
+    const BakeRecipe recipe = read_bake_recipe(text);
+    return {Json{{"kind", "surface"}, {"recipe", format_json(to_json(recipe))}, {"changes", recipe.changes_with_time()},
+                 {"grids", Json::array()}, {"box", {-1, -1, -1, 1, 1, 1}}}};
+  }
   const VolumeRecipe recipe = read_recipe(text);
   Json json = describe(recipe);
+  json["kind"] = "volume";
   json["recipe"] = format_json(to_json(recipe));
   return {json};
 }
@@ -81,7 +99,7 @@ VolumeRecipe grid_of_question(const Json& question) {
 }
 
 Answer describe_fields(const Json&, std::span<const unsigned char>) {
-  Answer answer{Json{{"volume", volume_recipe_schema()}, {"ramps", ramp_names()}}};
+  Answer answer{Json{{"volume", volume_recipe_schema()}, {"surface", bake_recipe_schema()}, {"ramps", ramp_names()}}};
   for (const std::string_view name : ramp_names()) {
     const ColorRamp ramp = parse_color_ramp(name);
     std::vector<float>& colors = answer.floats.emplace_back();

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -73,8 +74,8 @@ SliceSubject make_subject(const Json& question) {
     slice.plane = subject.plane;
     slice.color = grid.output == std::vector{Output::color};
     if (slice.color) slice.recipe.output = {Output::value};
-    // An exemplar's colours are a mixture of channels, which the volume's field makes.
-    if (!slice.color || !exemplar_of_colors(grid)) subject.plain = make_slice_fields(slice);
+    subject.plain = make_slice_fields(slice);
+    if (const ExemplarModel* const exemplar = exemplar_of_colors(grid); exemplar && slice.color) subject.exemplar = *exemplar;
   }
   if (subject.plain.empty()) {
     const VolumePlan plan = plan_in_box(grid, subject.plane.pixel);
@@ -164,6 +165,13 @@ Answer make_slice(const Json& question, std::span<const unsigned char>) {
   }
   for (const SliceField& channel : subject.plain) {
     channel.source->evaluate(subject.plane, from, size, answer.floats.emplace_back(pixels));
+  }
+  if (subject.exemplar) {  // whose colours are a mixture of the channels
+    for (std::size_t i = 0; i < pixels; ++i) {
+      const std::array<double, 3> values{answer.floats[0][i], answer.floats[1][i], answer.floats[2][i]};
+      const Vec<3> color = subject.exemplar->color(values);
+      for (std::size_t c = 0; c < 3; ++c) answer.floats[c][i] = static_cast<float>(color[static_cast<int>(c)]);
+    }
   }
   return answer;
 }

@@ -16,7 +16,7 @@ import tempfile
 
 from follow_docs import commands_of
 
-ELSEWHERE = ("docs/papers/", "docs/performance")  # scripts/reproduce.sh and scripts/bench.sh make these
+ELSEWHERE = ("docs/papers/", "docs/performance", "docs/studio/")  # scripts/reproduce.sh, bench.sh and studio.sh make these
 SHOWN = re.compile(r"!\[[^]]*\]\(([^)]+)\)")
 PRINTED = re.compile(r"`((?:vdbnoise|meshnoise|noisefit) [^`]+)`")
 OUTPUTS = r"--(?:out|preview|spectrum) %s(?:\s|$)"

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/parse_value.h"
+#include "common/recipe_link.h"
 #include "common/run_tool.h"
 
 namespace solidnoise {
@@ -30,7 +31,8 @@ void declare_recipe_flags(FlagSet& flags, const std::string& files, std::string&
                           const std::function<Json()>& schema) {
   flags.group("Recipes");
   flags.add({"--preset", "NAME", "Start from a recipe that comes with the program"});
-  flags.add({"--recipe", "FILE", "Start from a recipe, .json, or from that of " + files});
+  flags.add({"--recipe", "FILE",
+             "Start from a recipe, .json, from a link of the studio, or from that of " + files});
   flags.exclude({"--preset", "--recipe"});
   flags.keep("--write-recipe", "FILE.json",
              "Write the recipe with all flags in it; - for the standard output", written);
@@ -43,9 +45,13 @@ void load_recipe(const FlagSet& flags, const std::string& standard,
                  const std::function<std::string(const std::filesystem::path&)>& text_in,
                  const std::function<void(const Json&)>& use) {
   if (const auto file = flags.value_of("--recipe")) {
-    const std::filesystem::path path = *file;
-    const std::string warning =
-        read_recipe(path, path.extension() == ".json" ? read_text_file(path) : text_in(path), use);
+    const auto linked = recipe_in_link(*file);
+    const std::filesystem::path path = linked ? "the link's recipe" : *file;
+    const auto text = [&] {
+      if (linked) return *linked;
+      return path.extension() == ".json" ? read_text_file(path) : text_in(path);
+    };
+    const std::string warning = read_recipe(path, text(), use);
     if (warning.empty() || flags.given("--quiet")) return;
     std::cerr << program_invocation_short_name << ": warning: " << warning << '\n';
     return;

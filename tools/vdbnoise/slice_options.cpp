@@ -78,7 +78,9 @@ void declare_source(FlagSet& flags, SliceOptions& options) {
                "Of a grid of vectors; without it, all three as colours",
                [&](std::size_t index) { options.component = SliceRecipe::Component(index); });
   flags.add({"--preset", "NAME", "Start from a recipe that comes with the program (default raw)"});
-  flags.add({"--recipe", "FILE", "Start from a recipe, .json, or from that of a .vdb made by vdbnoise"});
+  flags.add(
+      {"--recipe", "FILE",
+       "Start from a recipe, .json, from a link of the studio, or from that of a .vdb made by vdbnoise"});
   flags.exclude({"--preset", "--recipe"});
   flags.toggle("--raw", "The recipe's noise itself, without its shaping",
                [&] { options.recipe.shaping = RawShaping{}; });

@@ -1,20 +1,41 @@
 import { useComputed } from "@preact/signals";
 import type { JSX } from "preact";
 import { engine } from "../engine/engine.ts";
-import { activeNoise, infoOf, problem, replaceNoise } from "../store.ts";
+import { activeNoise, infoOf, problem, replaceNoise, state } from "../store.ts";
 import { Field, KindField, ObjectFields } from "./fields.tsx";
-import { isObject, type Json, resolved } from "./schema.ts";
+import { isObject, type Json, resolved, type Schema } from "./schema.ts";
 
 // The recipe's parts as sections; what is in them comes from the table of fields.
 
 const kMotion = ["dims", "time", "offset", "wind"];
 const kAtoms = ["noise", "grids", "domain", "fields", "solidnoise", "algorithm", "$schema", "description"];
 
+const section = (title: string, open: boolean, children: JSX.Element): JSX.Element => (
+  <details class="section" open={open}><summary>{title}</summary>{children}</details>
+);
+
+function SurfaceControls({ json, root }: { json: { [key: string]: Json }; root: Schema }): JSX.Element {
+  const { surface, layers, ...others } = root.properties ?? {};
+  const apart = ["solidnoise", "algorithm", "$schema", "description", "refine", "direction"];
+  return (
+    <>
+      {typeof json.description === "string" && json.description && <p class="description">{json.description}</p>}
+      {problem.value && <p class="problem" role="alert">{problem.value.message}</p>}
+      {section("Noise on the surface", true, <ObjectFields schema={surface ?? {}} root={root} value={json.surface} path={["surface"]} name="surface" skip={["exemplar"]} />)}
+      {section("Look", true, <ObjectFields schema={{ properties: others }} root={root} value={json} path={[]} name="look" skip={apart} />)}
+      {section("Layers", json.layers !== undefined, <ObjectFields schema={{ properties: { layers: layers ?? {} } }} root={root} value={json} path={[]} name="layers" />)}
+      {section("Mesh", false, <ObjectFields schema={{ properties: { refine: others.refine ?? {}, direction: others.direction ?? {} } }} root={root} value={json} path={[]} name="mesh" />)}
+    </>
+  );
+}
+
 export function Controls(): JSX.Element | null {
   const recipe = useComputed(() => JSON.parse(activeNoise().text || "{}") as Json);
-  const root = engine.schema;
+  const onSurface = state.value.mode === "surface";
+  const root = onSurface ? engine.bakeSchema : engine.schema;
   const json = recipe.value;
   if (!isObject(json) || !root.properties) return null;
+  if (onSurface) return <SurfaceControls json={json} root={root} />;
   const { properties } = root;
   const grids = Array.isArray(json.grids) ? json.grids : [];
   const info = infoOf(activeNoise());
@@ -25,9 +46,6 @@ export function Controls(): JSX.Element | null {
   const gridPath = ["grids", place];
   const noiseSchema = resolved(properties.noise ?? {}, root);
   const others = Object.keys(properties).filter((key) => key in json && !kMotion.includes(key) && !kAtoms.includes(key));
-  const section = (title: string, open: boolean, children: JSX.Element): JSX.Element => (
-    <details class="section" open={open}><summary>{title}</summary>{children}</details>
-  );
   return (
     <>
       {typeof json.description === "string" && <p class="description">{json.description}</p>}

@@ -102,6 +102,22 @@ function NumbersField({ schema, value, path, name }: FieldProps): JSX.Element {
   );
 }
 
+// One number, or two for what it is at both ends of what it follows.
+function RangeField({ schema, root, value, path, name }: FieldProps): JSX.Element {
+  const [one = {}, two = {}] = schema.oneOf ?? [];
+  const text = { description: schema.description ?? "", ...(schema.unit ? { unit: schema.unit } : {}) };
+  const range = Array.isArray(value);
+  const toggle = (): void => set(path, range ? value[0]! : [(value as number | undefined) ?? Number(schema.default ?? 1), (value as number | undefined) ?? Number(schema.default ?? 1)]);
+  return (
+    <div class="range">
+      {range
+        ? <NumbersField schema={{ ...two, ...text }} root={root} value={value} path={path} name={name} />
+        : <NumberField schema={{ ...one, ...text, default: schema.default }} root={root} value={value} path={path} name={name} />}
+      <button class="icon" aria-pressed={range} aria-label={`${labelOf(name)} from end to end`} title={range ? "One number" : "Two numbers, for both ends of what it follows"} onClick={toggle}>⇄</button>
+    </div>
+  );
+}
+
 function WordField({ schema, value, path, name }: FieldProps): JSX.Element {
   const id = useId();
   const words = schema.enum ?? [];
@@ -261,6 +277,7 @@ export function Field(props: FieldProps): JSX.Element | null {
   const own = { ...props, schema };
   const { value, path, name } = own;
   const optional = schema.default === undefined && value !== undefined;
+  if (schema.oneOf && !typeName(schema.oneOf[0] ?? {})) return <RangeField {...own} />;
   if (schema.oneOf) return <Group {...own} optional={props.schema.$ref !== undefined}><KindField {...own} /></Group>;
   if (schema.enum) return <WordField {...own} />;
   if (schema.type === "boolean") return <ToggleField {...own} />;

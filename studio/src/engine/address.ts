@@ -22,6 +22,7 @@ export function addressOf(state: State): string {
   const { origin, normal, up, width } = state.plane;
   parts.push(`plane=${[...origin, ...normal, ...up, width].map((x) => Number(x.toPrecision(6))).join("_")}`);
   if (state.ramp) parts.push(`ramp=${encodeURIComponent(state.ramp)}`);
+  if (state.bake && state.mode === "surface") parts.unshift(`recipe=${encode(compact(state.bake))}`);
   parts.push(`view=${state.mode}`);
   return `${location.href.split("#")[0]}#${parts.join("&")}`;
 }
@@ -49,6 +50,8 @@ export function readAddress(): Partial<State> | undefined {
         }
       }
     }
+    // On surfaces their own recipe comes first.
+    if (read.mode === "surface") read.bake = read.noises!.shift()?.text ?? "";
     return read;
   } catch {
     return undefined;

@@ -5,6 +5,7 @@ import { loadModule, Pool } from "./pool.ts";
 export const engine = {
   pool: undefined as unknown as Pool,
   desk: undefined as unknown as Pool, // for what must answer at once: recipes
+  modeller: undefined as unknown as Pool, // which has the mesh, and fits photographs
   schema: {} as Schema,
   bakeSchema: {} as Schema,
   ramps: new Map<string, Float32Array>(),
@@ -16,6 +17,7 @@ export async function startEngine(): Promise<void> {
   const cores = navigator.hardwareConcurrency || 4;
   engine.desk = new Pool(module, 1);
   engine.pool = new Pool(module, Math.max(1, Math.min(8, cores > 2 ? cores - 1 : cores)));
+  engine.modeller = new Pool(module, 1);
   const { json, floats } = await engine.desk.ask("desk", { do: "fields" });
   engine.schema = json.volume as Schema;
   engine.bakeSchema = (json.surface ?? {}) as Schema;

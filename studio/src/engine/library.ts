@@ -21,7 +21,7 @@ const kBadFile = 8;
 const kNoCall = 52;
 
 // What the C library asks of a system. There are no files: whatever opens or reads one is told that there is none.
-function system(memory: () => WebAssembly.Memory): WebAssembly.ModuleImports {
+function system(memory: () => WebAssembly.Memory, progress: (done: number) => void): WebAssembly.ModuleImports {
   const view = () => new DataView(memory().buffer);
   const known: Record<string, (...numbers: number[]) => number> = {
     fd_write: (_file, _vectors, _count, written) => {
@@ -38,6 +38,10 @@ function system(memory: () => WebAssembly.Memory): WebAssembly.ModuleImports {
       return 0;
     },
     environ_get: () => 0,
+    progress: (done) => {
+      progress(done ?? 0);
+      return 0;
+    },
     emscripten_notify_memory_growth: () => 0,
     proc_exit: (status) => {
       throw new Error(`the library ended with status ${status}`);
@@ -52,9 +56,10 @@ function system(memory: () => WebAssembly.Memory): WebAssembly.ModuleImports {
 export class Library {
   private constructor(private readonly exports: Exports) {}
 
-  static async load(module: WebAssembly.Module): Promise<Library> {
+  // `progress` is told how far a long answer is, 0 to 1.
+  static async load(module: WebAssembly.Module, progress: (done: number) => void = () => undefined): Promise<Library> {
     let exports: Exports | undefined;
-    const imports = system(() => exports!.memory);
+    const imports = system(() => exports!.memory, progress);
     // Every import is a function: the proxy has one of any name.
     const instance = await WebAssembly.instantiate(module, { env: imports, wasi_snapshot_preview1: imports });
     exports = instance.exports as unknown as Exports;

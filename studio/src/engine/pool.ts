@@ -13,6 +13,7 @@ interface Task {
   bytes?: Uint8Array<ArrayBuffer>;
   topic: string;
   urgent: boolean;
+  progress?: (done: number) => void;
   resolve(answer: Timed): void;
   reject(error: Error): void;
 }
@@ -42,9 +43,9 @@ export class Pool {
   }
 
   // An answer, or Dropped. `urgent` work goes before other work.
-  ask(topic: string, question: Question, options: { bytes?: Uint8Array<ArrayBuffer>; urgent?: boolean } = {}): Promise<Timed> {
+  ask(topic: string, question: Question, options: { bytes?: Uint8Array<ArrayBuffer>; urgent?: boolean; progress?: (done: number) => void } = {}): Promise<Timed> {
     return new Promise((resolve, reject) => {
-      this.queue.push({ question, topic, urgent: options.urgent ?? false, resolve, reject, ...(options.bytes ? { bytes: options.bytes } : {}) });
+      this.queue.push({ question, topic, urgent: options.urgent ?? false, resolve, reject, ...(options.bytes ? { bytes: options.bytes } : {}), ...(options.progress ? { progress: options.progress } : {}) });
       this.assign();
     });
   }
@@ -85,6 +86,7 @@ export class Pool {
       const { worker } = member;
       worker.onmessage = ({ data }: MessageEvent<FromWorker>) => {
         if (member.worker !== worker) return;
+        if (data.progress !== undefined) return task.progress?.(data.progress);
         member.task = undefined;
         if (data.answer) task.resolve({ ...data.answer, milliseconds: data.milliseconds });
         else task.reject(new Error(data.error));

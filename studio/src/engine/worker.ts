@@ -12,14 +12,16 @@ export interface FromWorker {
   id: number;
   answer?: Answer;
   error?: string;
+  progress?: number; // 0 to 1, of a question that is not answered yet
   milliseconds: number;
 }
 
 let library: Promise<Library>;
+let now = -1; // the question's id
 
 self.onmessage = async ({ data }: MessageEvent<ToWorker>) => {
   if (data.module) {
-    library = Library.load(data.module);
+    library = Library.load(data.module, (progress) => self.postMessage({ id: now, progress, milliseconds: 0 } satisfies FromWorker));
     return;
   }
   if (data.id === undefined || !data.question) return;
@@ -27,6 +29,7 @@ self.onmessage = async ({ data }: MessageEvent<ToWorker>) => {
   const reply = (rest: Partial<FromWorker>, transfer: Transferable[] = []) =>
     self.postMessage({ id: data.id, milliseconds: performance.now() - begin, ...rest }, { transfer });
   try {
+    now = data.id;
     const answer = (await library).ask(data.question, data.bytes);
     reply({ answer }, answer.floats.map((array) => array.buffer));
   } catch (error) {

@@ -23,6 +23,7 @@ export function Gallery({ close }: { close: () => void }): JSX.Element {
     <dialog class="gallery" ref={dialog} onClose={close} onClick={(event) => event.target === dialog.current && close()}>
       <header><h2>Start from</h2><button class="icon" aria-label="Close" onClick={close}>×</button></header>
       {part("preset", "Presets")}
+      {part("surface", "Surfaces")}
       {part("example", "Examples")}
     </dialog>
   );
@@ -47,8 +48,9 @@ function Card({ start, close }: { start: Start; close: () => void }): JSX.Elemen
     void (async () => {
       try {
         const info = await check(start.text);
+        if (info.kind === "surface") return canvas.current?.remove();
         const picture = await sampleSlice(engine.pool, "gallery", { noise: { text: info.recipe, grid: "" }, plane: fit(info), time: undefined, columns: 96, rows: 96 }, false);
-        const image = drawSlice(picture, start.name === "marble" ? engine.ramps.get("marble") : undefined);
+        const image = drawSlice(picture, undefined);
         known.set(start.name, image);
         put(image);
       } catch {
@@ -61,7 +63,7 @@ function Card({ start, close }: { start: Start; close: () => void }): JSX.Elemen
   return (
     <button ref={card} class="start" title={description} onClick={async () => {
       const info = await check(start.text);
-      await setText(start.text, `start ${start.name}`, { plane: fit(info) });
+      await setText(start.text, `start ${start.name}`, info.kind === "surface" ? {} : { plane: fit(info) });
       close();
     }}>
       <canvas ref={canvas} width="96" height="96" aria-hidden="true" />

@@ -74,7 +74,9 @@ function Commands(): JSX.Element {
   const grid = info?.grids.find(({ names }) => names.includes(activeNoise().grid)) ?? info?.grids[0];
   const numbers = (values: readonly number[]): string => values.map((x) => Number(x.toPrecision(6))).join(" ");
   const sliced = grid?.raw && info?.grids.length === 1;
-  const commands = [
+  const commands = state.value.mode === "surface" ? [
+    `meshnoise bake ${state.value.mesh} --recipe recipe.json --out baked.ply --preview baked.png`,
+  ] : [
     "vdbnoise --recipe recipe.json --out noise.vdb --preview noise.png",
     ...(sliced ? [`vdbnoise slice --recipe recipe.json --origin ${numbers(plane.origin)} --normal ${numbers(plane.normal)} --up ${numbers(plane.up)} --width ${numbers([plane.width])} --resolution 1024 --out slice.png`] : []),
     "vdbnoise --recipe LINK --out noise.vdb",

@@ -26,12 +26,12 @@ export function ViewBar(): JSX.Element {
           width: 1.25 * Math.max(...[0, 1, 2].map((axis) => box[axis + 3]! - box[axis]!)),
         }, "fit")}>Fit</button>
       )}
-      <label class="inline">Colours
+      {mode !== "surface" && <label class="inline">Colours
         <select value={ramp} onChange={(event) => commit({ ...state.value, ramp: event.currentTarget.value }, "ramp")}>
           <option value="">as they are</option>
           {[...engine.ramps.keys()].map((name) => <option key={name} value={name}>{name}</option>)}
         </select>
-      </label>
+      </label>}
       <Player changes={info?.changes ?? false} />
       <span class="space" />
       {mode === "slice" && noises.length < 3 && (

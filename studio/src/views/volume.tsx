@@ -17,7 +17,7 @@ export function VolumeView(): JSX.Element {
   const [trouble, setTrouble] = useState("");
   const [told, tell] = useState("");
   const [cut, setCut] = useState(0.5);
-  const orbit = useRef(new Orbit(0.7, 0.35, 2.6));
+  const orbit = useRef(new Orbit(0.55, 0.22, 2.15));
   const frame = useRef(0);
   const generation = useRef(0);
 
@@ -35,7 +35,8 @@ export function VolumeView(): JSX.Element {
     }
     const stop = orbit.current.attach(canvas.current!, render);
     const observer = new ResizeObserver(() => {
-      const element = canvas.current!;
+      const element = canvas.current;
+      if (!element) return;
       const scale = Math.min(1, 900 / Math.max(element.clientWidth, element.clientHeight));
       element.width = Math.max(1, Math.round(element.clientWidth * scale));
       element.height = Math.max(1, Math.round(element.clientHeight * scale));

@@ -47,7 +47,7 @@ void main() {
   vec3 near3 = min(a, b), far3 = max(a, b);
   float from = max(max(near3.x, near3.y), max(near3.z, 0.0)), to = min(far3.x, min(far3.y, far3.z));
   vec3 back = look == 0 ? sky(d) : look == 1 ? vec3(0.004, 0.005, 0.010) : mix(vec3(0.035), vec3(0.075), 0.5 - 0.4 * place.y);
-  if (from >= to) { color = vec4(encoded(back), 1); return; }
+  if (from >= to) { color = vec4(encoded(back) + (hash(gl_FragCoord.yx) - 0.5) / 255.0, 1); return; }
   float stride = length(2.0 * halfSides) / float(steps);
   vec3 sum = vec3(0);
   float through = 1.0;
@@ -97,16 +97,16 @@ void main() {
         float depth = texture(light, at(p)).r;
         // Light scattered once, and many times: as if through thinner clouds (Wrenninge 2015).
         float direct = 0.0, weight = 1.0, thin = 1.0;
-        for (int k = 0; k < 4; ++k) { direct += weight * exp(-depth * thin); weight *= 0.55; thin *= 0.28; }
+        for (int k = 0; k < 4; ++k) { direct += weight * exp(-depth * thin); weight *= 0.5; thin *= 0.3; }
         vec3 ambient = mix(vec3(0.16, 0.20, 0.27), vec3(0.30, 0.40, 0.55), 0.5 + 0.5 * p.y / halfSides.y);
-        vec3 here = vec3(1.0, 0.95, 0.88) * direct * 0.42 * mix(1.0, forwardLobe, 0.5) + ambient * 0.55;
+        vec3 here = vec3(1.0, 0.92, 0.80) * direct * 0.66 * mix(1.0, forwardLobe, 0.5) + ambient * 0.42;
         sum += through * absorbed * here;
       }
       through *= 1.0 - absorbed;
     }
     t += stride;
   }
-  color = vec4(encoded(sum + through * back), 1);
+  color = vec4(encoded(sum + through * back) + (hash(gl_FragCoord.yx) - 0.5) / 255.0, 1);
 }`;
 
 export class VolumeRenderer {

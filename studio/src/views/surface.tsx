@@ -1,0 +1,133 @@
+import { useSignalEffect } from "@preact/signals";
+import type { JSX } from "preact";
+import { useEffect, useRef, useState } from "preact/hooks";
+import { engine } from "../engine/engine.ts";
+import { Dropped } from "../engine/pool.ts";
+import { commit, state, time } from "../store.ts";
+import { Orbit } from "./orbit.ts";
+import { SurfaceRenderer } from "./surface_renderer.ts";
+
+// Noise on a mesh: one that comes with the page, or one that is dropped.
+
+const kMeshes = ["wyrm.ply", "torus.obj"];
+// Meshes that were dropped, for as long as the page is open.
+const dropped = new Map<string, Uint8Array<ArrayBuffer>>();
+let inWorker = "";
+
+async function bytesOf(name: string): Promise<Uint8Array<ArrayBuffer>> {
+  const own = dropped.get(name);
+  if (own) return own;
+  const response = await fetch(new URL(name, document.baseURI));
+  if (!response.ok) throw new Error(`${name} is not here any more; drop it again`);
+  return new Uint8Array(await response.arrayBuffer());
+}
+
+export function SurfaceView(): JSX.Element {
+  const canvas = useRef<HTMLCanvasElement>(null);
+  const renderer = useRef<SurfaceRenderer | undefined>(undefined);
+  const orbit = useRef(new Orbit(0.6, 0.3, 2.05));
+  const frame = useRef(0);
+  const [trouble, setTrouble] = useState("");
+  const [told, tell] = useState("");
+  const [plain, setPlain] = useState(false);
+  const [over, setOver] = useState(false);
+  const working = useRef(false);
+  const again = useRef(false);
+
+  const render = (): void => {
+    cancelAnimationFrame(frame.current);
+    frame.current = requestAnimationFrame(() => {
+      const dark = document.documentElement.dataset.theme === "dark";
+      renderer.current?.render(orbit.current, plain, dark ? [0.05, 0.055, 0.065] : [0.8, 0.79, 0.76]);
+    });
+  };
+  useEffect(() => {
+    try {
+      renderer.current = new SurfaceRenderer(canvas.current!);
+    } catch (error) {
+      setTrouble((error as Error).message);
+      return;
+    }
+    const stop = orbit.current.attach(canvas.current!, render);
+    const observer = new ResizeObserver(() => {
+      const element = canvas.current;
+      if (!element) return;
+      const scale = Math.min(2, devicePixelRatio);
+      element.width = Math.max(1, Math.round(element.clientWidth * scale));
+      element.height = Math.max(1, Math.round(element.clientHeight * scale));
+      render();
+    });
+    observer.observe(canvas.current!);
+    return () => {
+      stop();
+      observer.disconnect();
+      renderer.current?.dispose();
+      renderer.current = undefined;
+    };
+  }, []);
+  useEffect(render, [plain]);
+
+  const bake = async (): Promise<void> => {
+    if (working.current) {
+      again.current = true;
+      return;
+    }
+    working.current = true;
+    try {
+      do {
+        again.current = false;
+        const { bake: text, mesh } = state.value;
+        if (!text || !renderer.current) return;
+        const begin = performance.now();
+        if (inWorker !== mesh) {
+          inWorker = "";
+          await engine.modeller.ask("surface", { do: "mesh", name: mesh }, { bytes: await bytesOf(mesh) });
+          inWorker = mesh;
+        }
+        const when = time.value;
+        const { json, floats } = await engine.modeller.ask("surface", { do: "bake", recipe: text, ...(when === undefined ? {} : { time: when }) });
+        if (!renderer.current) return;
+        renderer.current.load({ positions: floats[0]!, normals: floats[1]!, colors: floats[2]!, corners: new Uint32Array(floats[3]!.buffer) });
+        render();
+        const aliases = Number(json.cycles_per_edge) > 0.5 ? " · finer than the mesh: give refine" : "";
+        tell(`${Number(json.vertices).toLocaleString("en")} vertices · ${(performance.now() - begin).toFixed(0)} ms${aliases}`);
+        setTrouble("");
+        canvas.current?.dispatchEvent(new CustomEvent("pictured", { bubbles: true, detail: { colors: floats[2] } }));
+      } while (again.current);
+    } catch (error) {
+      if (!(error instanceof Dropped)) setTrouble((error as Error).message);
+    } finally {
+      working.current = false;
+    }
+  };
+  useSignalEffect(() => {
+    state.value.bake;
+    state.value.mesh;
+    time.value;
+    void bake();
+  });
+  const take = async (file: File | undefined): Promise<void> => {
+    if (!file) return;
+    dropped.set(file.name, new Uint8Array(await file.arrayBuffer()));
+    inWorker = "";
+    commit({ ...state.value, mesh: file.name }, "mesh");
+  };
+  const names = [...kMeshes, ...dropped.keys()];
+  if (!names.includes(state.value.mesh)) names.push(state.value.mesh);
+  return (
+    <figure class={`view surface${over ? " over" : ""}`}
+      onDragOver={(event) => { event.preventDefault(); setOver(true); }} onDragLeave={() => setOver(false)}
+      onDrop={(event) => { event.preventDefault(); setOver(false); void take(event.dataTransfer?.files[0]); }}>
+      <canvas ref={canvas} tabIndex={0} role="img" aria-label="The surface. Drag or arrow keys turn it, the wheel or plus and minus move the eye." />
+      {trouble && <p class="failure" role="alert">{trouble}</p>}
+      <div class="overlay">
+        <select aria-label="Mesh" value={state.value.mesh} onChange={(event) => commit({ ...state.value, mesh: event.currentTarget.value }, "mesh")}>
+          {names.map((name) => <option key={name}>{name}</option>)}
+        </select>
+        <label class="file">Open .ply, .obj<input type="file" accept=".ply,.obj" aria-label="A mesh" onChange={(event) => void take(event.currentTarget.files?.[0])} /></label>
+        <label class="inline"><input class="toggle" type="checkbox" role="switch" checked={plain} onChange={(event) => setPlain(event.currentTarget.checked)} /> colours alone</label>
+      </div>
+      <figcaption><span>{told}</span></figcaption>
+    </figure>
+  );
+}

@@ -1,0 +1,272 @@
+// The page as a person uses it, in Chromium.
+import assert from "node:assert/strict";
+import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { chromium } from "playwright-core";
+import { serve } from "../serve.mjs";
+import { recipes, textOf } from "./recipes.mjs";
+import { folder, root, sliceByTool, vdbnoise } from "./tools.mjs";
+
+// A sub-folder of the host, as many pages are.
+const pictures = process.env.STUDIO_PICTURES ?? join(root, "build/studio-pictures");
+mkdirSync(pictures, { recursive: true });
+let server;
+let browser;
+let address;
+
+before(async () => {
+  server = await serve(join(root, "build"), 0);
+  address = `http://localhost:${server.address().port}/studio/`;
+  browser = await chromium.launch({
+    executablePath: process.env.STUDIO_BROWSER ?? "/usr/bin/chromium",
+    args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
+  });
+});
+after(async () => {
+  await browser?.close();
+  server?.close();
+});
+
+const kPatience = { timeout: 120_000 };
+const codeOf = (text) => Buffer.from(text).toString("base64url");
+
+// A page of its own, which fails the test by errors and by requests to other hosts.
+async function open(hash = "", options = {}) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, colorScheme: "dark", acceptDownloads: true, ...options });
+  const page = await context.newPage();
+  page.setDefaultTimeout(kPatience.timeout);
+  page.troubles = [];
+  page.on("pageerror", (error) => page.troubles.push(error.message));
+  page.on("request", (request) => {
+    if (!request.url().startsWith(address) && !/^(data|blob):/.test(request.url())) page.troubles.push(`asks ${request.url()}`);
+  });
+  await page.addInitScript(() => {
+    globalThis.pictured = 0;
+    globalThis.sharp = 0;
+    addEventListener("pictured", (event) => {
+      ++globalThis.pictured;
+      if (event.detail?.sharp) ++globalThis.sharp;
+      globalThis.last = event.detail;
+    }, true);
+  });
+  await page.goto(address + hash);
+  await page.waitForSelector(".app");
+  return page;
+}
+const sharp = (page) => page.waitForFunction(() => globalThis.sharp > 0 && document.querySelector('figcaption [data-sharp="true"]'), null, kPatience);
+const recipeOf = async (page) => JSON.parse(await page.inputValue("textarea"));
+const picture = (page, name) => page.screenshot({ path: join(pictures, `${name}.jpg`), type: "jpeg", quality: 88 });
+const wellOf = async (page) => {
+  assert.deepEqual(page.troubles, []);
+  await page.context().close();
+};
+
+test("slices are vdbnoise's, pixel by pixel", async () => {
+  for (const name of ["gabor", "oriented octaves", "kensler", "two layers"]) {
+    const page = await open(`#recipe=${codeOf(textOf(name))}&plane=0.1_0.2_0.3_1_1_2_0_1_0_2&view=slice`);
+    await sharp(page);
+    const own = await page.evaluate(() => {
+      const canvas = document.querySelector(".slice canvas");
+      const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+      return { columns: canvas.width, rows: canvas.height, grey: Array.from(data).filter((_, i) => i % 4 === 0) };
+    });
+    const tool = sliceByTool(textOf(name), { origin: [0.1, 0.2, 0.3], normal: [1, 1, 2], up: [0, 1, 0], width: 2, columns: own.columns, rows: own.rows });
+    let worst = 0;
+    for (let i = 0; i < own.grey.length; ++i) worst = Math.max(worst, Math.abs(own.grey[i] - tool.pixels[i]));
+    assert.ok(worst <= 1, `${name} differs by ${worst} of 255`);
+    await wellOf(page);
+  }
+  assert.ok(Object.keys(recipes).length >= 20);
+});
+
+test("a slider changes recipe, address and picture; undo and redo go back and forth; reload keeps it", async () => {
+  const page = await open();
+  await sharp(page);
+  await picture(page, "slice");
+  const before = await page.evaluate(() => globalThis.pictured);
+  const slider = page.locator('[data-path="noise.frequency"] input[type=range]');
+  const box = await slider.boundingBox();
+  await page.mouse.move(box.x + box.width * 0.5, box.y + 8);
+  await page.mouse.down();
+  await page.mouse.move(box.x + box.width * 0.3, box.y + 8, { steps: 6 });
+  await page.mouse.up();
+  await page.waitForFunction((n) => globalThis.pictured > n, before);
+  await page.waitForFunction(() => JSON.parse(document.querySelector("textarea").value).noise.frequency < 6);
+  const { frequency } = (await recipeOf(page)).noise;
+  assert.ok(frequency > 1 && frequency < 6, String(frequency));
+  await page.keyboard.press("Control+z");
+  await page.waitForFunction(() => JSON.parse(document.querySelector("textarea").value).noise.frequency === 8);
+  await page.keyboard.press("Control+Shift+z");
+  await page.waitForFunction((f) => JSON.parse(document.querySelector("textarea").value).noise.frequency === f, frequency);
+  await page.waitForTimeout(600);
+  await page.reload();
+  await page.waitForSelector(".app");
+  assert.equal((await recipeOf(page)).noise.frequency, frequency);
+  await wellOf(page);
+});
+
+test("every control can be reached by keys, and has a name", async () => {
+  const page = await open();
+  await page.locator('[data-path="noise.frequency"] input[type=range]').focus();
+  await page.keyboard.press("ArrowRight");
+  await page.waitForFunction(() => JSON.parse(document.querySelector("textarea").value).noise.frequency > 8);
+  const nameless = await page.evaluate(() => [...document.querySelectorAll("button, input, select, textarea")].filter((element) =>
+    !element.getAttribute("aria-label") && !element.labels?.length && !element.textContent.trim() && !element.closest("label")).map((element) => element.outerHTML));
+  assert.deepEqual(nameless, []);
+  await wellOf(page);
+});
+
+test("a kind of noise keeps what both have", async () => {
+  const page = await open(`#recipe=${codeOf('{"solidnoise": 2, "noise": {"type": "gabor", "frequency": 5.5, "seed": 9}}')}`);
+  await page.click('[role=radio]:text-is("kensler")');
+  await page.waitForFunction(() => JSON.parse(document.querySelector("textarea").value).noise.type === "kensler");
+  const { noise } = await recipeOf(page);
+  assert.equal(noise.frequency, 5.5);
+  assert.equal(noise.seed, 9);
+  await wellOf(page);
+});
+
+test("typing in the recipe changes the controls; what is wrong is shown at its line", async () => {
+  const page = await open();
+  await sharp(page);
+  const area = page.locator("textarea");
+  const text = await area.inputValue();
+  await area.fill(text.replace('"bandwidth": 1.0', '"bandwidth": -1'));
+  await page.waitForSelector(".recipe .problem");
+  assert.match(await page.textContent(".recipe .problem"), /^line 7: noise\.bandwidth is -1/);
+  assert.equal(await page.textContent(".gutter .wrong"), "7");
+  await picture(page, "error");
+  await area.fill(text.replace('"bandwidth": 1.0', '"bandwidth": 2.25'));
+  await page.waitForSelector(".recipe .problem", { state: "detached" });
+  assert.equal(await page.inputValue('[data-path="noise.bandwidth"] input.number'), "2.25");
+  await wellOf(page);
+});
+
+test("the link brings the same picture to a new page, and vdbnoise the same recipe", async () => {
+  const page = await open(`#recipe=${codeOf(textOf("ridged"))}&plane=0.5_0_0_1_0_0_0_1_0_1.5&view=slice`);
+  await sharp(page);
+  const text = await page.inputValue("textarea");
+  const link = await page.evaluate(() => location.href);
+  const other = await open(link.slice(address.length));
+  assert.equal(await other.inputValue("textarea"), text);
+  const described = vdbnoise("--describe", "--recipe", link, "--quiet");
+  assert.equal(JSON.parse(described).recipe?.noise?.frequency ?? JSON.parse(described).noise?.frequency ?? 3, 3);
+  await wellOf(other);
+  await wellOf(page);
+});
+
+test("three noises stand side by side", async () => {
+  const page = await open();
+  await page.click("text=+ Compare");
+  await page.click("text=+ Compare");
+  await page.click('[role=radio]:text-is("kensler")');
+  await page.waitForFunction(() => document.querySelectorAll('figcaption [data-sharp="true"]').length === 3, null, kPatience);
+  assert.equal(await page.locator(".pane canvas").count(), 3);
+  await picture(page, "compare");
+  await wellOf(page);
+});
+
+test("the gallery starts from every preset that needs no file", async () => {
+  const page = await open();
+  await page.click("text=Gallery");
+  await page.waitForTimeout(500);
+  await page.click('.start:has-text("Perlin"), .start:has-text("marble") >> nth=0');
+  await page.waitForFunction(() => /Marble/.test(document.querySelector(".description")?.textContent ?? ""));
+  await wellOf(page);
+});
+
+test("a volume is marched through", async () => {
+  const page = await open("", {});
+  await page.click("text=Gallery");
+  await page.click('.start:has-text("cumulus") >> nth=0');
+  await page.click('[role=tab]:text-is("Volume")');
+  await page.waitForFunction(() => globalThis.last?.dim === 128, null, kPatience);
+  await page.waitForTimeout(1500);
+  await picture(page, "volume");
+  // A cloud on a sky: not of one colour.
+  const colors = await page.evaluate(() => {
+    const gl = document.querySelector(".volume canvas").getContext("webgl2");
+    const pixels = new Uint8Array(4 * gl.drawingBufferWidth * gl.drawingBufferHeight);
+    gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+    return new Set(pixels.filter((_, i) => i % 4 === 0)).size;
+  });
+  assert.ok(colors > 60, `${colors} greys`);
+  await wellOf(page);
+});
+
+test("a surface is baked as meshnoise bakes it, and a mesh can be dropped", async () => {
+  const page = await open();
+  await page.click('[role=tab]:text-is("Surface")');
+  await page.waitForFunction(() => globalThis.last?.colors, null, kPatience);
+  await page.waitForTimeout(700);
+  await picture(page, "surface");
+  const before = await page.evaluate(() => globalThis.pictured);
+  await page.setInputFiles('input[aria-label="A mesh"]', { name: "tetra.obj", mimeType: "text/plain", buffer: Buffer.from("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n") });
+  await page.waitForFunction((n) => globalThis.pictured > n, before, kPatience);
+  assert.match(await page.textContent("figcaption"), /^4 vertices/);
+  await page.setInputFiles('input[aria-label="A mesh"]', { name: "broken.ply", mimeType: "text/plain", buffer: Buffer.from("ply\nformat ascii 1.0\n") });
+  await page.waitForSelector(".failure");
+  assert.match(await page.textContent(".failure"), /broken\.ply/);
+  await wellOf(page);
+});
+
+test("a photograph becomes a noise, whose spectrum is changed by hand", async () => {
+  const page = await open();
+  await page.click('[role=tab]:text-is("By example")');
+  await page.selectOption("label:has-text('Side') select", "128");
+  await page.setInputFiles('input[aria-label="A photograph"]', join(root, "examples/exemplars/sand.jpg"));
+  await page.waitForSelector(".workbench", { timeout: 240_000 });
+  await page.waitForTimeout(1500);
+  await picture(page, "example");
+  const count = await page.locator(".spectrum-editor ellipse").count();
+  assert.ok(count > 10, `${count} ellipses`);
+  await page.locator(".spectrum-editor ellipse[tabindex='0']").first().focus();
+  await page.keyboard.press("Delete");
+  await page.waitForFunction((n) => document.querySelectorAll(".spectrum-editor ellipse").length < n || n >= 800, count, kPatience);
+  const pictured = await page.evaluate(() => globalThis.pictured);
+  await page.locator("fieldset input[type=range]").first().focus();
+  await page.keyboard.press("ArrowRight");
+  await page.waitForFunction((n) => globalThis.pictured > n, pictured, kPatience);
+  await wellOf(page);
+});
+
+test("a file that is no photograph is refused in a line", async () => {
+  const page = await open();
+  await page.click('[role=tab]:text-is("By example")');
+  await page.setInputFiles('input[aria-label="A photograph"]', { name: "notes.txt", mimeType: "image/png", buffer: Buffer.from("no picture") });
+  await page.waitForSelector(".byexample .problem");
+  assert.match(await page.textContent(".byexample .problem"), /notes\.txt is not a picture/);
+  await wellOf(page);
+});
+
+test("without WebGL slices work, and volumes say why they do not", async () => {
+  const bare = await chromium.launch({ executablePath: process.env.STUDIO_BROWSER ?? "/usr/bin/chromium", args: ["--no-sandbox", "--disable-gpu", "--disable-3d-apis"] });
+  const page = await bare.newPage();
+  await page.goto(address);
+  await page.waitForFunction(() => document.querySelector('figcaption [data-sharp="true"]'), null, kPatience);
+  await page.click('[role=tab]:text-is("Volume")');
+  await page.waitForSelector(".failure");
+  assert.match(await page.textContent(".failure"), /no WebGL 2.*Slices/);
+  await bare.close();
+});
+
+test("it fits a tablet, in the light", async () => {
+  const page = await open("", { viewport: { width: 820, height: 1100 }, colorScheme: "light" });
+  await sharp(page);
+  await picture(page, "tablet");
+  const width = await page.evaluate(() => document.documentElement.scrollWidth);
+  assert.ok(width <= 820, `is ${width} wide`);
+  await wellOf(page);
+});
+
+test("what it took is written down", async () => {
+  const page = await open();
+  await sharp(page);
+  const times = { ...(await page.evaluate(() => globalThis.studioTimes)) };
+  writeFileSync(join(root, "build/studio-times.json"), JSON.stringify(times));
+  assert.ok(times.start > 0);
+  assert.ok(readFileSync(join(root, "build/studio/size.json"), "utf8").includes("gzipped"));
+  void folder;
+  await wellOf(page);
+});

@@ -1,0 +1,76 @@
+// The library in WebAssembly against vdbnoise, pixel by pixel.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { test } from "node:test";
+import { recipes, textOf } from "./recipes.mjs";
+import { loadLibrary, root, sliceByTool } from "./tools.mjs";
+
+const library = await loadLibrary();
+const planes = [
+  { origin: [0.1, 0, 0.2], normal: [0, 0, 1], up: [0, 1, 0], width: 2, columns: 96, rows: 64 },
+  { origin: [0, 0, 0], normal: [1, 2, 3], up: [0, 1, 0], width: 1.5, columns: 64, rows: 64 },
+];
+
+function bytesOf(answer) {
+  const values = answer.floats[0];
+  let { low, high } = answer.json;
+  if (low === undefined) {
+    low = Math.min(...values);
+    high = Math.max(...values);
+  }
+  return Array.from(values, (value) => Math.min(255, Math.max(0, (255 * (value - low)) / (high - low))));
+}
+
+for (const name of Object.keys(recipes)) {
+  test(`${name} is what vdbnoise slices`, () => {
+    for (const plane of planes) {
+      const tool = sliceByTool(textOf(name), plane);
+      const { columns, rows } = plane;
+      // In two tiles: values do not depend on them.
+      const [left, right] = [[0, 40], [40, columns - 40]].map(([first, count]) =>
+        library.ask({ do: "slice", recipe: textOf(name), plane, first: [first, 0], count: [count, rows] }));
+      const whole = { json: left.json, floats: [Float32Array.from([...left.floats[0], ...right.floats[0]])] };
+      const own = bytesOf(whole);
+      let worst = 0;
+      for (let column = 0; column < columns; ++column) {
+        for (let row = 0; row < rows; ++row) {
+          worst = Math.max(worst, Math.abs(own[column * rows + row] - tool.pixels[(rows - 1 - row) * columns + column]));
+        }
+      }
+      // A byte is a rounded value: half of one, and what libraries' and processors' last bits make, is allowed.
+      assert.ok(worst <= 1, `differs by ${worst} of 255`);
+    }
+  });
+}
+
+test("a recipe comes out as it went in", () => {
+  for (const name of Object.keys(recipes)) {
+    const once = library.ask({ do: "check", recipe: textOf(name) }).json.recipe;
+    assert.equal(library.ask({ do: "check", recipe: once }).json.recipe, once);
+  }
+});
+
+test("a seed keeps its digits where another field is edited", () => {
+  const text = '{"solidnoise": 2, "noise": {"type": "gabor", "seed": 18446744073709551557}}';
+  const edited = library.ask({ do: "edit", recipe: text, edits: [{ path: ["noise", "frequency"], value: "3.25" }] }).json.recipe;
+  assert.match(edited, /"seed": 18446744073709551557/);
+  assert.match(edited, /"frequency": 3.25/);
+});
+
+test("what is wrong is said with its line", () => {
+  const text = '{\n  "solidnoise": 2,\n  "noise": {"type": "gabor",\n  "bandwidth": -1}\n}';
+  assert.throws(() => library.ask({ do: "check", recipe: text }), /^Error: line 4: noise\.bandwidth is -1/);
+  assert.throws(() => library.ask({ do: "check", recipe: "{" }), /line 1/);
+  const grid = '{"solidnoise": 2, "frequency_grid": {"file": "paint.vdb"}}';
+  assert.throws(() => library.ask({ do: "check", recipe: grid }), /frequency_grid needs a file.*vdbnoise/);
+});
+
+test("every preset is known, and has its schema's fields", () => {
+  for (const name of ["cumulus", "explosion", "fire", "marble", "nebula", "raw", "smoke", "velocity"]) {
+    const text = readFileSync(join(root, "tools/vdbnoise/presets", `${name}.json`), "utf8");
+    const { recipe } = library.ask({ do: "check", recipe: text }).json;
+    const { properties } = library.ask({ do: "fields" }).json.volume;
+    for (const key of Object.keys(JSON.parse(recipe))) assert.ok(key in properties, key);
+  }
+});

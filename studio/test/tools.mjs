@@ -1,0 +1,61 @@
+// What tests share: the library in Node, the tools, their pictures.
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { dirname, join } from "node:path";
+import { fileURLToPath, pathToFileURL } from "node:url";
+import { inflateSync } from "node:zlib";
+import { buildSync } from "esbuild";
+
+export const root = join(dirname(fileURLToPath(import.meta.url)), "../..");
+export const folder = mkdtempSync(join(tmpdir(), "studio-"));
+
+export async function loadLibrary() {
+  const outfile = join(folder, "library.mjs");
+  buildSync({ entryPoints: [join(root, "studio/src/engine/library.ts")], outfile, bundle: true, format: "esm", platform: "node", logLevel: "error" });
+  const { Library } = await import(pathToFileURL(outfile).href);
+  return Library.load(await WebAssembly.compile(readFileSync(join(root, "build/wasm/solidnoise.wasm"))));
+}
+
+// 8 bits a channel, without interlacing, as the tools write them.
+export function readPng(path) {
+  const bytes = readFileSync(path);
+  const [width, height] = [bytes.readUInt32BE(16), bytes.readUInt32BE(20)];
+  const channels = { 0: 1, 2: 3, 6: 4 }[bytes[25]];
+  if (bytes[24] !== 8 || !channels || bytes[28] !== 0) throw new Error(`${path}: another kind of PNG`);
+  const parts = [];
+  for (let at = 8; at < bytes.length; ) {
+    const length = bytes.readUInt32BE(at);
+    if (bytes.toString("latin1", at + 4, at + 8) === "IDAT") parts.push(bytes.subarray(at + 8, at + 8 + length));
+    at += length + 12;
+  }
+  const raw = inflateSync(Buffer.concat(parts));
+  const stride = width * channels;
+  const pixels = new Uint8Array(stride * height);
+  for (let y = 0; y < height; ++y) {
+    const filter = raw[y * (stride + 1)];
+    for (let x = 0; x < stride; ++x) {
+      const left = x >= channels ? pixels[y * stride + x - channels] : 0;
+      const above = y > 0 ? pixels[(y - 1) * stride + x] : 0;
+      const corner = x >= channels && y > 0 ? pixels[(y - 1) * stride + x - channels] : 0;
+      const [a, b, c] = [Math.abs(above - corner), Math.abs(left - corner), Math.abs(left + above - 2 * corner)];
+      const paeth = a <= b && a <= c ? left : b <= c ? above : corner;
+      pixels[y * stride + x] = raw[y * (stride + 1) + 1 + x] + [0, left, above, (left + above) >> 1, paeth][filter];
+    }
+  }
+  return { width, height, channels, pixels };
+}
+
+export function vdbnoise(...args) {
+  return execFileSync(join(process.env.STUDIO_TOOLS ?? join(root, "build/release/tools"), "vdbnoise"), args, { encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] });
+}
+
+// The picture that `vdbnoise slice` makes of a recipe.
+export function sliceByTool(text, { origin, normal, up, width, columns, rows }, more = []) {
+  const recipe = join(folder, "recipe.json");
+  const out = join(folder, "slice.png");
+  writeFileSync(recipe, text);
+  vdbnoise("slice", "--recipe", recipe, "--origin", ...origin.map(String), "--normal", ...normal.map(String), "--up", ...up.map(String),
+    "--width", String(width), "--resolution", String(columns), String(rows), "--out", out, "--force", "--quiet", ...more);
+  return readPng(out);
+}

@@ -1,0 +1,152 @@
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <stdexcept>
+
+#include <nlohmann/json.hpp>
+
+#include "commands.h"
+#include "solidnoise/analysis/exemplar/describe_fit.h"
+#include "solidnoise/analysis/exemplar/edit_spectrum.h"
+#include "solidnoise/analysis/exemplar/exemplar.h"
+#include "solidnoise/analysis/exemplar/exemplar_sheet.h"
+#include "solidnoise/analysis/exemplar/fit_exemplar.h"
+#include "solidnoise/analysis/exemplar/gaussian_field.h"
+#include "solidnoise/image/color.h"
+#include "solidnoise/recipe/exemplar_model_json.h"
+
+// Told while a fit goes on, 0 to 1.
+extern "C" __attribute__((import_module("env"), import_name("progress"))) void tell_progress(double done);
+
+namespace solidnoise::studio {
+namespace {
+
+class PageProgress final : public Progress {
+ public:
+  void advance(std::uint64_t done, std::uint64_t total) override {
+    const double now = static_cast<double>(done) / static_cast<double>(std::max<std::uint64_t>(total, 1));
+    if (now < told_ + 0.01) return;
+    told_ = now;
+    tell_progress(now);
+  }
+  bool cancelled() override { return false; }
+
+ private:
+  double told_ = 0.0;
+};
+
+// A photograph's pixels, red, green, blue and alpha in bytes.
+Exemplar<2> exemplar_of(const Json& question, std::span<const unsigned char> bytes) {
+  Image image(question.at("width"), question.at("height"), 3);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    image.pixels[i] = static_cast<float>(bytes[i / 3 * 4 + i % 3]) / 255.0f;
+  }
+  return exemplar_of_image(image, {.pixel_size = question.at("pixel"), .raw_values = question.value("raw", false)},
+                           "the photograph");
+}
+
+// Rows from the top, three numbers a pixel for the screen.
+Answer picture_of(const Exemplar<2>& texture, bool raw) {
+  const Image image = image_of_exemplar(texture);
+  std::vector<float> pixels = image.pixels;
+  if (!raw) {
+    for (float& pixel : pixels) pixel = srgb_from_linear(pixel);
+  }
+  return {Json{{"width", image.width}, {"height", image.height}}, {std::move(pixels)}};
+}
+
+ExemplarModel model_of(const Json& question) {
+  return exemplar_file_from_json(Json{{"solidnoise", kRecipeVersion}, {"exemplar", question.at("exemplar")}});
+}
+
+SpectrumComponent& component_at(GaborSpectrum& spectrum, const Json& edit) {
+  return spectrum.bands.at(edit.at("band")).components.at(edit.at("component"));
+}
+
+void drop(GaborSpectrum& spectrum, const Json& edit) {
+  const std::size_t band = edit.at("band");
+  auto& components = spectrum.bands.at(band).components;
+  components.erase(components.begin() + edit.at("component").get<std::ptrdiff_t>());
+  if (components.empty()) spectrum.bands.erase(spectrum.bands.begin() + static_cast<std::ptrdiff_t>(band));
+}
+
+using Edit = std::function<void(GaborSpectrum&, const Json&)>;
+GroupChoice group_of(const Json& edit) {
+  return edit.contains("group") ? GroupChoice(edit.at("group").get<std::string>()) : std::nullopt;
+}
+
+const std::map<std::string, Edit>& edits() {
+  static const std::map<std::string, Edit> known{
+      {"rotate", [](auto& s, const Json& e) { rotate_group(s, group_of(e), e.at("by")); }},
+      {"scale", [](auto& s, const Json& e) { scale_group(s, group_of(e), e.at("by")); }},
+      {"magnitude", [](auto& s, const Json& e) { scale_magnitude(s, group_of(e), e.at("by")); }},
+      {"bandwidth", [](auto& s, const Json& e) { scale_bandwidth(s, group_of(e), e.at("by")); }},
+      {"remove", [](auto& s, const Json& e) { remove_group(s, e.at("group")); }},
+      {"move", [](auto& s, const Json& e) { component_at(s, e).frequency = {e.at("to")[0].get<double>(), e.at("to")[1].get<double>(), 0.0}; }},
+      {"variance", [](auto& s, const Json& e) { component_at(s, e).variance *= e.at("by").get<double>(); }},
+      {"drop", drop},
+      {"add", [](auto& s, const Json& e) {
+         SpectrumComponent component;
+         component.frequency = {e.at("to")[0].get<double>(), e.at("to")[1].get<double>(), 0.0};
+         component.variance = e.at("variance");
+         add_component(s, e.at("a"), component, "added");
+       }}};
+  return known;
+}
+
+bool has_group(const GaborSpectrum& spectrum, const Json& edit) {
+  return !edit.contains("group") ||
+         std::find(spectrum.groups.begin(), spectrum.groups.end(), edit.at("group").get<std::string>()) != spectrum.groups.end();
+}
+
+}  // namespace
+
+// A model of the photograph in `bytes`.
+Answer fit_example(const Json& question, std::span<const unsigned char> bytes) {
+  const Exemplar<2> exemplar = exemplar_of(question, bytes);
+  exemplar.validate("the photograph");
+  ExemplarFitOptions options;
+  options.spectrum.kappa = question.value("kappa", options.spectrum.kappa);
+  const std::string axes = question.value("axes", "independent");
+  options.axes = axes == "rgb" ? ColorAxes::rgb : axes == "pca" ? ColorAxes::pca : ColorAxes::independent;
+  options.raw_values = question.value("raw", false);
+  PageProgress progress;
+  const ExemplarFit<2> fit = fit_exemplar<2>(std::span(&exemplar, 1), options, &progress);
+  Json json{{"exemplar", to_json(fit.model)}, {"report", describe_shortly(fit, 0.0)}, {"warnings", Json::array()}};
+  for (const std::string& warning : test_gaussianity(exemplar.channels.front()).warnings) json["warnings"].push_back(warning);
+  return {json};
+}
+
+// The best that noise can do of the photograph in `bytes`.
+Answer draw_version(const Json& question, std::span<const unsigned char> bytes) {
+  return picture_of(gaussian_version(exemplar_of(question, bytes), question.value("seed", std::uint64_t{1})),
+                    question.value("raw", false));
+}
+
+// The model's "sparse" texture, or its noise.
+Answer draw_example(const Json& question, std::span<const unsigned char>) {
+  const ExemplarModel model = model_of(question);
+  const glm::ivec2 count(question.at("width").get<int>(), question.at("height").get<int>());
+  const Vec<2> step(question.at("pixel").get<double>());
+  const std::uint64_t seed = question.value("seed", std::uint64_t{1});
+  return picture_of(question.value("sparse", false) ? gaussian_texture(model, count, step, seed)
+                                                    : procedural_texture(model, count, step, Vec<3>(0.0), seed),
+                    model.raw_values);
+}
+
+// "edits" of the components or groups of all channels, or of one.
+Answer edit_example(const Json& question, std::span<const unsigned char>) {
+  ExemplarModel model = model_of(question);
+  for (const Json& edit : question.at("edits")) {
+    for (std::size_t k = 0; k < model.channels.size(); ++k) {
+      if (edit.contains("channel") && edit.at("channel") != k) continue;
+      if (!has_group(model.channels[k], edit)) continue;
+      edits().at(edit.at("edit"))(model.channels[k], edit);
+    }
+  }
+  model.validate();
+  return {Json{{"exemplar", to_json(model)}}};
+}
+
+}  // namespace solidnoise::studio
