@@ -37,7 +37,7 @@ node studio/build.mjs "$folder"
 
 case $what in
   build) echo "studio: the folder for a web host is $folder" ;;
-  test) node --no-experimental-fetch --test --test-concurrency=1 studio/test/*.test.mjs ;;
-  pictures) STUDIO_PICTURES=$PWD/docs/studio node --no-experimental-fetch --test studio/test/page.test.mjs ;;
+  test) node --test --test-concurrency=1 studio/test/*.test.mjs ;;
+  pictures) STUDIO_PICTURES=$PWD/docs/studio node --test studio/test/page.test.mjs ;;
   serve) exec node studio/serve.mjs "$folder" "$port" ;;
 esac

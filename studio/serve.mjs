@@ -8,10 +8,11 @@ const kTypes = { ".html": "text/html; charset=utf-8", ".js": "text/javascript", 
 
 export function serve(folder, port) {
   const server = createServer(async (request, response) => {
-    const path = normalize(decodeURIComponent(new URL(request.url ?? "/", "http://localhost").pathname));
+    const asked = normalize(decodeURIComponent(new URL(request.url ?? "/", "http://localhost").pathname));
+    const path = asked.endsWith("/") ? `${asked}index.html` : asked;
     try {
-      const body = await readFile(join(folder, path.endsWith("/") ? `${path}index.html` : path));
-      response.writeHead(200, { "content-type": kTypes[extname(path.endsWith("/") ? ".html" : path)] ?? "application/octet-stream", "cache-control": "no-cache" });
+      const body = await readFile(join(folder, path));
+      response.writeHead(200, { "content-type": kTypes[extname(path)] ?? "application/octet-stream", "cache-control": "no-cache" });
       response.end(body);
     } catch {
       response.writeHead(404).end("not here");

@@ -28,7 +28,7 @@ after(async () => {
   server?.close();
 });
 
-const kPatience = { timeout: 120_000 };
+const kPatience = { timeout: 60_000 };
 const codeOf = (text) => Buffer.from(text).toString("base64url");
 
 // A page of its own, which fails the test by errors and by requests to other hosts.

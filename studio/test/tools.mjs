@@ -46,8 +46,10 @@ export function readPng(path) {
   return { width, height, channels, pixels };
 }
 
-export function vdbnoise(...args) {
-  return execFileSync(join(process.env.STUDIO_TOOLS ?? join(root, "build/release/tools"), "vdbnoise"), args, { encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] });
+export const vdbnoise = (...args) => run("vdbnoise", args);
+export const meshnoise = (...args) => run("meshnoise", args);
+function run(tool, args) {
+  return execFileSync(join(process.env.STUDIO_TOOLS ?? join(root, "build/release/tools"), tool), args, { encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] });
 }
 
 // The picture that `vdbnoise slice` makes of a recipe.
@@ -58,4 +60,29 @@ export function sliceByTool(text, { origin, normal, up, width, columns, rows }, 
   vdbnoise("slice", "--recipe", recipe, "--origin", ...origin.map(String), "--normal", ...normal.map(String), "--up", ...up.map(String),
     "--width", String(width), "--resolution", String(columns), String(rows), "--out", out, "--force", "--quiet", ...more);
   return readPng(out);
+}
+
+// The vertices of a .ply in binary, little endian, as meshnoise writes it: name -> numbers.
+export function readPlyVertices(path) {
+  const bytes = readFileSync(path);
+  const end = bytes.indexOf("end_header\n") + 11;
+  const lines = bytes.toString("latin1", 0, end).split("\n");
+  const reads = { uchar: [1, "readUInt8"], uint8: [1, "readUInt8"], float: [4, "readFloatLE"], float32: [4, "readFloatLE"], double: [8, "readDoubleLE"], float64: [8, "readDoubleLE"] };
+  const properties = [];
+  let count = 0;
+  for (const line of lines.slice(lines.findIndex((text) => text.startsWith("element vertex")))) {
+    const words = line.split(" ");
+    if (words[0] === "element" && words[1] === "vertex") count = Number(words[2]);
+    else if (words[0] === "property") properties.push([words[2], ...reads[words[1]]]);
+    else break;
+  }
+  const columns = Object.fromEntries(properties.map(([name]) => [name, new Float64Array(count)]));
+  let at = end;
+  for (let i = 0; i < count; ++i) {
+    for (const [name, size, read] of properties) {
+      columns[name][i] = bytes[read](at);
+      at += size;
+    }
+  }
+  return columns;
 }
