@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # test.sh [CMAKE_OPTION...]: builds everything in release and runs all the tests; one of them builds examples/consumer against
-# an installed copy.
+# an installed copy. The page is built and tested last.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 scripts/setup.sh libgtest-dev libopenvdb-tools python3-openvdb python3-jsonschema python3-pytest mypy
 scripts/build.sh release -DSOLIDNOISE_BUILD_TESTS=ON "$@"
 ctest --preset release --parallel "$(nproc)"
+scripts/studio.sh test

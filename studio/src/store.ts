@@ -86,21 +86,27 @@ let desk: Pool;
 let past: State[] = [];
 let future: State[] = [];
 let lastTag = "";
-let lastTime = 0;
-const kCoalesce = 700; // milliseconds in which changes of one kind are one step of undo
+// Changes of one kind are one step of undo while the pointer is down, or keys follow each other.
+let gesture = 0;
+let lastKey = 0;
+addEventListener("pointerdown", () => void ++gesture, true);
+addEventListener("keydown", () => {
+  const now = performance.now();
+  if (now - lastKey > 700) ++gesture;
+  lastKey = now;
+}, true);
 const kMostSteps = 200;
 const kStorage = "solidnoise-studio";
 
-// Makes a new state; changes with one tag that follow each other quickly are undone together.
-export function commit(next: State, tag: string): void {
-  const now = performance.now();
-  if (tag !== lastTag || now - lastTime > kCoalesce) {
+// Makes a new state; changes with one tag in one gesture are undone together.
+export function commit(next: State, kind: string): void {
+  const tag = `${kind} ${gesture}`;
+  if (tag !== lastTag) {
     past.push(state.value);
     if (past.length > kMostSteps) past.shift();
   }
   future = [];
   lastTag = tag;
-  lastTime = now;
   show(next);
 }
 

@@ -6,11 +6,13 @@ import { after, before, test } from "node:test";
 import { chromium } from "playwright-core";
 import { serve } from "../serve.mjs";
 import { recipes, textOf } from "./recipes.mjs";
-import { folder, root, sliceByTool, vdbnoise } from "./tools.mjs";
+import { root, sliceByTool, vdbnoise } from "./tools.mjs";
 
 // A sub-folder of the host, as many pages are.
-const pictures = process.env.STUDIO_PICTURES ?? join(root, "build/studio-pictures");
+const pictures = join(root, "build/studio-pictures");
 mkdirSync(pictures, { recursive: true });
+const kInDocs = ["slice", "compare", "volume", "surface", "example"];
+const folderOf = (name) => (process.env.STUDIO_PICTURES && kInDocs.includes(name) ? process.env.STUDIO_PICTURES : pictures);
 let server;
 let browser;
 let address;
@@ -56,7 +58,7 @@ async function open(hash = "", options = {}) {
 }
 const sharp = (page) => page.waitForFunction(() => globalThis.sharp > 0 && document.querySelector('figcaption [data-sharp="true"]'), null, kPatience);
 const recipeOf = async (page) => JSON.parse(await page.inputValue("textarea"));
-const picture = (page, name) => page.screenshot({ path: join(pictures, `${name}.jpg`), type: "jpeg", quality: 88 });
+const picture = (page, name) => page.screenshot({ path: join(folderOf(name), `${name}.jpg`), type: "jpeg", quality: 88 });
 const wellOf = async (page) => {
   assert.deepEqual(page.troubles, []);
   await page.context().close();
@@ -134,8 +136,8 @@ test("typing in the recipe changes the controls; what is wrong is shown at its l
   const text = await area.inputValue();
   await area.fill(text.replace('"bandwidth": 1.0', '"bandwidth": -1'));
   await page.waitForSelector(".recipe .problem");
-  assert.match(await page.textContent(".recipe .problem"), /^line 7: noise\.bandwidth is -1/);
-  assert.equal(await page.textContent(".gutter .wrong"), "7");
+  assert.match(await page.textContent(".recipe .problem"), /^line 8: noise\.bandwidth is -1/);
+  assert.equal(await page.textContent(".gutter .wrong"), "8");
   await picture(page, "error");
   await area.fill(text.replace('"bandwidth": 1.0', '"bandwidth": 2.25'));
   await page.waitForSelector(".recipe .problem", { state: "detached" });
@@ -231,6 +233,29 @@ test("a photograph becomes a noise, whose spectrum is changed by hand", async ()
   await wellOf(page);
 });
 
+test("a photograph of forty megapixels is made smaller on its way", async () => {
+  const page = await open();
+  await page.click('[role=tab]:text-is("By example")');
+  await page.selectOption("label:has-text('Side') select", "128");
+  await page.evaluate(async () => {
+    const canvas = new OffscreenCanvas(8000, 5000);
+    const context = canvas.getContext("2d");
+    for (let i = 0; i < 4000; ++i) {
+      context.fillStyle = `hsl(${(i * 47) % 60} 40% ${20 + ((i * 31) % 60)}%)`;
+      context.fillRect((i * 7919) % 8000, (i * 104729) % 5000, 400, 120);
+    }
+    const blob = await canvas.convertToBlob({ type: "image/jpeg" });
+    const files = new DataTransfer();
+    files.items.add(new File([blob], "large.jpg", { type: "image/jpeg" }));
+    const input = document.querySelector('input[aria-label="A photograph"]');
+    input.files = files.files;
+    input.dispatchEvent(new Event("change", { bubbles: true }));
+  });
+  await page.waitForSelector(".workbench", { timeout: 240_000 });
+  assert.match(await page.textContent(".report"), /^128 x 80 pixels/);
+  await wellOf(page);
+});
+
 test("a file that is no photograph is refused in a line", async () => {
   const page = await open();
   await page.click('[role=tab]:text-is("By example")');
@@ -267,6 +292,5 @@ test("what it took is written down", async () => {
   writeFileSync(join(root, "build/studio-times.json"), JSON.stringify(times));
   assert.ok(times.start > 0);
   assert.ok(readFileSync(join(root, "build/studio/size.json"), "utf8").includes("gzipped"));
-  void folder;
   await wellOf(page);
 });

@@ -16,6 +16,7 @@ export const recipes = {
   "oriented octaves": { noise: oriented({ frequency: 2, octaves: 5 }) },
   kensler: { noise: { type: "kensler", frequency: 6 } },
   "kensler octaves": { noise: { type: "kensler", frequency: 3, octaves: 4 } },
+  cellular: { noise: { type: "cellular", frequency: 5 } },
   "four dimensions": { noise: { type: "gabor", frequency: 3 }, dims: 4, time: 0.25 },
   periodic: { noise: { type: "gabor", frequency: 4, period: [2, 2, 2, 0] } },
   moved: { noise: { type: "gabor", frequency: 4 }, offset: [100000, -3, 0.5] },

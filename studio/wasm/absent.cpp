@@ -1,4 +1,5 @@
-// What the page has not: grids, of which recipes are refused before (refuse_files() in recipes.cpp), and meshes that OpenMesh reads.
+// What the page has not: grids, of which recipes are refused before (refuse_files() in recipes.cpp), and
+// meshes that OpenMesh reads.
 
 #include <stdexcept>
 
@@ -35,7 +36,8 @@ MeshReading read_om(std::string_view, const std::string& name) {
 }
 
 RefinedMesh refine_by_openmesh(const PolygonMesh&, const std::vector<double>&, const RefineOptions&) {
-  throw std::invalid_argument("refine.method: the page refines by \"own\"; meshnoise has OpenMesh's methods, too");
+  throw std::invalid_argument(
+      "refine.method: the page refines by \"own\"; meshnoise has OpenMesh's methods, too");
 }
 RefinedMesh subdivide_by_openmesh(const PolygonMesh& mesh, int, const RefineOptions& options) {
   return refine_by_openmesh(mesh, {}, options);

@@ -1,14 +1,15 @@
-// The C interface of the page: a question in JSON, with the bytes of a file where one goes with it, an answer in JSON, with arrays.
+// The C interface of the page: a question in JSON, with the bytes of a file where one goes with it, an answer
+// in JSON, with arrays.
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <emscripten/emscripten.h>
 #include <exception>
 #include <span>
 #include <string>
 
-#include <emscripten/emscripten.h>
 #include <nlohmann/json.hpp>
 
 #include "commands.h"
@@ -17,10 +18,10 @@ namespace solidnoise::studio {
 namespace {
 
 constexpr NamedCommand kCommands[] = {
-    {"fields", describe_fields},      {"check", check_recipe},           {"edit", edit_recipe},
-    {"slice", make_slice},            {"spectrum", make_spectrum},       {"volume", make_volume_values},
-    {"light", light_volume},          {"mesh", load_mesh},               {"bake", bake_mesh},
-    {"fit", fit_example},             {"version", draw_version},         {"texture", draw_example},
+    {"fields", describe_fields},    {"check", check_recipe},     {"edit", edit_recipe},
+    {"slice", make_slice},          {"spectrum", make_spectrum}, {"volume", make_volume_values},
+    {"light", light_volume},        {"mesh", load_mesh},         {"bake", bake_mesh},
+    {"fit", fit_example},           {"version", draw_version},   {"texture", draw_example},
     {"edit example", edit_example},
 };
 
@@ -53,7 +54,8 @@ EMSCRIPTEN_KEEPALIVE void release(void* memory) {
   std::free(memory);
 }
 
-// Answers a question, a text that ends with a 0; the answer is one, too. Errors are {"error": "what is wrong"}.
+// Answers a question, a text that ends with a 0; the answer is one, too. Errors are {"error": "what is
+// wrong"}.
 EMSCRIPTEN_KEEPALIVE const char* ask(const char* question, const unsigned char* bytes, std::size_t count) {
   answer = {};
   try {

@@ -19,8 +19,8 @@ struct Answer {
   std::vector<std::vector<float>> floats{};
 };
 
-// One thing that can be asked. Throws std::invalid_argument and std::runtime_error; what they say is for people.
-// `bytes` are those of a file or a picture that goes with the question.
+// One thing that can be asked. Throws std::invalid_argument and std::runtime_error; what they say is for
+// people. `bytes` are those of a file or a picture that goes with the question.
 using Command = Answer (*)(const Json& question, std::span<const unsigned char> bytes);
 struct NamedCommand {
   std::string_view name;

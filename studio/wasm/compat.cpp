@@ -1,12 +1,11 @@
 #include "compat.h"
 
+#include <boost/math/special_functions/bessel.hpp>
+#include <boost/math/special_functions/beta.hpp>
 #include <cerrno>
 #include <cmath>
 #include <cstdlib>
 #include <string>
-
-#include <boost/math/special_functions/bessel.hpp>
-#include <boost/math/special_functions/beta.hpp>
 
 namespace std {
 namespace {
@@ -32,7 +31,8 @@ namespace {
 
 // The C library's, whose locale is always "C" here; it would take blanks and a plus before the number, too.
 template <typename Number>
-from_chars_result read_number(const char* first, const char* last, Number& value, Number (*read)(const char*, char**)) {
+from_chars_result read_number(const char* first, const char* last, Number& value,
+                              Number (*read)(const char*, char**)) {
   const string text(first, last);
   if (text.empty() || text[0] == '+' || isspace(static_cast<unsigned char>(text[0]))) {
     return {first, errc::invalid_argument};

@@ -42,7 +42,8 @@ Exemplar<2> exemplar_of(const Json& question, std::span<const unsigned char> byt
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
     image.pixels[i] = static_cast<float>(bytes[i / 3 * 4 + i % 3]) / 255.0f;
   }
-  return exemplar_of_image(image, {.pixel_size = question.at("pixel"), .raw_values = question.value("raw", false)},
+  return exemplar_of_image(image,
+                           {.pixel_size = question.at("pixel"), .raw_values = question.value("raw", false)},
                            "the photograph");
 }
 
@@ -83,7 +84,10 @@ const std::map<std::string, Edit>& edits() {
       {"magnitude", [](auto& s, const Json& e) { scale_magnitude(s, group_of(e), e.at("by")); }},
       {"bandwidth", [](auto& s, const Json& e) { scale_bandwidth(s, group_of(e), e.at("by")); }},
       {"remove", [](auto& s, const Json& e) { remove_group(s, e.at("group")); }},
-      {"move", [](auto& s, const Json& e) { component_at(s, e).frequency = {e.at("to")[0].get<double>(), e.at("to")[1].get<double>(), 0.0}; }},
+      {"move",
+       [](auto& s, const Json& e) {
+         component_at(s, e).frequency = {e.at("to")[0].get<double>(), e.at("to")[1].get<double>(), 0.0};
+       }},
       {"variance", [](auto& s, const Json& e) { component_at(s, e).variance *= e.at("by").get<double>(); }},
       {"drop", drop},
       {"add", [](auto& s, const Json& e) {
@@ -96,8 +100,8 @@ const std::map<std::string, Edit>& edits() {
 }
 
 bool has_group(const GaborSpectrum& spectrum, const Json& edit) {
-  return !edit.contains("group") ||
-         std::find(spectrum.groups.begin(), spectrum.groups.end(), edit.at("group").get<std::string>()) != spectrum.groups.end();
+  return !edit.contains("group") || std::find(spectrum.groups.begin(), spectrum.groups.end(),
+                                              edit.at("group").get<std::string>()) != spectrum.groups.end();
 }
 
 }  // namespace
@@ -113,8 +117,10 @@ Answer fit_example(const Json& question, std::span<const unsigned char> bytes) {
   options.raw_values = question.value("raw", false);
   PageProgress progress;
   const ExemplarFit<2> fit = fit_exemplar<2>(std::span(&exemplar, 1), options, &progress);
-  Json json{{"exemplar", to_json(fit.model)}, {"report", describe_shortly(fit, 0.0)}, {"warnings", Json::array()}};
-  for (const std::string& warning : test_gaussianity(exemplar.channels.front()).warnings) json["warnings"].push_back(warning);
+  Json json{
+      {"exemplar", to_json(fit.model)}, {"report", describe_shortly(fit, 0.0)}, {"warnings", Json::array()}};
+  for (const std::string& warning : test_gaussianity(exemplar.channels.front()).warnings)
+    json["warnings"].push_back(warning);
   return {json};
 }
 
@@ -130,8 +136,9 @@ Answer draw_example(const Json& question, std::span<const unsigned char>) {
   const glm::ivec2 count(question.at("width").get<int>(), question.at("height").get<int>());
   const Vec<2> step(question.at("pixel").get<double>());
   const std::uint64_t seed = question.value("seed", std::uint64_t{1});
-  return picture_of(question.value("sparse", false) ? gaussian_texture(model, count, step, seed)
-                                                    : procedural_texture(model, count, step, Vec<3>(0.0), seed),
+  return picture_of(question.value("sparse", false)
+                        ? gaussian_texture(model, count, step, seed)
+                        : procedural_texture(model, count, step, Vec<3>(0.0), seed),
                     model.raw_values);
 }
 

@@ -1,5 +1,3 @@
-#include "commands.h"
-
 #include <cmath>
 #include <memory>
 #include <stdexcept>
@@ -7,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "commands.h"
 #include "solidnoise/image/color.h"
 #include "solidnoise/mesh/bake_recipe_json.h"
 #include "solidnoise/recipe/json_reader.h"
@@ -18,7 +17,8 @@ namespace {
 
 void refuse_files(const VolumeRecipe& recipe) {
   const auto refuse = [](const std::string& what) {
-    throw std::invalid_argument(what + " needs a file, which the page cannot read: run vdbnoise --recipe recipe.json --out out.vdb");
+    throw std::invalid_argument(
+        what + " needs a file, which the page cannot read: run vdbnoise --recipe recipe.json --out out.vdb");
   };
   if (recipe.modification) refuse("on: a grid that exists");
   if (std::holds_alternative<MeshShape>(recipe.shape)) refuse("domain.shape: a mesh");
@@ -49,7 +49,8 @@ Json describe_grid(const VolumeRecipe& grid) {
 }
 
 Json describe(const VolumeRecipe& recipe) {
-  Json json{{"grids", Json::array()}, {"changes", recipe.dims == 4 || evolves(recipe) || recipe.wind != Vec<3>(0.0)}};
+  Json json{{"grids", Json::array()},
+            {"changes", recipe.dims == 4 || evolves(recipe) || recipe.wind != Vec<3>(0.0)}};
   for (const VolumeRecipe& grid : recipes_of_grids(recipe)) json["grids"].push_back(describe_grid(grid));
   const Box<3>& box = recipe.box;
   json["box"] = {box.lower.x, box.lower.y, box.lower.z, box.upper.x, box.upper.y, box.upper.z};
@@ -70,8 +71,11 @@ bool is_of_surface(const std::string& text) {
 Answer described(const std::string& text) {
   if (is_of_surface(text)) {
     const BakeRecipe recipe = read_bake_recipe(text);
-    return {Json{{"kind", "surface"}, {"recipe", format_json(to_json(recipe))}, {"changes", recipe.changes_with_time()},
-                 {"grids", Json::array()}, {"box", {-1, -1, -1, 1, 1, 1}}}};
+    return {Json{{"kind", "surface"},
+                 {"recipe", format_json(to_json(recipe))},
+                 {"changes", recipe.changes_with_time()},
+                 {"grids", Json::array()},
+                 {"box", {-1, -1, -1, 1, 1, 1}}}};
   }
   const VolumeRecipe recipe = read_recipe(text);
   Json json = describe(recipe);
@@ -99,7 +103,8 @@ VolumeRecipe grid_of_question(const Json& question) {
 }
 
 Answer describe_fields(const Json&, std::span<const unsigned char>) {
-  Answer answer{Json{{"volume", volume_recipe_schema()}, {"surface", bake_recipe_schema()}, {"ramps", ramp_names()}}};
+  Answer answer{
+      Json{{"volume", volume_recipe_schema()}, {"surface", bake_recipe_schema()}, {"ramps", ramp_names()}}};
   for (const std::string_view name : ramp_names()) {
     const ColorRamp ramp = parse_color_ramp(name);
     std::vector<float>& colors = answer.floats.emplace_back();
@@ -115,8 +120,9 @@ Answer check_recipe(const Json& question, std::span<const unsigned char>) {
   return described(question.at("recipe"));
 }
 
-// "edits": {"path": ["noise", "frequency"], "value": 4}, in order; without a value the key is removed. With "keep", a list of keys,
-// those that the object has stay, as where another type takes the place of one. The value is text, so that no number loses digits.
+// "edits": {"path": ["noise", "frequency"], "value": 4}, in order; without a value the key is removed. With
+// "keep", a list of keys, those that the object has stay, as where another type takes the place of one. The
+// value is text, so that no number loses digits.
 Answer edit_recipe(const Json& question, std::span<const unsigned char>) {
   Json recipe = parse_json(question.at("recipe").get<std::string>());
   for (const Json& edit : question.at("edits")) {

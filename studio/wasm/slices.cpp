@@ -43,8 +43,9 @@ bool is_plain(const VolumeRecipe& grid) {
          (is_scalar(grid) || (colors && grid.layers.empty()));
 }
 
-// How a picture shows the values: "low" and "high" are black and white, "colors" are in linear light or "encoded", "vector" is one whose
-// length counts. Without "low" it is the least and the greatest of the picture.
+// How a picture shows the values: "low" and "high" are black and white, "colors" are in linear light or
+// "encoded", "vector" is one whose length counts. Without "low" it is the least and the greatest of the
+// picture.
 Json shown_of(const VolumeRecipe& grid, const SliceSubject& subject) {
   const auto* const raw = std::get_if<RawShaping>(&grid.shaping);
   if (!raw) return {{"low", 0.0}, {"high", 1.0}};
@@ -75,7 +76,8 @@ SliceSubject make_subject(const Json& question) {
     slice.color = grid.output == std::vector{Output::color};
     if (slice.color) slice.recipe.output = {Output::value};
     subject.plain = make_slice_fields(slice);
-    if (const ExemplarModel* const exemplar = exemplar_of_colors(grid); exemplar && slice.color) subject.exemplar = *exemplar;
+    if (const ExemplarModel* const exemplar = exemplar_of_colors(grid); exemplar && slice.color)
+      subject.exemplar = *exemplar;
   }
   if (subject.plain.empty()) {
     const VolumePlan plan = plan_in_box(grid, subject.plane.pixel);
@@ -126,9 +128,9 @@ SlicePlane plane_of(const Json& json) {
 const SliceSubject& subject_of(const Json& question) {
   static std::string known;
   static SliceSubject subject;
-  const std::string key =
-      Json{question.at("recipe"), question.value("grid", ""), question.value("time", Json()), question.at("plane")}
-          .dump();
+  const std::string key = Json{question.at("recipe"), question.value("grid", ""),
+                               question.value("time", Json()), question.at("plane")}
+                              .dump();
   if (key != known) {
     known.clear();
     subject = make_subject(question);
@@ -137,7 +139,8 @@ const SliceSubject& subject_of(const Json& question) {
   return subject;
 }
 
-// A tile of pixels, "first" to "count" in columns and rows from the bottom; column by column, as vdbnoise has them.
+// A tile of pixels, "first" to "count" in columns and rows from the bottom; column by column, as vdbnoise has
+// them.
 Answer make_slice(const Json& question, std::span<const unsigned char>) {
   const SliceSubject& subject = subject_of(question);
   const Json& first = question.at("first");
@@ -170,7 +173,8 @@ Answer make_slice(const Json& question, std::span<const unsigned char>) {
     for (std::size_t i = 0; i < pixels; ++i) {
       const std::array<double, 3> values{answer.floats[0][i], answer.floats[1][i], answer.floats[2][i]};
       const Vec<3> color = subject.exemplar->color(values);
-      for (std::size_t c = 0; c < 3; ++c) answer.floats[c][i] = static_cast<float>(color[static_cast<int>(c)]);
+      for (std::size_t c = 0; c < 3; ++c)
+        answer.floats[c][i] = static_cast<float>(color[static_cast<int>(c)]);
     }
   }
   return answer;

@@ -14,8 +14,8 @@
 
 namespace solidnoise::studio {
 
-// The spectrum of a slice: its periodogram as densities, frequency 0 in the middle, rows from the bottom; its mean over directions, and
-// beside it what the noise's closed form says of it, where there is one.
+// The spectrum of a slice: its periodogram as densities, frequency 0 in the middle, rows from the bottom; its
+// mean over directions, and beside it what the noise's closed form says of it, where there is one.
 Answer make_spectrum(const Json& question, std::span<const unsigned char> bytes) {
   Json whole = question;
   whole["first"] = {0, 0};
@@ -57,7 +57,8 @@ Answer make_spectrum(const Json& question, std::span<const unsigned char> bytes)
   if (!grid.layers.empty()) return answer;
   const std::shared_ptr<const Noise<3>> noise = make_volume_noise(grid);
   const auto plane = on_plane(noise, {subject.plane.position(0, 0), subject.plane.right, subject.plane.up});
-  // The mean over directions at the middles of the bins, a half-circle of them, as a density is even; one where all are alike.
+  // The mean over directions at the middles of the bins, a half-circle of them, as a density is even; one
+  // where all are alike.
   const auto density = [&](double frequency, double angle) {
     return plane->power_spectrum({frequency * std::cos(angle), frequency * std::sin(angle)});
   };

@@ -36,8 +36,8 @@ Answer load_mesh(const Json& question, std::span<const unsigned char> bytes) {
   return {Json{{"vertices", loaded.positions.size()}, {"faces", loaded.face_count()}}};
 }
 
-// Positions, normals and colours in linear light of the baked mesh, three numbers a vertex, and its triangles' vertices, whole numbers in
-// the bits of the floats.
+// Positions, normals and colours in linear light of the baked mesh, three numbers a vertex, and its
+// triangles' vertices, whole numbers in the bits of the floats.
 Answer bake_mesh(const Json& question, std::span<const unsigned char>) {
   BakeRecipe recipe = read_bake_recipe(question.at("recipe"));
   if (question.contains("time")) recipe.noise.time = question.at("time");

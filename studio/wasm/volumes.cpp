@@ -21,12 +21,14 @@ struct Preview {
 const Preview& preview_of(const Json& question) {
   static std::string known;
   static Preview preview;
-  const std::string key =
-      Json{question.at("recipe"), question.value("grid", ""), question.value("time", Json()), question.at("dim")}.dump();
+  const std::string key = Json{question.at("recipe"), question.value("grid", ""),
+                               question.value("time", Json()), question.at("dim")}
+                              .dump();
   if (key != known) {
     known.clear();
     preview.grid = timed_grid(question);
-    preview.plan = plan_in_box(preview.grid, voxel_size_for_dim(preview.grid.box, question.at("dim").get<int>()));
+    preview.plan =
+        plan_in_box(preview.grid, voxel_size_for_dim(preview.grid.box, question.at("dim").get<int>()));
     preview.field = within_shape(make_volume_field(preview.grid, preview.plan).field, preview.grid);
     known = key;
   }
@@ -35,8 +37,8 @@ const Preview& preview_of(const Json& question) {
 
 }  // namespace
 
-// Values of the first channel in the slab of voxels "first" to first + "count" along x, z fastest. The answer says how many there are
-// in all.
+// Values of the first channel in the slab of voxels "first" to first + "count" along x, z fastest. The answer
+// says how many there are in all.
 Answer make_volume_values(const Json& question, std::span<const unsigned char>) {
   const Preview& preview = preview_of(question);
   Lattice<3> lattice = preview.plan.frame.lattice(preview.plan.voxels);
@@ -64,8 +66,9 @@ Answer make_volume_values(const Json& question, std::span<const unsigned char>) 
   return answer;
 }
 
-// Densities of "size" voxels as bytes of floats, scaled as the recipe's volume would be, and the optical depth from each voxel to a sun
-// in the direction "sun": layer by layer away from it, each from the one before, where the ray to the sun meets it.
+// Densities of "size" voxels as bytes of floats, scaled as the recipe's volume would be, and the optical
+// depth from each voxel to a sun in the direction "sun": layer by layer away from it, each from the one
+// before, where the ray to the sun meets it.
 Answer light_volume(const Json& question, std::span<const unsigned char> bytes) {
   const VolumeRecipe grid = timed_grid(question);
   const Json& size = question.at("size");
@@ -133,7 +136,8 @@ Answer light_volume(const Json& question, std::span<const unsigned char> bytes) 
           const auto at = static_cast<std::size_t>(before + cx * stride[u] + cy * stride[v]);
           total += weight * (depth[at] + step * density[at]);
         }
-        depth[static_cast<std::size_t>(k * stride[main] + i * stride[u] + j * stride[v])] = static_cast<float>(total);
+        depth[static_cast<std::size_t>(k * stride[main] + i * stride[u] + j * stride[v])] =
+            static_cast<float>(total);
       }
     }
   }

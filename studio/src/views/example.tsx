@@ -152,7 +152,7 @@ export function ExampleView(): JSX.Element {
               return (
                 <fieldset key={group}><legend>{group}</legend>
                   <GroupSlider label="Strength" value={now.magnitude} low={0} high={3} step={0.01} write={(magnitude) => change(group, { magnitude })} />
-                  <GroupSlider label="Scale" value={now.scale} low={0.25} high={4} step={0.01} write={(scale) => change(group, { scale })} />
+                  <GroupSlider label="Scale" value={Math.log2(now.scale)} shown={now.scale} low={-2} high={2} step={0.02} write={(octaves) => change(group, { scale: Number((2 ** octaves).toPrecision(4)) })} />
                   <GroupSlider label="Angle" value={now.rotate} low={-180} high={180} step={1} write={(rotate) => change(group, { rotate })} />
                 </fieldset>
               );
@@ -168,13 +168,13 @@ export function ExampleView(): JSX.Element {
   );
 }
 
-function GroupSlider({ label, value, low, high, step, write }: { label: string; value: number; low: number; high: number; step: number; write: (value: number) => void }): JSX.Element {
+function GroupSlider({ label, value, shown = value, low, high, step, write }: { label: string; value: number; shown?: number; low: number; high: number; step: number; write: (value: number) => void }): JSX.Element {
   return (
     <label class="row"><span class="name">{label}</span>
       <span class="slide" style={{ "--t": `${(100 * (value - low)) / (high - low)}%` }}>
         <input type="range" min={low} max={high} step={step} value={value} onInput={(event) => write(Number(event.currentTarget.value))} />
       </span>
-      <output class="number">{Number(value.toFixed(2))}</output>
+      <output class="number">{Number(shown.toFixed(2))}</output>
     </label>
   );
 }

@@ -99,7 +99,7 @@ void main() {
         float direct = 0.0, weight = 1.0, thin = 1.0;
         for (int k = 0; k < 4; ++k) { direct += weight * exp(-depth * thin); weight *= 0.5; thin *= 0.3; }
         vec3 ambient = mix(vec3(0.16, 0.20, 0.27), vec3(0.30, 0.40, 0.55), 0.5 + 0.5 * p.y / halfSides.y);
-        vec3 here = vec3(1.0, 0.92, 0.80) * direct * 0.66 * mix(1.0, forwardLobe, 0.5) + ambient * 0.42;
+        vec3 here = vec3(1.0, 0.92, 0.80) * direct * 0.56 * mix(1.0, forwardLobe, 0.5) + ambient * 0.42;
         sum += through * absorbed * here;
       }
       through *= 1.0 - absorbed;
@@ -161,7 +161,8 @@ export class VolumeRenderer {
     const radius = 0.5 * Math.hypot(...data.sides);
     // With the Z axis up the world is turned about x.
     const turned = (v: readonly number[]): number[] => (data.up === 2 ? [v[0]!, -v[2]!, v[1]!] : [...v]);
-    const eye = orbit.eye().map((x) => x * radius);
+    // A body fills its box, a cloud the middle of it.
+    const eye = orbit.eye().map((x) => x * radius * (data.look === "solid" ? 1.35 : 1));
     const { right, up, forward } = lookAt(eye);
     gl.uniform3fv(at("eye"), turned(eye));
     gl.uniform3fv(at("right"), turned(right));
