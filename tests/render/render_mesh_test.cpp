@@ -75,6 +75,39 @@ TEST(RenderMesh, IsBrighterAboveThanBelow) {
   EXPECT_GT(z_up.at(36, 24, 1), 1.5f * z_up.at(60, 80, 1));
 }
 
+// A grey of half the code's range looks like one; white is not burnt out.
+TEST(RenderMesh, ShowsColorsAsBrightAsTheyAre) {
+  constexpr float kMiddleGrey = 0.2140f;  // 0.5 in sRGB
+  const Image grey = Ball().picture(Color(kMiddleGrey));
+  EXPECT_NEAR(grey.at(40, 34, 1), 0.5f, 0.06f);  // between what faces the sun and what faces the camera
+  const Image white = Ball().picture(Color(1.0f));
+  int burnt = 0;
+  for (int y = 0; y < white.height; ++y) {
+    for (int x = 0; x < white.width; ++x) burnt += white.at(x, y, 1) > 0.99f;
+  }
+  EXPECT_LT(burnt, 96 * 96 / 100);
+}
+
+// A black ball, of which the ground shows a shadow, to the right: the sun is on the left.
+TEST(RenderMesh, CastsAShadowOnTheGround) {
+  const Image picture = Ball().picture(Color(0.0f), {.width = 96, .height = 96, .elevation = 40.0});
+  EXPECT_LT(picture.at(90, 70, 1), 0.8f * picture.at(5, 70, 1));
+}
+
+TEST(RenderMesh, TurnsTheCamera) {
+  Ball ball;
+  std::vector<Color> colors;  // red in front of +z, blue behind
+  for (const Vec<3>& p : ball.mesh.positions)
+    colors.emplace_back(p.z > 0.0 ? Color(1, 0, 0) : Color(0, 0, 1));
+  const auto middle = [&](double turn) {
+    const Image picture =
+        render_mesh(ball.mesh, ball.normals, colors, {.width = 96, .height = 96, .turn = turn});
+    return picture.at(48, 48, 0) - picture.at(48, 48, 2);
+  };
+  EXPECT_GT(middle(0.0), 0.2f);
+  EXPECT_LT(middle(180.0), -0.2f);
+}
+
 TEST(RenderMesh, DoesNotDependOnTheNumberOfThreads) {
   const Image many = Ball().picture({0.5f, 0.4f, 0.3f});
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);

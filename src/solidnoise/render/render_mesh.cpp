@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <tbb/parallel_for.h>
 
 #include "solidnoise/core/check.h"
@@ -22,9 +23,10 @@ constexpr int kSubpixels = 3;          // along each side of a pixel
 constexpr int kSkyRays = 6;            // per subpixel
 constexpr float kLeastShadow = 2e-4f;  // of the mesh's radius: nearer than this nothing casts a shadow
 
-const Color kSun(1.9f, 1.8f, 1.65f);
-const Color kSky(0.62f, 0.66f, 0.72f);
-const Color kGround(0.22f, 0.2f, 0.18f);
+// Sun and sky make 1 on what faces the sky at 45 degrees from the sun.
+const Color kSun(1.02f, 0.97f, 0.89f);
+const Color kSky(0.33f, 0.35f, 0.385f);
+const Color kGround(0.12f, 0.11f, 0.1f);
 const Color kBackgroundLow(0.62f, 0.62f, 0.62f);
 const Color kBackgroundHigh(0.34f, 0.36f, 0.39f);
 
@@ -36,11 +38,16 @@ struct View {
   glm::vec3 back;
 };
 
-View three_quarter_view(UpAxis axis) {
+View view_of(const MeshPictureOptions& options) {
+  constexpr double kThreeQuarters = 28.8;  // degrees to the right of the front
   View view;
-  view.vertical = axis == UpAxis::y ? glm::vec3(0, 1, 0) : glm::vec3(0, 0, 1);
-  const glm::vec3 front = axis == UpAxis::y ? glm::vec3(0, 0, 1) : glm::vec3(0, -1, 0);
-  view.back = glm::normalize(0.55f * glm::cross(view.vertical, front) + 0.32f * view.vertical + front);
+  view.vertical = options.up == UpAxis::y ? glm::vec3(0, 1, 0) : glm::vec3(0, 0, 1);
+  const glm::vec3 front = options.up == UpAxis::y ? glm::vec3(0, 0, 1) : glm::vec3(0, -1, 0);
+  const glm::vec3 side = glm::cross(view.vertical, front);
+  const auto turn = static_cast<float>(glm::radians(kThreeQuarters + options.turn));
+  const auto elevation = static_cast<float>(glm::radians(options.elevation));
+  view.back = std::cos(elevation) * (std::cos(turn) * front + std::sin(turn) * side) +
+              std::sin(elevation) * view.vertical;
   view.right = glm::normalize(glm::cross(view.vertical, view.back));
   view.up = glm::cross(view.back, view.right);
   return view;
@@ -52,7 +59,7 @@ struct Camera {
   glm::vec3 position{0.0f};
   glm::vec2 tangent{1.0f};
 
-  Camera(const MeshScene& scene, const MeshPictureOptions& options) : view(three_quarter_view(options.up)) {
+  Camera(const MeshScene& scene, const MeshPictureOptions& options) : view(view_of(options)) {
     const auto shorter = static_cast<float>(std::min(options.width, options.height));
     tangent = kTangent / shorter * glm::vec2(options.width, options.height);
     glm::vec3 low(1e9f);
@@ -108,7 +115,15 @@ class Shader {
         normals_(normals),
         colors_(colors),
         vertical_(view.vertical),
-        sun_(glm::normalize(-0.75f * view.right + 0.75f * view.vertical + 0.55f * view.back)) {}
+        sun_(glm::normalize(-0.75f * view.right + 0.75f * view.vertical + 0.55f * view.back)) {
+    for (const Triangle& triangle : scene.triangles()) {
+      for (const std::uint32_t vertex : triangle) {
+        const float height = glm::dot(scene.positions()[vertex], vertical_);
+        ground_ = std::min(ground_, height);
+        top_ = std::max(top_, height);
+      }
+    }
+  }
 
   // Linear light that comes back along the ray. `sample` is the number of the picture's subpixel.
   Color shade(const MeshScene::Ray& ray, const MeshScene::Hit& hit, unsigned sample) const {
@@ -132,6 +147,18 @@ class Shader {
     return color * light;
   }
 
+  // What is left of the light on the ground where the ray meets it, of what there is without the mesh.
+  Color ground_shadow(const MeshScene::Ray& ray, unsigned sample) const {
+    const float fall = -glm::dot(ray.direction, vertical_);
+    const float height = glm::dot(ray.origin, vertical_) - ground_;
+    if (!(fall > 1e-3f && height > 0.0f) || ground_ >= top_) return Color(1.0f);
+    const glm::vec3 at = ray.origin + height / fall * ray.direction + kLeastShadow * vertical_;
+    const Color sun = glm::dot(vertical_, sun_) * kSun;
+    Color light = sky_light(at, vertical_, sample);
+    if (!scene_.blocked({at, sun_}, kLeastShadow)) light += sun;
+    return light / (sun + open_sky(vertical_, sample));
+  }
+
  private:
   glm::vec3 facet_normal(const Triangle& triangle) const {
     const auto positions = scene_.positions();
@@ -141,8 +168,19 @@ class Shader {
     return length > 0.0f ? cross / length : vertical_;
   }
 
-  // From directions that are spread as the cosine to the normal.
   Color sky_light(const glm::vec3& at, const glm::vec3& normal, unsigned sample) const {
+    return sky_light(normal, sample, [&](const glm::vec3& direction) {
+      return scene_.blocked({at, direction}, kLeastShadow);
+    });
+  }
+  // The same where nothing is in the way.
+  Color open_sky(const glm::vec3& normal, unsigned sample) const {
+    return sky_light(normal, sample, [](const glm::vec3&) { return false; });
+  }
+
+  // From directions that are spread as the cosine to the normal.
+  template <typename Blocked>
+  Color sky_light(const glm::vec3& normal, unsigned sample, const Blocked& blocked) const {
     const auto [first, second] = tangents_of(normal);
     Color sum(0.0f);
     for (unsigned k = 0; k < kSkyRays; ++k) {
@@ -152,7 +190,7 @@ class Shader {
       const float width = std::sqrt(1.0f - height);
       const glm::vec3 direction =
           width * (std::cos(turn) * first + std::sin(turn) * second) + std::sqrt(height) * normal;
-      if (scene_.blocked({at, direction}, kLeastShadow)) continue;
+      if (blocked(direction)) continue;
       sum += glm::mix(kGround, kSky, 0.5f + 0.5f * glm::dot(direction, vertical_));
     }
     return sum / static_cast<float>(kSkyRays);
@@ -163,6 +201,8 @@ class Shader {
   std::span<const Color> colors_;
   glm::vec3 vertical_;
   glm::vec3 sun_;
+  float ground_ = 1e9f;  // the heights of the lowest and the highest triangle's corners
+  float top_ = -1e9f;
 };
 
 // Highlights are rolled off above 0.7, then encoded.
@@ -186,6 +226,7 @@ Image render_mesh(const PolygonMesh& mesh, std::span<const Vec<3>> normals, std:
                   const MeshPictureOptions& options) {
   require_in_range("the picture's width", options.width, 16, 8192, "pixels");
   require_in_range("the picture's height", options.height, 16, 8192, "pixels");
+  require_in_range("the camera's elevation", options.elevation, -85.0, 85.0, "degrees");
   require_size("normals", normals.size(), mesh.positions.size());
   require_size("colors", colors.size(), mesh.positions.size());
 
@@ -206,7 +247,8 @@ Image render_mesh(const PolygonMesh& mesh, std::span<const Vec<3>> normals, std:
         const auto hit = scene.nearest(ray);
         const auto sample = static_cast<unsigned>((y * options.width + x) * kSubpixels * kSubpixels + sub);
         sum += hit ? shader.shade(ray, *hit, sample)
-                   : glm::mix(kBackgroundLow, kBackgroundHigh, 0.5f + 0.5f * at.y);
+                   : glm::mix(kBackgroundLow, kBackgroundHigh, 0.5f + 0.5f * at.y) *
+                         shader.ground_shadow(ray, sample);
       }
       for (int channel = 0; channel < 3; ++channel) {
         image.at(x, y, channel) = develop(sum[channel] / static_cast<float>(kSubpixels * kSubpixels));
