@@ -37,9 +37,9 @@ TEST(ReadObj, ReadsPositionsAndFacesAndSkipsEverythingElse) {
   EXPECT_EQ(face(reading.mesh, 0), (std::vector<std::uint32_t>{0, 1, 2}));
   EXPECT_TRUE(reading.mesh.properties.empty());
   EXPECT_EQ(reading.comments, std::vector<std::string>{"a comment"});
-  EXPECT_EQ(reading.notes,
-            (std::vector<std::string>{"normals of the faces' corners are dropped",
-                                      "texture coordinates are dropped", "1 lines or points are dropped"}));
+  EXPECT_EQ(reading.notes, (std::vector<std::string>{
+                               "normals of the faces' corners are dropped", "texture coordinates are dropped",
+                               "1 lines or points are dropped", "groups and materials are dropped"}));
 }
 
 TEST(ReadObj, KeepsPolygonsAndCutsThemIntoFansOnDemand) {

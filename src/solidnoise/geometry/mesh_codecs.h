@@ -1,10 +1,13 @@
 #pragma once
 
+#include <cstddef>
 #include <iosfwd>
+#include <span>
 #include <string>
 #include <string_view>
 
 #include "solidnoise/geometry/mesh_file.h"
+#include "solidnoise/geometry/number_writer.h"
 
 namespace solidnoise {
 
@@ -22,5 +25,13 @@ void write_obj(std::ostream& stream, const PolygonMesh& mesh, const MeshWriteOpt
 void write_off(std::ostream& stream, const PolygonMesh& mesh, const MeshWriteOptions& options);
 void write_stl(std::ostream& stream, const PolygonMesh& mesh);
 void write_om(std::ostream& stream, const PolygonMesh& mesh);
+
+// Parts of them: a PLY's head, up to its elements; what it says of vertices, and these; a line of an OBJ.
+void write_ply_start(NumberWriter& out, const MeshWriteOptions& options);
+void write_ply_vertex_header(NumberWriter& out, const PolygonMesh& mesh);
+void write_ply_vertices(NumberWriter& out, const PolygonMesh& mesh, PlyEncoding encoding);
+void write_obj_vertex(NumberWriter& out, const PolygonMesh& mesh,
+                      std::span<const VertexProperty* const> colors, std::size_t vertex);
+void write_obj_normal(NumberWriter& out, std::span<const VertexProperty* const> parts, std::size_t normal);
 
 }  // namespace solidnoise

@@ -16,6 +16,7 @@
 
 #include "solidnoise/core/input_file.h"
 #include "solidnoise/geometry/mesh_codecs.h"
+#include "solidnoise/geometry/read_points.h"
 
 namespace solidnoise {
 namespace {
@@ -71,19 +72,12 @@ MeshReading read_format(std::string_view bytes, MeshFormat format, const std::st
   throw std::invalid_argument("unknown mesh format");
 }
 
-}  // namespace
-
-MeshReading read_mesh(const std::filesystem::path& path) {
-  const MeshFormat format = mesh_format(path);
-  return read_mesh(read_file(path, kMostBytes), format, path.string());
-}
-
-MeshReading read_mesh(std::string_view bytes, MeshFormat format, const std::string& name) {
+MeshReading read_bytes(std::string_view bytes, MeshFormat format, const std::string& name, Faces faces) {
   if (bytes.empty()) throw std::runtime_error(fmt::format("{}: the file is empty", name));
   MeshReading reading = read_format(bytes, format, name);
   const PolygonMesh& mesh = reading.mesh;
   if (mesh.positions.empty()) throw std::runtime_error(fmt::format("{}: the mesh has no vertices", name));
-  if (mesh.face_count() == 0) {
+  if (mesh.face_count() == 0 && faces == Faces::required) {
     throw std::runtime_error(
         fmt::format("{}: the mesh has {} vertices but no faces", name, mesh.positions.size()));
   }
@@ -91,6 +85,21 @@ MeshReading read_mesh(std::string_view bytes, MeshFormat format, const std::stri
     throw std::runtime_error(fmt::format("{}: the mesh has more than 2^32 corners of faces", name));
   }
   return reading;
+}
+
+}  // namespace
+
+MeshReading read_mesh(const std::filesystem::path& path) {
+  return read_mesh(path, Faces::required);
+}
+
+MeshReading read_mesh(const std::filesystem::path& path, Faces faces) {
+  const MeshFormat format = mesh_format(path);
+  return read_bytes(read_file(path, kMostBytes), format, path.string(), faces);
+}
+
+MeshReading read_mesh(std::string_view bytes, MeshFormat format, const std::string& name) {
+  return read_bytes(bytes, format, name, Faces::required);
 }
 
 namespace {

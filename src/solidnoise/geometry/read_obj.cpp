@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <initializer_list>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -36,12 +38,15 @@ class ObjReader {
         has_texture_coordinates_ = true;
       } else if (keyword == "l" || keyword == "p") {
         ++lines_and_points_;
+      } else if (is_any_of(keyword, {"g", "o", "s", "usemtl", "mtllib"})) {
+        has_parts_ = true;
       }
     }
     add_colors();
     add_normals();
     if (has_texture_coordinates_) note("texture coordinates are dropped");
     if (lines_and_points_ > 0) note(fmt::format("{} lines or points are dropped", lines_and_points_));
+    if (has_parts_) note("groups and materials are dropped");
     return std::move(reading_);
   }
 
@@ -176,6 +181,10 @@ class ObjReader {
     lines_.refuse(fmt::format("face {}: {}", reading_.mesh.face_count() + 1, what));
   }
 
+  static bool is_any_of(std::string_view word, std::initializer_list<std::string_view> words) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+  }
+
   void note(std::string text) { reading_.notes.push_back(std::move(text)); }
 
   TextLines lines_;
@@ -190,6 +199,7 @@ class ObjReader {
   std::vector<Vec<3>> normals_;
   bool normals_of_vertices_ = true;
   bool has_texture_coordinates_ = false;
+  bool has_parts_ = false;
 };
 
 }  // namespace

@@ -52,21 +52,6 @@ CornerTypes corner_types(const PolygonMesh& mesh) {
   return types;
 }
 
-void write_header(NumberWriter& out, const PolygonMesh& mesh, const MeshWriteOptions& options,
-                  const CornerTypes& types) {
-  out.text(fmt::format("ply\nformat {} 1.0\n", encoding_name(options.ply)));
-  write_comments(out, "comment", options.comments);
-  out.text(fmt::format("element vertex {}\n", mesh.positions.size()));
-  for (const char axis : {'x', 'y', 'z'}) {
-    out.text(fmt::format("property {} {}\n", ply_type_name(stored_position_type(mesh)), axis));
-  }
-  for (const VertexProperty& property : mesh.properties) {
-    out.text(fmt::format("property {} {}\n", ply_type_name(property.type), property.name));
-  }
-  out.text(fmt::format("element face {}\nproperty list {} {} vertex_indices\nend_header\n", mesh.face_count(),
-                       ply_type_name(types.count), ply_type_name(types.index)));
-}
-
 // Puts the values of a row one after the other, and ends it.
 class RowWriter {
  public:
@@ -92,19 +77,41 @@ class RowWriter {
 
 }  // namespace
 
-void write_ply(std::ostream& stream, const PolygonMesh& mesh, const MeshWriteOptions& options) {
-  const bool big = options.ply == PlyEncoding::binary_big_endian;
-  NumberWriter out(stream, big ? std::endian::big : std::endian::little);
-  const CornerTypes types = corner_types(mesh);
-  write_header(out, mesh, options, types);
+void write_ply_start(NumberWriter& out, const MeshWriteOptions& options) {
+  out.text(fmt::format("ply\nformat {} 1.0\n", encoding_name(options.ply)));
+  write_comments(out, "comment", options.comments);
+}
 
-  RowWriter row(out, options.ply);
+void write_ply_vertex_header(NumberWriter& out, const PolygonMesh& mesh) {
+  out.text(fmt::format("element vertex {}\n", mesh.positions.size()));
+  for (const char axis : {'x', 'y', 'z'}) {
+    out.text(fmt::format("property {} {}\n", ply_type_name(stored_position_type(mesh)), axis));
+  }
+  for (const VertexProperty& property : mesh.properties) {
+    out.text(fmt::format("property {} {}\n", ply_type_name(property.type), property.name));
+  }
+}
+
+void write_ply_vertices(NumberWriter& out, const PolygonMesh& mesh, PlyEncoding encoding) {
+  RowWriter row(out, encoding);
   const ScalarType position_type = stored_position_type(mesh);
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     for (int axis = 0; axis < 3; ++axis) row.put(mesh.positions[v][axis], position_type);
     for (const VertexProperty& property : mesh.properties) row.put(property.values[v], property.type);
     row.end();
   }
+}
+
+void write_ply(std::ostream& stream, const PolygonMesh& mesh, const MeshWriteOptions& options) {
+  const bool big = options.ply == PlyEncoding::binary_big_endian;
+  NumberWriter out(stream, big ? std::endian::big : std::endian::little);
+  const CornerTypes types = corner_types(mesh);
+  write_ply_start(out, options);
+  write_ply_vertex_header(out, mesh);
+  out.text(fmt::format("element face {}\nproperty list {} {} vertex_indices\nend_header\n", mesh.face_count(),
+                       ply_type_name(types.count), ply_type_name(types.index)));
+  write_ply_vertices(out, mesh, options.ply);
+  RowWriter row(out, options.ply);
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
     const auto face = mesh.face(f);
     row.put(static_cast<double>(face.size()), types.count);
@@ -114,33 +121,38 @@ void write_ply(std::ostream& stream, const PolygonMesh& mesh, const MeshWriteOpt
   out.finish();
 }
 
+void write_obj_vertex(NumberWriter& out, const PolygonMesh& mesh,
+                      std::span<const VertexProperty* const> colors, std::size_t vertex) {
+  out.text("v");
+  for (int axis = 0; axis < 3; ++axis) {
+    out.text(" ");
+    out.decimal(mesh.positions[vertex][axis]);
+  }
+  for (std::size_t c = 0; c < colors.size() && c < 3; ++c) {
+    out.text(" ");
+    out.finite_decimal(unit_color(*colors[c], vertex), ScalarType::float32);
+  }
+  out.text("\n");
+}
+
+void write_obj_normal(NumberWriter& out, std::span<const VertexProperty* const> parts, std::size_t normal) {
+  out.text("vn");
+  for (const VertexProperty* part : parts) {
+    out.text(" ");
+    out.finite_decimal(part->values[normal], part->type);
+  }
+  out.text("\n");
+}
+
 void write_obj(std::ostream& stream, const PolygonMesh& mesh, const MeshWriteOptions& options) {
   NumberWriter out(stream);
   write_comments(out, "#", options.comments);
 
   const std::vector<const VertexProperty*> colors = color_channels(mesh);
-  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-    out.text("v");
-    for (int axis = 0; axis < 3; ++axis) {
-      out.text(" ");
-      out.decimal(mesh.positions[v][axis]);
-    }
-    for (std::size_t c = 0; c < colors.size() && c < 3; ++c) {
-      out.text(" ");
-      out.finite_decimal(unit_color(*colors[c], v), ScalarType::float32);
-    }
-    out.text("\n");
-  }
-
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) write_obj_vertex(out, mesh, colors, v);
   const std::vector<const VertexProperty*> normals = normal_parts(mesh);
-  for (std::size_t v = 0; v < mesh.positions.size() && !normals.empty(); ++v) {
-    out.text("vn");
-    for (const VertexProperty* part : normals) {
-      out.text(" ");
-      out.finite_decimal(part->values[v], part->type);
-    }
-    out.text("\n");
-  }
+  for (std::size_t v = 0; v < mesh.positions.size() && !normals.empty(); ++v)
+    write_obj_normal(out, normals, v);
 
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
     if (mesh.face(f).empty()) continue;
