@@ -1,6 +1,7 @@
 // All of the component recipe: JSON and its schema from tables of fields.
 #pragma once
 
+#include "solidnoise/recipe/exemplar_file.h"
 #include "solidnoise/recipe/exemplar_model_json.h"
 #include "solidnoise/recipe/field_json.h"
 #include "solidnoise/recipe/json.h"

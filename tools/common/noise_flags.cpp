@@ -16,7 +16,7 @@
 #include "solidnoise/core/check.h"
 #include "solidnoise/core/printable.h"
 #include "solidnoise/noise/registry/noise_entries.h"
-#include "solidnoise/recipe/exemplar_model_json.h"
+#include "solidnoise/recipe/exemplar_file.h"
 #include "solidnoise/recipe/noise_recipe_json.h"
 
 namespace solidnoise {
@@ -37,9 +37,11 @@ void change_noise(NoiseRecipe& recipe, NoiseRecipe changed) {
 
 // The noise of an exemplar's model, which needs no octaves: it has all scales that the exemplar has.
 NoiseRecipe noise_by_example(const std::string& file) {
+  ExemplarFile example;
+  read_recipe(file, read_text_file(file), [&](const Json& json) { example = exemplar_file_of(json); });
   SpectrumNoiseOptions options;
-  read_recipe(file, read_text_file(file),
-              [&](const Json& json) { options.model = exemplar_file_from_json(json); });
+  if (const auto frequency = example.true_frequency()) options.frequency = *frequency;
+  options.model = std::move(example.model);
   return {options, {}};
 }
 

@@ -129,6 +129,8 @@ ExemplarModel exemplar_file_from_json(const Json& json) {
   auto exemplar = reader.object("exemplar");
   if (!exemplar) throw std::invalid_argument("exemplar is missing; it must be the model of an exemplar");
   const ExemplarModel model = exemplar_model_from_json(*exemplar);
+  double of_file = 0.0;  // ExemplarFile's
+  reader.read("pixel_size", of_file);
   reader.finish();
   return model;
 }
