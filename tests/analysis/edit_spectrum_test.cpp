@@ -141,5 +141,17 @@ TEST(GroupSpectrum, FindsThePartsOfAWoldDecomposition) {
   EXPECT_NO_THROW(grouped.validate());
 }
 
+TEST(EditSpectrum, SelectsComponentsByFrequencyAndDirection) {
+  GaborSpectrum spectrum;
+  spectrum.bands = {{0.1, {{{1.0, 0.1, 0.0}, 1.0}, {{-0.1, -1.0, 0.0}, 1.0}, {{0.0, 3.0, 0.0}, 1.0}}}};
+  select_group(spectrum, {}, {.from = 0.5, .to = 2.0, .direction = 90.0, .spread = 20.0}, "steep");
+  const auto& components = spectrum.bands[0].components;
+  EXPECT_EQ(spectrum.groups, (std::vector<std::string>{"all", "steep"}));
+  EXPECT_EQ(components[0].group, 0);
+  EXPECT_EQ(components[1].group, 1);  // of the opposite sign
+  EXPECT_EQ(components[2].group, 0);
+  EXPECT_THROW(select_group(spectrum, {}, {.from = 5.0, .to = 6.0}, "none"), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace solidnoise

@@ -183,10 +183,11 @@ TEST(Gaussianity, AcceptsGaussianTextures) {
     const GaussianityReport report = test_gaussianity(low_pass_field(seed));
     EXPECT_TRUE(report.warnings.empty());
     EXPECT_LT(std::abs(report.structure), 0.5);
+    EXPECT_LT(report.unevenness, 1.5);
   }
 }
 
-TEST(Gaussianity, WarnsOfBricksAndOfLopsidedValues) {
+TEST(Gaussianity, WarnsOfBricksPatchesAndLopsidedValues) {
   DenseField<2> bricks(glm::ivec2(96), Vec<2>(1.0));
   RandomStream stream(2);
   for (int x = 0; x < 96; ++x) {
@@ -200,6 +201,16 @@ TEST(Gaussianity, WarnsOfBricksAndOfLopsidedValues) {
   const GaussianityReport structured = test_gaussianity(bricks);
   EXPECT_FALSE(structured.warnings.empty());
   EXPECT_GT(std::abs(structured.structure), 1.0);
+
+  // Grain in round patches alone, as leaves have veins.
+  DenseField<2> patches = low_pass_field(3);
+  for (int x = 0; x < 96; ++x) {
+    for (int y = 0; y < 80; ++y) {
+      if (std::hypot(x % 40 - 20, y % 40 - 20) > 12.0)
+        patches.values[static_cast<std::size_t>(80 * x + y)] *= 0.2f;
+    }
+  }
+  EXPECT_GT(test_gaussianity(patches).unevenness, 2.0);
 
   DenseField<2> exponential = low_pass_field(1);
   for (float& value : exponential.values) value = std::exp(20.0f * value);

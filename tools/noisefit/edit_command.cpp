@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <functional>
 #include <iostream>
 #include <optional>
@@ -15,6 +16,10 @@
 #include "noisefit/model_file.h"
 #include "solidnoise/analysis/exemplar/describe_fit.h"
 #include "solidnoise/analysis/exemplar/edit_model.h"
+#include "solidnoise/analysis/exemplar/exemplar_sheet.h"
+#include "solidnoise/image/color.h"
+#include "solidnoise/image/drawing.h"
+#include "solidnoise/image/image_file.h"
 
 namespace solidnoise {
 namespace {
@@ -33,6 +38,7 @@ struct Operation {
 struct EditCommand : RunOptions {
   std::string in;
   std::string out;
+  std::string preview;
   GroupChoice group;
   std::optional<int> channel;
   std::vector<Operation> operations;
@@ -60,10 +66,38 @@ void declare_number(FlagSet& flags, EditCommand& command, const std::string& fla
   });
 }
 
+// The noise of a model at its exemplar's size, and that of what was made of it, of the same seed.
+Image draw_both(const ExemplarModel& before, const ExemplarFile& after) {
+  constexpr int kSide = 320;
+  constexpr int kMargin = 12;
+  constexpr std::uint64_t kSeed = 1;
+  Image sheet(2 * kSide + 3 * kMargin, kSide + 2 * kMargin, 3);
+  fill_rectangle(sheet, {0.0, 0.0, double(sheet.width), double(sheet.height)}, Color(1.0f));
+  int left = kMargin;
+  for (const ExemplarModel* const model : {&before, &after.model}) {
+    const Vec<2> step(after.pixel_size.value_or(1.0));
+    Image picture =
+        image_of_exemplar(procedural_texture(*model, glm::ivec2(kSide), step, Vec<3>(0.0), kSeed));
+    for (int y = 0; y < kSide; ++y) {
+      for (int x = 0; x < kSide; ++x) {
+        for (int c = 0; c < 3; ++c) {
+          const float value = std::clamp(picture.at(x, y, c), 0.0f, 1.0f);
+          picture.at(x, y, c) = model->raw_values ? value : srgb_from_linear(value);
+        }
+      }
+    }
+    paste(sheet, picture, left, kMargin);
+    left += kSide + kMargin;
+  }
+  return sheet;
+}
+
 void declare_flags(FlagSet& flags, EditCommand& command) {
   flags.argument("FILE", "The spectrum file", command.in);
   flags.group("Flags");
   flags.keep("--out", "FILE.json", "Where the result goes; - for the standard output", command.out);
+  flags.keep("--preview", "FILE.png", "A picture of the noise before, on the left, and after",
+             command.preview);
   flags.text("--group", "NAME", "The group to work on (default: all components)",
              [&](const std::string& name) { command.group = name; });
   flags.integer("--channel", "NUMBER", "The channel to work on, from 0 (default: all)",
@@ -74,6 +108,24 @@ void declare_flags(FlagSet& flags, EditCommand& command) {
     command.operations.push_back(
         {"--regroup", [](GaborSpectrum& spectrum, std::size_t) { spectrum = group_spectrum(spectrum); }});
   });
+  flags.numbers(
+      "--select", "FROM TO [DEGREES SPREAD]",
+      "Make the components of these frequencies, cycles per unit, and of directions within SPREAD of "
+      "DEGREES, "
+      "the group \"selected\": for --group, or to --rename",
+      [&](const std::vector<double>& v) {
+        if (v.size() != 2 && v.size() != 4) {
+          throw UsageError("--select takes two numbers or four: FROM TO [DEGREES SPREAD]");
+        }
+        ComponentSelection selection{v[0], v[1]};
+        if (v.size() == 4) {
+          selection.direction = v[2];
+          selection.spread = v[3];
+        }
+        command.operations.push_back({"--select", [selection](GaborSpectrum& spectrum, std::size_t) {
+                                        select_group(spectrum, {}, selection, "selected");
+                                      }});
+      });
   declare_number(
       flags, command, "--rotate", "DEGREES", "Turn counterclockwise (in 3D about the z axis)",
       [](GaborSpectrum& s, const GroupChoice& group, double degrees) { rotate_group(s, group, degrees); });
@@ -107,7 +159,7 @@ void declare_flags(FlagSet& flags, EditCommand& command) {
   });
   flags.text("--copy", "FILE.json", "Add --group, or all, of another file, channel by channel",
              [&](const std::string& file) {
-               const ExemplarModel from = read_model(file);
+               const ExemplarModel from = read_model(file).model;
                const auto copy = [&command, from](GaborSpectrum& s, std::size_t channel) {
                  if (channel >= from.channels.size()) return;
                  const GaborSpectrum& source = from.channels[channel];
@@ -126,19 +178,25 @@ int run_edit(const std::vector<std::string>& arguments) {
   declare_flags(flags, command);
   flags.parse(arguments);
   flags.apply();
-  if (command.out.empty()) throw UsageError("--out is missing; say where the result goes: --out new.json");
+  if (command.out.empty() && command.preview.empty()) {
+    throw UsageError("--out is missing; say where the result goes: --out new.json");
+  }
   if (command.operations.empty()) throw UsageError("there is nothing to do; say --rotate, --scale, ...");
   require_extension("--out", command.out, {".json"}, StandardOutput::allowed);
-  require_outputs({{command.out, command.in}}, command.existing(),
+  require_extension("--preview", command.preview, {".png", ".jpg", ".tif", ".exr"}, StandardOutput::refused);
+  require_outputs({{command.out, command.in}, command.preview}, command.existing(),
                   {command.in, flags.value_of("--copy").value_or("")});
 
-  ExemplarModel model = read_model(command.in);
+  ExemplarFile edited_file = read_model(command.in);
+  const ExemplarModel before = edited_file.model;
+  ExemplarModel& model = edited_file.model;
   if (command.channel &&
       (*command.channel < 0 || *command.channel >= static_cast<int>(model.channels.size()))) {
     throw UsageError(fmt::format("--channel is {}; {} has {}, from 0", *command.channel, command.in,
                                  model.channels.size()));
   }
-  const bool makes_group = flags.given("--add") || flags.given("--copy") || flags.given("--regroup");
+  const bool makes_group =
+      flags.given("--add") || flags.given("--copy") || flags.given("--regroup") || flags.given("--select");
   const EditTarget target{command.group, command.channel, makes_group};
   const bool edited = edit_model(model, target, [&](GaborSpectrum& spectrum, std::size_t channel) {
     for (const Operation& operation : command.operations) {
@@ -151,7 +209,15 @@ int run_edit(const std::vector<std::string>& arguments) {
     }
   });
   if (!edited) throw UsageError(fmt::format("{} has no group {}", command.in, *command.group));
-  write_model(command.out, model, {.existing = command.existing()});
+  OutputGroup outputs;
+  if (!command.preview.empty()) {
+    write_image(command.preview, draw_both(before, edited_file),
+                {.existing = command.existing(), .group = &outputs});
+  }
+  if (!command.out.empty()) {
+    write_model(command.out, edited_file, {.existing = command.existing(), .group = &outputs});
+  }
+  outputs.appear();
   if (!command.quiet) std::cerr << describe(model);
   return kDone;
 }

@@ -33,6 +33,7 @@ constexpr char kFitDescription[] =
 struct FitCommand : FitOptions {
   std::vector<std::string> inputs;
   ExemplarReading reading;
+  bool chooses_values = true;  // between those that are stored and linear light
   bool grey = false;
   bool solid = false;
 };
@@ -43,7 +44,18 @@ void declare_flags(FlagSet& flags, FitCommand& command) {
   declare_output_flags(flags, command,
                        "A sheet: the exemplar, its Gaussian version, the sparse spectrum, the noise");
   flags.group("The exemplar");
-  declare_fields(flags, command.reading);
+  declare_fields(flags, command.reading, {"pixel_size"});
+  const auto take = [&](bool raw) {
+    command.chooses_values = false;
+    command.reading.raw_values = raw;
+  };
+  flags.toggle(
+      "--raw-values",
+      "Take values as they are stored; without it and --linear-light, that of the two of which less is "
+      "clipped, and which is less lopsided",
+      [take] { take(true); });
+  flags.toggle("--linear-light", "Take values as linear light", [take] { take(false); });
+  flags.exclude({"--raw-values", "--linear-light"});
   flags.toggle("--grey", "Learn the brightness alone", [&] { command.grey = true; });
   declare_patch_flag(flags, command, "PIXELS");
   declare_fields(flags, command.fit);
@@ -68,6 +80,33 @@ void require_fit_cost(const FitCommand& command, const std::vector<Exemplar<2>>&
     if (!command.quiet) size.tested = std::max(size.tested, pixels);
   }
   require_fit_cost(command, size);
+}
+
+// Values as they are stored, or in linear light, as noise suits them; returns what to say of it.
+std::string choose_values(FitCommand& command, std::vector<Exemplar<2>>& exemplars) {
+  std::vector<Exemplar<2>> linear;
+  ValueFit of_stored;
+  ValueFit of_linear;
+  for (std::size_t i = 0; i < exemplars.size(); ++i) {
+    const bool is_linear = holds_linear_light(command.inputs[i]);
+    linear.push_back(is_linear ? exemplars[i] : to_linear_light(exemplars[i]));
+    const auto add = [&](const ValueFit& one, ValueFit& all) {
+      all.clipped += one.clipped / static_cast<double>(exemplars.size());
+      all.skewness += one.skewness / static_cast<double>(exemplars.size());
+    };
+    add(fit_of_values(exemplars[i]), of_stored);
+    add(fit_of_values(linear.back()), of_linear);
+    // Values above 1 are no stored ones.
+    if (is_linear) of_stored.clipped = 1e9;
+  }
+  command.reading.raw_values = prefers_stored(of_stored, of_linear);
+  if (!command.reading.raw_values) exemplars = std::move(linear);
+  const ValueFit& chosen = command.reading.raw_values ? of_stored : of_linear;
+  return fmt::format(
+      "values: {} ({:.2g} % of the noise is clipped, skewness {:.2g}); --raw-values and --linear-light "
+      "choose\n",
+      command.reading.raw_values ? "as they are stored" : "linear light", 100.0 * chosen.clipped,
+      chosen.skewness);
 }
 
 void warn_of_structure(const std::vector<Exemplar<2>>& exemplars, const std::vector<std::string>& names) {
@@ -95,7 +134,7 @@ int fit_solid(const FitCommand& command, const std::vector<Exemplar<2>>& exempla
   fit.model.raw_values = command.reading.raw_values;
   write_outputs(command, exemplars.front(), fit.model, describe_shortly(fit));
   if (command.quiet) return kDone;
-  std::cerr << describe(fit);
+  std::cerr << describe(fit) << describe_scale({fit.model, command.outputs.pixel_size});
   for (const std::string& warning : fit.channels.front().warnings) {
     std::cerr << fmt::format("noisefit: warning: {}\n", warning);
   }
@@ -113,7 +152,9 @@ int fit_planar(const FitCommand& command, const std::vector<Exemplar<2>>& exempl
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
   if (fit.interrupted) return keep_last_solution(command.outputs, fit.model);
   write_outputs(command, exemplars.front(), fit.model, describe_shortly(fit, seconds));
-  if (!command.quiet) std::cerr << describe(fit, seconds);
+  if (!command.quiet) {
+    std::cerr << describe(fit, seconds) << describe_scale({fit.model, command.outputs.pixel_size});
+  }
   return kDone;
 }
 
@@ -124,16 +165,24 @@ int run_fit(const std::vector<std::string>& arguments) {
   FlagSet flags("noisefit", kFitDescription);
   declare_flags(flags, command);
   parse_fit(flags, arguments, command);
-  command.fit.raw_values = command.reading.raw_values;
+  if (flags.given("--pixel-size")) command.outputs.pixel_size = command.reading.pixel_size;
   command.outputs.check(command.inputs);
   std::vector<Exemplar<2>> exemplars;
+  if (command.chooses_values) command.reading.raw_values = true;
   for (const std::string& input : command.inputs) {
     exemplars.push_back(read_exemplar(input, command.reading));
-    if (command.grey) make_grey(exemplars.back());
+  }
+  const std::string choice = command.chooses_values ? choose_values(command, exemplars) : std::string();
+  command.fit.raw_values = command.reading.raw_values;
+  for (Exemplar<2>& exemplar : exemplars) {
+    if (command.grey) make_grey(exemplar);
   }
   agree_on_channels(exemplars);
   require_fit_cost(command, exemplars);
-  if (!command.quiet) warn_of_structure(exemplars, command.inputs);
+  if (!command.quiet) {
+    std::cerr << choice;
+    warn_of_structure(exemplars, command.inputs);
+  }
 
   catch_interrupts();
   return command.solid ? fit_solid(command, exemplars) : fit_planar(command, exemplars);

@@ -20,11 +20,13 @@ void declare_output_flags(FlagSet& flags, FitOptions& options, const std::string
 }
 
 void declare_patch_flag(FlagSet& flags, FitOptions& options, const std::string& unit) {
-  flags.integer("--patch", unit, "Average over patches of this size; without it, as large as can be",
-                [&](int size) {
-                  require_in_range("--patch", size, 16, 1 << 20);
-                  options.fit.patch = size;
-                });
+  flags.integer(
+      "--patch", unit,
+      "Average over patches of this size; without it, as large as can be, of pictures above 384 pixels 256",
+      [&](int size) {
+        require_in_range("--patch", size, 16, 1 << 20);
+        options.fit.patch = size;
+      });
 }
 
 template <int Dim>
@@ -34,6 +36,9 @@ FitSize fit_size(const std::vector<Exemplar<Dim>>& exemplars, const FitOptions& 
   for (const Exemplar<Dim>& exemplar : exemplars) {
     size.read += static_cast<double>(exemplar.channels.size() * exemplar.shape().size());
     patch = glm::min(patch, exemplar.shape().count);
+  }
+  if (Dim == 2 && options.fit.patch == 0) {
+    for (int axis = 0; axis < Dim; ++axis) patch[axis] = patch[axis] > 384 ? 256 : patch[axis];
   }
   if (options.fit.patch > 0) patch = glm::min(patch, glm::vec<Dim, int>(options.fit.patch));
   const auto channels = static_cast<double>(exemplars.front().channels.size());

@@ -16,7 +16,8 @@ int run_info(const std::vector<std::string>& arguments) {
   flags.argument("FILE", "The file", file);
   flags.parse(arguments);
   flags.apply();
-  std::cout << describe(read_model(file));
+  const ExemplarFile exemplar = read_model(file);
+  std::cout << describe(exemplar.model) << describe_scale(exemplar);
   return kDone;
 }
 

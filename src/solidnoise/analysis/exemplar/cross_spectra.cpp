@@ -15,6 +15,8 @@ namespace {
 using Complex = std::complex<double>;
 
 constexpr int kSmallestPatch = 16;
+constexpr int kLargestWhole = 384;  // pixels of a picture that is one patch
+constexpr int kPatchOfLarge = 256;
 
 bool is_fast(int count) {
   if (count % 2 != 0) return false;
@@ -98,7 +100,9 @@ CrossSpectra<Dim> cross_spectra(std::span<const Exemplar<Dim>> exemplars, int pa
     result.count = glm::min(result.count, exemplar.shape().count);
   }
   for (int axis = 0; axis < Dim; ++axis) {
-    if (patch != 0) result.count[axis] = std::min(result.count[axis], patch);
+    const bool is_large = patch == 0 && Dim == 2 && result.count[axis] > kLargestWhole;
+    const int most = is_large ? kPatchOfLarge : patch;
+    if (most != 0) result.count[axis] = std::min(result.count[axis], most);
     result.count[axis] = fast_count(result.count[axis]);
   }
 

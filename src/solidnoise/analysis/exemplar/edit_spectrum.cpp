@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 #include "solidnoise/core/check.h"
 
@@ -166,6 +167,38 @@ void copy_group(GaborSpectrum& spectrum, const GaborSpectrum& from, const GroupC
     }
   }
   result.validate();
+  spectrum = std::move(result);
+}
+
+void select_group(GaborSpectrum& spectrum, const GroupChoice& within, const ComponentSelection& selection,
+                  const std::string& name) {
+  require_at_least("the lowest frequency", selection.from, 0.0, "cycles per unit");
+  require_in_range("the spread of directions", selection.spread, 0.0, 180.0, "degrees");
+  const bool by_direction = selection.spread < 90.0;
+  if (by_direction && spectrum.dimensions != 2) {
+    throw std::invalid_argument("components of three dimensions are selected by frequency alone");
+  }
+  if (by_direction) require_directions(spectrum, "selected by direction");
+  const int number = within ? find_group(spectrum, *within) : -1;
+  const auto is_selected = [&](const SpectrumComponent& component) {
+    const double length = glm::length(component.frequency);
+    if (number >= 0 && component.group != number) return false;
+    if (length < selection.from || length >= selection.to) return false;
+    if (!by_direction) return true;
+    const double angle = glm::degrees(std::atan2(component.frequency.y, component.frequency.x));
+    return std::abs(std::remainder(angle - selection.direction, 180.0)) <= selection.spread;
+  };
+  GaborSpectrum result = spectrum;
+  const int group = group_with(result, name);
+  int count = 0;
+  for (SpectrumBand& band : result.bands) {
+    for (SpectrumComponent& component : band.components) {
+      if (!is_selected(component)) continue;
+      component.group = group;
+      ++count;
+    }
+  }
+  if (count == 0) throw std::invalid_argument("there are no such components");
   spectrum = std::move(result);
 }
 

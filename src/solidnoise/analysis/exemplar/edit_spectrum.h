@@ -45,6 +45,18 @@ void add_component(GaborSpectrum& spectrum, double a, SpectrumComponent componen
 // Adds the components of a group (or all, each with its own group's name) of another spectrum of the same
 // kind. Groups of the same name are merged.
 void copy_group(GaborSpectrum& spectrum, const GaborSpectrum& from, const GroupChoice& group);
+// Which components, by their frequencies.
+struct ComponentSelection {
+  double from = 0.0;  // cycles per world unit, >= 0
+  double to = 0.0;    // and below this
+  double direction =
+      0.0;  // degrees counterclockwise from the first axis; either sign of a frequency is the same
+  double spread = 180.0;  // how far from it at most, degrees, 0 to 180: 90 and more are all directions
+};
+// Puts these components, of a group or of all, into a group that is made if it is not there. Throws
+// std::invalid_argument also if there are none, and for directions of isotropic or 3D spectra.
+void select_group(GaborSpectrum& spectrum, const GroupChoice& within, const ComponentSelection& selection,
+                  const std::string& name);
 // Gives a group another name; the components join the group of that name if there is one.
 void rename_group(GaborSpectrum& spectrum, const std::string& group, const std::string& name);
 

@@ -38,6 +38,23 @@ Exemplar<2> exemplar_of_image(const Image& image, const ExemplarReading& reading
 // files are linear light already. Throws std::runtime_error naming the path.
 Exemplar<2> read_exemplar(const std::filesystem::path& path, const ExemplarReading& reading = {});
 
+// Whether a file holds linear light already, by its name.
+bool holds_linear_light(const std::filesystem::path& path);
+
+// What noise of an exemplar's means and deviations is like.
+struct ValueFit {
+  double clipped = 0.0;   // share of its values that are below 0 or above 1, the mean of the channels
+  double skewness = 0.0;  // of the exemplar, the largest of its channels', which noise does not have
+};
+ValueFit fit_of_values(const Exemplar<2>& exemplar);
+
+// Whether noise of the values as they are stored is the better one, of less clipping and skewness, than that
+// of linear light: less of clipped / 0.005 + |skewness|.
+bool prefers_stored(const ValueFit& stored, const ValueFit& linear);
+
+// A stored exemplar in linear light.
+Exemplar<2> to_linear_light(Exemplar<2> stored);
+
 // The samples in the middle of a volume's third axis, looked at along it.
 Exemplar<2> middle_slice(const Exemplar<3>& volume);
 
@@ -58,6 +75,11 @@ struct GaussianityReport {
   double structure = 0.0;
   int structure_distance = 1;  // samples
   double significance = 0.0;   // of `structure`, in standard deviations of that of the Gaussian versions
+  // How much more the strength of detail varies from place to place than in the Gaussian versions, 1 for a
+  // Gaussian texture: the coefficient of variation of the energy, over a neighbourhood, of what differs from
+  // the mean of the four samples at a distance of 1, 2 or 4, over that of the versions; the second largest of
+  // the three. Shapes gather detail in some places, phases at random do not.
+  double unevenness = 1.0;
   // What to tell the user, a line each; empty for a texture that noise can match.
   std::vector<std::string> warnings;
 };

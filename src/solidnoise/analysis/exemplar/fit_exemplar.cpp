@@ -10,9 +10,11 @@
 #include <stdexcept>
 #include <vector>
 
+#include <glm/geometric.hpp>
 #include <tbb/parallel_for.h>
 
 #include "solidnoise/analysis/exemplar/edit_spectrum.h"
+#include "solidnoise/analysis/exemplar/fill_spectrum.h"
 #include "solidnoise/core/check.h"
 
 namespace solidnoise {
@@ -106,11 +108,38 @@ GaborSpectrum components_of(const GaussianAtoms& atoms, const GaussianAtoms::Coe
   return result;
 }
 
+// Makes a spectrum's variance that of the samples. Of what the periodogram has, each component takes its
+// share; what it has not, the trend from border to border that its periodic component leaves out, is of the
+// lowest frequencies, if there are any.
+template <int Dim>
+void scale_to(double variance, const PowerSpectrum<Dim>& periodogram, GaborSpectrum& spectrum) {
+  constexpr double kLowest = 4.0;  // steps of the periodogram
+  double step = 0.0;
+  for (int axis = 0; axis < Dim; ++axis) step = std::max(step, periodogram.frequency_step(axis));
+  const auto is_low = [&](const SpectrumComponent& component) {
+    return glm::length(component.frequency) < kLowest * step;
+  };
+  double low = 0.0;
+  for (const SpectrumBand& band : spectrum.bands) {
+    for (const SpectrumComponent& component : band.components)
+      low += is_low(component) ? component.variance : 0.0;
+  }
+  const double total = spectrum.variance();
+  double others = periodogram.variance() / total;
+  double lowest = low > 0.0 ? others + (variance - periodogram.variance()) / low : 0.0;
+  if (!(others > 0.0) || lowest < 0.5 * others) others = lowest = variance / total;
+  for (SpectrumBand& band : spectrum.bands) {
+    for (SpectrumComponent& component : band.components)
+      component.variance *= is_low(component) ? lowest : others;
+  }
+}
+
 }  // namespace
 
 SpectrumFitOptions SpectrumFitOptions::of_paper() {
   SpectrumFitOptions options;
   options.narrowest_band = true;
+  options.fill = false;
   return options;
 }
 
@@ -142,12 +171,15 @@ SpectrumFit fit_spectrum(const PowerSpectrum<Dim>& periodogram, double variance,
   result.interrupted = fit.interrupted;
   result.residual = fit.residual;
   result.spectrum = components_of(atoms, fit.x, scale * periodogram.cell());
+  if constexpr (Dim == 2) {
+    if (options.fill) fill_spectrum(result.spectrum, periodogram);
+  }
   const double total = result.spectrum.variance();
   result.kept_variance = total / variance;
-  for (SpectrumBand& band : result.spectrum.bands) {
+  for (const SpectrumBand& band : result.spectrum.bands) {
     result.components += static_cast<int>(band.components.size());
-    for (SpectrumComponent& component : band.components) component.variance *= variance / total;
   }
+  scale_to(variance, periodogram, result.spectrum);
   result.sparseness = result.components / static_cast<double>(grid.size());
   return result;
 }
@@ -225,11 +257,12 @@ ExemplarFit<Dim> fit_exemplar(std::span<const Exemplar<Dim>> exemplars, const Ex
   result.model.axes = channels.axes;
   result.dependence = channels.dependence;
 
+  const std::vector<PowerSpectrum<Dim>> periodograms = channel_spectra(spectra, channels);
   const double strongest = *std::max_element(channels.variances.begin(), channels.variances.end());
   result.channels.resize(channels.axes.size());
   SharedProgress shared(progress, result.channels.size());
   tbb::parallel_for(std::size_t(0), result.channels.size(), [&](std::size_t k) {
-    const PowerSpectrum<Dim> periodogram = spectra.spectrum(channels.directions[k]);
+    const PowerSpectrum<Dim>& periodogram = periodograms[k];
     if (channels.is_empty(k) || !(periodogram.variance() > 0.0)) {
       result.channels[k].spectrum = channels.empty_spectrum(Dim, periodogram.step[0]);
       return;

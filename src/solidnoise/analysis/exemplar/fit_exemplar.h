@@ -17,10 +17,12 @@ struct SpectrumFitOptions {
   // Whether there are Gaussians as narrow as one frequency of the exemplar, for textures with periodic parts.
   // Stochastic ones are better off without: such Gaussians follow the periodogram's own noise.
   bool narrowest_band = false;
+  // Whether faint, fine detail, which the sparse fit leaves out, is added by fill_spectrum(), in 2D.
+  bool fill = true;
   double gap_tolerance = 1e-2;
   int iterations_per_level = 600;
 
-  // The parameters of Galerne et al. 2012: kappa = 1/256, all bands.
+  // The parameters of Galerne et al. 2012: kappa = 1/256, all bands, nothing added.
   static SpectrumFitOptions of_paper();
 
   // Throws std::invalid_argument.

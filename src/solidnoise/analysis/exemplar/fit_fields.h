@@ -23,6 +23,7 @@ constexpr auto fields_of(std::type_identity<SpectrumFitOptions>) {
   constexpr Interval kShares{.least = 0.0, .most = 1.0, .without_least = true};
   return list_fields(
       field("kappa", &Options::kappa, kShares, "", "Fewer components against accuracy"),
+      field("fill", &Options::fill, "Add the fine detail that a sparse spectrum leaves out"),
       field("gap", &Options::gap_tolerance, kShares, "", "Duality gap at which a solution is accepted"),
       field("narrowest_band", &Options::narrowest_band,
             "Components as narrow as one frequency, for periodic textures"));
