@@ -61,7 +61,7 @@ TEST(BadMesh, HasFiniteValuesAtEveryVertex) {
       expect_unit(curvature.k1_direction);
       expect_unit(curvature.k2_direction);
       expect_unit(curvature_directions(surface, curvature, PrincipalDirection::larger, 3));
-      expect_unit(axis_directions(surface, Vec<3>(0.0, 0.0, 1.0)));
+      expect_unit(axis_directions(surface.normals(), Vec<3>(0.0, 0.0, 1.0)));
 
       const RefinedMesh refined =
           refine(mesh, std::array{0.7 * scale}, {.placement = RefineOptions::Placement::smooth});

@@ -33,7 +33,9 @@ BakeRecipe unusual_recipe() {
                .high_percentile = 99.0,
                .gamma = 0.7};
   recipe.smooth = 5;
-  recipe.direction = {.source = DirectionRecipe::Source::min_curvature, .axis = {1.0, 2.0, 3.0}, .smooth = 7};
+  recipe.smooth_radius = 0.25;
+  recipe.direction = {
+      .source = DirectionRecipe::Source::min_curvature, .axis = Vec<3>(1.0, 2.0, 3.0), .smooth = 7};
   recipe.ramp = "0:#000,1:#fff";
   recipe.contrast = 1.3;
   recipe.refine = {.mode = RefineRecipe::Mode::rounds, .rounds = 2, .method = RefineOptions::Method::sqrt3};
@@ -111,9 +113,16 @@ TEST(BakeRecipe, RefusesWhatIsOutOfRange) {
   EXPECT_EQ(refused([](BakeRecipe& r) { r.contrast = 0.0; }).substr(0, 13), "contrast is 0");
 }
 
-TEST(BakeRecipe, TheDefaultFrequencyShowsOnTheMesh) {
-  EXPECT_DOUBLE_EQ(default_frequency(2.0, 1e-4, 1.5), 12.0);        // fine mesh: 24 features along it
-  EXPECT_DOUBLE_EQ(default_frequency(2.0, 0.1, 1.5), 0.45 / 0.15);  // coarse one: half a cycle per edge
+TEST(BakeRecipe, FrequenciesAreOfTheBoxOrOfTheFeaturesSize) {
+  BakeRecipe recipe;
+  recipe.detail = {0.5, 2.0};
+  EXPECT_EQ(frequencies_of(recipe, 2.0), (ParameterRange{6.0, 24.0}));  // 24 features along the box
+  recipe.feature_size = 0.1;
+  EXPECT_EQ(frequencies_of(recipe, 2.0), (ParameterRange{5.0, 20.0}));
+  recipe.frequency = ParameterRange{3.0, 4.0};
+  recipe.detail = {};
+  EXPECT_EQ(message_of<std::invalid_argument>([&] { recipe.validate(); }),
+            "feature_size has no effect where there is a frequency; leave one of them out");
 }
 
 }  // namespace

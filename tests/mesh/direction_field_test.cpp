@@ -39,7 +39,7 @@ void expect_unit_tangents(const SurfaceMesh& surface, const std::vector<Vec<3>>&
 TEST(AxisDirections, AreTheAxisInTheTangentPlane) {
   const SurfaceMesh sphere(sphere_mesh(2.0, {.n = 15, .jitter = 0.3}));
   const Vec<3> axis(0.3, -2.0, 0.9);
-  const std::vector<Vec<3>> directions = axis_directions(sphere, axis);
+  const std::vector<Vec<3>> directions = axis_directions(sphere.normals(), axis);
   expect_unit_tangents(sphere, directions);
   for (std::size_t v = 0; v < directions.size(); ++v) {
     const Vec<3>& normal = sphere.normals()[v];
@@ -50,8 +50,8 @@ TEST(AxisDirections, AreTheAxisInTheTangentPlane) {
 
 TEST(AxisDirections, AreSomewhereWhereTheAxisIsAlongTheNormal) {
   const SurfaceMesh plane(graph_mesh(1.0, {.n = 4}, [](double, double) { return 0.0; }));
-  expect_unit_tangents(plane, axis_directions(plane, Vec<3>(0.0, 0.0, 5.0)));
-  EXPECT_EQ(message_of<std::invalid_argument>([&] { axis_directions(plane, Vec<3>(0.0)); }),
+  expect_unit_tangents(plane, axis_directions(plane.normals(), Vec<3>(0.0, 0.0, 5.0)));
+  EXPECT_EQ(message_of<std::invalid_argument>([&] { axis_directions(plane.normals(), Vec<3>(0.0)); }),
             "the axis is 0 0 0; it must be finite and not 0");
 }
 

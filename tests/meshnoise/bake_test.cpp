@@ -81,8 +81,8 @@ TEST(Bake, ReadsEveryFormatAsTheSameSurface) {
     ASSERT_EQ(same.size(), noise.size()) << format;
     for (std::size_t v = 0; v < noise.size(); ++v) {
       // The decimals of a text are those of a float, and stand for another double: by 6e-8 at most here,
-      // times slopes of the noise and of its bias that stay below 100.
-      ASSERT_NEAR(same[v], noise[v], 1e-5) << format << ' ' << v;
+      // times slopes of the noise, of up to 80 cycles per unit, and of its bias that stay below 1000.
+      ASSERT_NEAR(same[v], noise[v], 6e-5) << format << ' ' << v;
     }
   }
 }

@@ -117,10 +117,16 @@ TEST(Meshnoise, ShowsItsProgressOnATerminalUnlessQuiet) {
 
 TEST(Meshnoise, WarnsOfAliasing) {
   const TemporaryFolder folder;
-  EXPECT_FALSE(
-      contains(run_well(folder, {"bake", "in.ply", "--out", "a.ply", "--detail", "1"}).err, "warning"));
+  EXPECT_FALSE(contains(
+      run_well(folder, {"bake", "in.ply", "--out", "a.ply", "--detail", "0.1", "--octaves", "1"}).err,
+      "warning"));
   const ToolResult coarse = run_well(folder, {"bake", "in.ply", "--out", "b.ply", "--frequency", "100"});
   EXPECT_TRUE(contains(coarse.err, "cycles per edge")) << coarse.err;
+  EXPECT_TRUE(contains(coarse.err, "million vertices") && contains(coarse.err, "use --refine auto"))
+      << coarse.err;
+  const ToolResult limited = run_well(folder, {"bake", "in.ply", "--out", "c.ply", "--frequency", "100",
+                                               "--refine", "auto", "--refine-budget", "2000"});
+  EXPECT_TRUE(contains(limited.err, "raise --refine-budget")) << limited.err;
 }
 
 // The mean curvature of a torus of radii 1 and 0.4 is 0.5 (1 / 0.4 + cos / (1 + 0.4 cos)), from 0.42 to 1.61.

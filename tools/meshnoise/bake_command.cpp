@@ -50,6 +50,9 @@ void check_consistency(const FlagSet& flags, const BakeRecipe& recipe) {
   if (recipe.refine.mode == RefineRecipe::Mode::off) {
     flags.refuse({"--refine-shape", "--refine-method"}, "has no effect without --refine");
   }
+  if (recipe.refine.mode != RefineRecipe::Mode::automatic) {
+    flags.refuse({"--refine-budget"}, "has no effect without --refine auto");
+  }
   const std::string lacks =
       fmt::format("does not apply to --noise {}", name_of(kSurfaceNoiseChoices, recipe.noise.kind));
   if (!has_bandwidth(recipe.noise.kind)) flags.refuse({"--bandwidth"}, lacks);
@@ -60,11 +63,11 @@ void check_consistency(const FlagSet& flags, const BakeRecipe& recipe) {
 }
 
 void check_sequence(const FlagSet& flags, const std::string& in, const BakeOptions& options) {
-  if (!options.rest.empty() && options.recipe.refine.mode != RefineRecipe::Mode::off) {
+  if (options.has_rest() && options.recipe.refine.mode != RefineRecipe::Mode::off) {
     throw UsageError(
         "--rest is a mesh of the same vertices; leave --refine out, or refine both meshes before");
   }
-  if (!options.rest.empty() && options.recipe.displace != 0.0) {
+  if (options.has_rest() && options.recipe.displace != 0.0) {
     throw UsageError("--rest does not go with --displace, which moves vertices from where they are at rest");
   }
   if (options.frames.empty()) {
@@ -108,6 +111,10 @@ void check_outputs(const FlagSet& flags, const std::string& in, const BakeOption
     throw UsageError("--keep has no effect where --out is no .ply or .om, which alone hold such numbers");
   }
   if (!options.preview.empty()) require_preview(options.preview);
+  if (options.preview.empty()) {
+    flags.refuse({"--preview-size", "--preview-turn", "--preview-elevation"},
+                 "has no effect without --preview");
+  }
   require_extension("--write-recipe", options.write_recipe, {".json"}, StandardOutput::allowed);
   const std::string recipe = flags.value_of("--recipe").value_or("");
   const std::string noise = flags.value_of("--noise").value_or("");
@@ -115,8 +122,23 @@ void check_outputs(const FlagSet& flags, const std::string& in, const BakeOption
                   {in, recipe, noise, options.rest});
 }
 
-void print_plan(const BakePlan& plan, const std::string& steered_by) {
-  constexpr double kHighestCyclesPerEdge = 0.5;
+// And what showing all of the noise would cost.
+void warn_of_aliasing(const BakePlan& plan, RefineRecipe::Mode refine) {
+  if (plan.mean_cycles_per_edge <= kHighestCyclesPerEdge) return;
+  const std::string cost =
+      std::isfinite(plan.vertices_to_show)
+          ? fmt::format("takes about {:.2g} million vertices and {:.2g} GB", 1e-6 * plan.vertices_to_show,
+                        1e-9 * bake_memory(plan.vertices_to_show, 2.0 * plan.vertices_to_show))
+          : fmt::format("takes more than {:.0f} million vertices", 1e-6 * kMostCounted);
+  const bool is_automatic = refine == RefineRecipe::Mode::automatic;
+  std::cerr << fmt::format(
+      "meshnoise: warning: the noise reaches {:.2f} cycles per edge, above 0.5, and will alias; to show all "
+      "of "
+      "it {}: {}, or make the features larger (--detail, --feature-size, --frequency), or --octaves fewer\n",
+      plan.mean_cycles_per_edge, cost, is_automatic ? "raise --refine-budget" : "use --refine auto");
+}
+
+void print_plan(const BakePlan& plan, const std::string& steered_by, RefineRecipe::Mode refine) {
   constexpr std::size_t kBarWidth = 50;
   if (!plan.guides.numbers.empty()) {
     std::cerr << fmt::format("{}: {:.4g} to {:.4g}, ranges from {:.4g} to {:.4g}\n", steered_by,
@@ -124,13 +146,7 @@ void print_plan(const BakePlan& plan, const std::string& steered_by) {
                              plan.guides.steering.high)
               << draw_histogram(plan.guides.steering, kBarWidth);
   }
-  if (plan.mean_cycles_per_edge > kHighestCyclesPerEdge) {
-    std::cerr << fmt::format(
-        "meshnoise: warning: the noise reaches {:.2f} cycles per edge, above 0.5, and will alias; use "
-        "--refine auto, or make "
-        "--frequency or --detail lower, or --octaves fewer\n",
-        plan.mean_cycles_per_edge);
-  }
+  warn_of_aliasing(plan, refine);
 }
 
 // The mesh then goes through itself.
@@ -153,14 +169,14 @@ void warn_of_displacement(const BakedMesh& baked, const BakePlan& plan, double d
 }
 
 void write_baked(const BakedMesh& baked, const BakeOptions& options, std::vector<std::string> comments,
-                 Progress* progress, OutputGroup* group) {
+                 const std::string& source, Progress* progress, OutputGroup* group) {
   MeshWriteOptions write;
   for (std::string& comment : recipe_comments(options.recipe)) comments.push_back(std::move(comment));
   write.comments = std::move(comments);
   write.existing = options.existing();
   write.progress = progress;
   write.group = group;
-  write_output_mesh(options.out, baked.mesh, write);
+  write_output_mesh(options.out, baked.mesh, write, source);
 }
 
 // Those of an earlier bake are replaced by ours.
@@ -180,7 +196,8 @@ std::string steering_name(const Steering& steering) {
 }
 
 MeshReading read_mesh_to_bake(const std::string& in, const BakeOptions& options) {
-  MeshReading reading = read_input_mesh(in, options.quiet ? Notes::keep_quiet : Notes::print);
+  MeshReading reading =
+      read_input_mesh(in, options.quiet ? Notes::keep_quiet : Notes::print, Faces::optional);
   const Steering& by = options.recipe.by;
   const bool by_attribute = options.recipe.steers() && by.source == SteeringSource::attribute;
   if (!by_attribute || reading.mesh.property(by.attribute)) return reading;
@@ -191,14 +208,43 @@ MeshReading read_mesh_to_bake(const std::string& in, const BakeOptions& options)
                   names.empty() ? "no numbers" : fmt::format("{}", fmt::join(names, ", "))));
 }
 
+// What points without faces have not.
+void warn_of_points(const PolygonMesh& mesh, const std::string& in, const BakeOptions& options) {
+  if (mesh.face_count() > 0 || options.quiet) return;
+  std::cerr << fmt::format("meshnoise: {}: {} points without faces: no curvature to follow{}\n", in,
+                           mesh.positions.size(),
+                           options.preview.empty() ? "" : ", and nothing in the preview");
+}
+
+// Those that numbers of the vertices say: NAME_x, NAME_y and NAME_z, or NAMEx, NAMEy and NAMEz.
+std::vector<Vec<3>> rest_positions(const PolygonMesh& mesh, const std::string& in, const std::string& name) {
+  std::vector<Vec<3>> positions(mesh.positions.size());
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::string plain = name + "xyz"[axis];
+    const VertexProperty* property = mesh.property(name + '_' + "xyz"[axis]);
+    if (!property) property = mesh.property(plain);
+    if (!property) {
+      throw std::runtime_error(
+          fmt::format("{}: --rest-property is {}; its vertices have no number {}_{} or {}", in, name, name,
+                      "xyz"[axis], plain));
+    }
+    for (std::size_t v = 0; v < positions.size(); ++v) positions[v][axis] = property->values[v];
+  }
+  return positions;
+}
+
 // Gives a mesh the positions that its vertices have at rest; returns it as it was.
 PolygonMesh put_to_rest(PolygonMesh& mesh, const std::string& in, const BakeOptions& options) {
-  const PolygonMesh rest = read_input_mesh(options.rest, Notes::keep_quiet).mesh;
+  PolygonMesh deformed = mesh;
+  if (!options.rest_property.empty()) {
+    mesh.positions = rest_positions(mesh, in, options.rest_property);
+    return deformed;
+  }
+  const PolygonMesh rest = read_input_mesh(options.rest, Notes::keep_quiet, Faces::optional).mesh;
   if (rest.positions.size() != mesh.positions.size()) {
     throw std::runtime_error(fmt::format("{}: --rest has {} vertices; {} has {}", options.rest,
                                          rest.positions.size(), in, mesh.positions.size()));
   }
-  PolygonMesh deformed = mesh;
   mesh.positions = rest.positions;
   return deformed;
 }
@@ -236,11 +282,15 @@ void bake_file(const std::string& in, const BakeOptions& options) {
   options.times->begin("reading");
   MeshReading reading = read_mesh_to_bake(in, options);
   if (options.out.empty() && options.preview.empty()) return write_recipe(options, nullptr);
+  const bool keeps = keeps_the_rest(in, options.out) && has_rest(reading) &&
+                     options.recipe.refine.mode == RefineRecipe::Mode::off;
+  if (!keeps && !options.quiet) print_dropped(in, reading);
+  warn_of_points(reading.mesh, in, options);
   std::optional<PolygonMesh> deformed;
-  if (!options.rest.empty()) deformed = put_to_rest(reading.mesh, in, options);
+  if (options.has_rest()) deformed = put_to_rest(reading.mesh, in, options);
   options.times->begin("plan");
   const BakePlan plan = plan_within(std::move(reading.mesh), options);
-  if (!options.quiet) print_plan(plan, steering_name(options.recipe.by));
+  if (!options.quiet) print_plan(plan, steering_name(options.recipe.by), options.recipe.refine.mode);
 
   TaskProgress progress(options.visibility());
   options.times->begin("noise");
@@ -255,14 +305,15 @@ void bake_file(const std::string& in, const BakeOptions& options) {
   progress.begin("writing");
   std::optional<Image> preview;
   if (!options.preview.empty()) {
-    preview = render_mesh_preview(baked.mesh, baked.normals, baked.colors, options.recipe.up);
+    preview = render_mesh_preview(baked.mesh, baked.normals, baked.colors, options.recipe.up, options.view);
   }
   throw_if_cancelled(&progress);
   OutputGroup outputs;
   if (preview) write_image(options.preview, *preview, {.existing = options.existing(), .group = &outputs});
   write_recipe(options, &outputs);
   if (!options.out.empty()) {
-    write_baked(baked, options, foreign_comments(reading.comments), &progress, &outputs);
+    write_baked(baked, options, foreign_comments(reading.comments), keeps ? in : std::string(), &progress,
+                &outputs);
   }
   outputs.appear();
   options.times->begin("end");
@@ -297,7 +348,7 @@ int run_bake(const std::vector<std::string>& arguments) {
       const BakeOptions one =
           options.frames.empty() ? options : options_of_frame(options, options.frames.front(), in);
       MeshReading reading = read_mesh_to_bake(in, one);
-      if (!one.rest.empty()) put_to_rest(reading.mesh, in, one);
+      if (one.has_rest()) put_to_rest(reading.mesh, in, one);
       std::cout << format_json(describe_bake(plan_within(std::move(reading.mesh), one), one.recipe));
     } else if (options.frames.empty()) {
       check_outputs(flags, in, options);

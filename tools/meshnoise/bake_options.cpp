@@ -21,7 +21,7 @@
 #include "solidnoise/image/color.h"
 #include "solidnoise/mesh/bake_mesh.h"
 #include "solidnoise/mesh/bake_recipe_json.h"
-#include "solidnoise/recipe/exemplar_model_json.h"
+#include "solidnoise/recipe/exemplar_file.h"
 
 namespace solidnoise {
 
@@ -101,6 +101,7 @@ void declare_output(FlagSet& flags, BakeOptions& options) {
       options.out);
   flags.keep("--preview", "FILE.png", "A picture of the mesh in its colours, rendered by Embree",
              options.preview);
+  declare_fields(flags, options.view);
   declare_fields<RunOptions>(flags, options, {"force"});
   flags.text("--keep", "NAMES",
              fmt::format("Numbers to put into a .ply or .om, with commas between: {}",
@@ -115,9 +116,12 @@ void take_example(BakeRecipe& recipe, const std::string& file) {
   recipe.noise = {};
   recipe.noise.kind = SurfaceNoiseKind::spectrum;
   recipe.noise.seed = seed;
-  read_recipe(file, read_text_file(file),
-              [&](const Json& json) { recipe.noise.exemplar = exemplar_file_from_json(json); });
+  ExemplarFile example;
+  read_recipe(file, read_text_file(file), [&](const Json& json) { example = exemplar_file_of(json); });
   recipe.frequency.reset();
+  if (const auto frequency = example.true_frequency()) recipe.frequency = {*frequency, *frequency};
+  recipe.feature_size.reset();
+  recipe.noise.exemplar = std::move(example.model);
   recipe.detail = recipe.bandwidth = recipe.magnitude = {1.0, 1.0};
   recipe.bias = {0.0, 0.0};
   recipe.ramp = kExemplarRamp;
@@ -146,6 +150,7 @@ void declare_noise(FlagSet& flags, BakeRecipe& recipe) {
       [&](const std::string& noise) { choose_noise(recipe, noise); });
   declare_field(flags, recipe, "frequency", [&](const std::optional<ParameterRange>& range) {
     recipe.frequency = range;
+    recipe.feature_size.reset();
     recipe.detail = {};
   });
   flags.add({"--size", FlagForm<ParameterRange>::names({}),
@@ -156,13 +161,19 @@ void declare_noise(FlagSet& flags, BakeRecipe& recipe) {
                  require_in_range("--size", size, 1e-9, 1e9, "world units");
                }
                recipe.frequency = ParameterRange{1.0 / range.from, 1.0 / range.to};
+               recipe.feature_size.reset();
                recipe.detail = {};
              }});
+  declare_field(flags, recipe, "feature_size", [&](const std::optional<double>& size) {
+    recipe.frequency.reset();
+    recipe.feature_size = size;
+  });
   declare_field(flags, recipe, "detail", [&](const ParameterRange& range) {
     recipe.frequency.reset();
     recipe.detail = range;
   });
   flags.exclude({"--frequency", "--size", "--detail"});
+  flags.exclude({"--frequency", "--size", "--feature-size"});
   declare_fields(flags, recipe, {"bandwidth", "magnitude", "bias"});
   declare_fields(flags, recipe.noise);
 }
@@ -206,6 +217,7 @@ void declare_look(FlagSet& flags, BakeRecipe& recipe) {
   declare_fields(flags, recipe, {"contrast", "displace"});
   flags.text("--refine", "auto|N", "Split edges until the noise shows on the mesh, or N times (default off)",
              [&](const std::string& text) { set_refine(recipe.refine, text); });
+  declare_as(flags, "--refine-budget", recipe.refine, "budget", &RefineRecipe::budget);
   declare_as(flags, "--refine-method", recipe.refine, "method", &RefineRecipe::method);
   declare_as(flags, "--refine-shape", recipe.refine, "placement", &RefineRecipe::placement);
 }
@@ -227,6 +239,10 @@ void declare_bake_flags(FlagSet& flags, BakeOptions& options) {
   flags.keep("--rest", "FILE",
              "The mesh before it was deformed, of the same vertices: the noise is where they were there",
              options.rest);
+  flags.keep("--rest-property", "NAME",
+             "The same by the vertices' numbers NAME_x, NAME_y and NAME_z, or NAMEx, NAMEy and NAMEz",
+             options.rest_property);
+  flags.exclude({"--rest", "--rest-property"});
   flags.group("Run");
   flags.add({"--describe", "", "Print what would be made, as JSON, and write nothing"});
   declare_fields<RunOptions>(flags, options, {"threads", "max_memory", "max_time", "quiet", "timings"});

@@ -5,6 +5,7 @@
 
 #include "common/flag_set.h"
 #include "common/run_options.h"
+#include "meshnoise/mesh_files.h"
 #include "solidnoise/mesh/bake_recipe.h"
 
 namespace solidnoise {
@@ -14,11 +15,15 @@ struct BakeOptions : RunOptions {
   BakeRecipe recipe;
   std::string out;      // .ply, .obj, .off, .stl or .om; "-" for a .ply on the standard output; empty: none
   std::string preview;  // .png; empty: none
+  PreviewOptions view;
   std::string write_recipe;       // .json, "-" for the standard output; empty: none
   std::vector<std::string> keep;  // names of numbers that the mesh shall have
   std::string rest;               // the mesh whose vertices say where the noise is; empty: the mesh itself
+  std::string rest_property;      // the number of the vertices that says so instead; empty: none
   std::vector<int> frames;        // of a sequence; empty: one mesh
   double fps = 24.0;              // frames per unit of time
+
+  bool has_rest() const { return !rest.empty() || !rest_property.empty(); }
 };
 
 // Declares all flags. Before they are applied the caller puts the recipe that they override into `options`:

@@ -30,6 +30,7 @@ int run_curvature(const std::vector<std::string>& arguments) {
   std::string in;
   std::string out;
   std::string preview;
+  PreviewOptions view;
   CurvatureRecipe recipe;
   RunOptions options;
   FlagSet flags("meshnoise curvature", kCurvatureDescription);
@@ -37,6 +38,7 @@ int run_curvature(const std::vector<std::string>& arguments) {
   flags.keep("--out", "FILE",
              "Where the mesh goes: .ply, .obj, .off or .om; - for a .ply on the standard output", out);
   flags.keep("--preview", "FILE.png", "A picture of the mesh in its colours, rendered by Embree", preview);
+  declare_fields(flags, view);
   declare_field(flags, recipe.by, "source", {"--by"},
                 [&](SteeringSource source) { recipe.by.source = source; });
   declare_fields(flags, recipe.by, {"percentiles"});
@@ -57,17 +59,21 @@ int run_curvature(const std::vector<std::string>& arguments) {
 
   catch_interrupts();
   const MeshReading reading = read_input_mesh(in, options.quiet ? Notes::keep_quiet : Notes::print);
+  const bool keeps = keeps_the_rest(in, out) && has_rest(reading);
+  if (!keeps && !options.quiet) print_dropped(in, reading);
   TaskProgress progress(ProgressBar::Visibility::hidden);
   const ShownCurvature shown = show_curvature(reading.mesh, recipe);
   std::optional<Image> picture;
-  if (!preview.empty()) picture = render_mesh_preview(shown.mesh, shown.normals, shown.colors, recipe.up);
+  if (!preview.empty())
+    picture = render_mesh_preview(shown.mesh, shown.normals, shown.colors, recipe.up, view);
   throw_if_cancelled(&progress);
   OutputGroup outputs;
   if (picture) write_image(preview, *picture, {.existing = options.existing(), .group = &outputs});
   if (!out.empty()) {
     write_output_mesh(
         out, shown.mesh,
-        {.comments = {kMeshnoise}, .existing = options.existing(), .progress = &progress, .group = &outputs});
+        {.comments = {kMeshnoise}, .existing = options.existing(), .progress = &progress, .group = &outputs},
+        keeps ? in : std::string());
   }
   outputs.appear();
   if (!options.quiet) {

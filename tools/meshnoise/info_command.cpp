@@ -7,7 +7,7 @@
 #include "meshnoise/commands.h"
 #include "meshnoise/recipe_source.h"
 #include "solidnoise/geometry/inspect_mesh.h"
-#include "solidnoise/geometry/mesh_file.h"
+#include "solidnoise/geometry/read_points.h"
 
 namespace solidnoise {
 namespace {
@@ -39,7 +39,7 @@ int run_info(const std::vector<std::string>& arguments) {
   flags.parse(arguments);
   flags.apply();
 
-  const MeshReading reading = read_mesh(file);
+  const MeshReading reading = read_mesh(file, Faces::optional);
   const MeshReport report = inspect_mesh(reading.mesh);
   const Vec<3>& lower = report.bounds.lower;
   const Vec<3>& upper = report.bounds.upper;

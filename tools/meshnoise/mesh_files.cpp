@@ -1,24 +1,44 @@
 #include "meshnoise/mesh_files.h"
 
+#include <algorithm>
 #include <iostream>
 
 #include <fmt/format.h>
 
 #include "common/outputs.h"
 #include "common/run_tool.h"
+#include "solidnoise/core/input_file.h"
 #include "solidnoise/geometry/inspect_mesh.h"
 #include "solidnoise/geometry/mesh_file.h"
+#include "solidnoise/geometry/rewrite_mesh.h"
 
 namespace solidnoise {
 
-MeshReading read_input_mesh(const std::string& path, Notes notes) {
-  MeshReading reading = read_mesh(path);
+MeshReading read_input_mesh(const std::string& path, Notes notes, Faces faces) {
+  MeshReading reading = read_mesh(path, faces);
   if (notes == Notes::keep_quiet) return reading;
-  for (const std::string& note : reading.notes) std::cerr << fmt::format("meshnoise: {}: {}\n", path, note);
+  for (const std::string& note : reading.notes) {
+    if (!is_kept(note)) std::cerr << fmt::format("meshnoise: {}: {}\n", path, note);
+  }
   for (const std::string& warning : mesh_warnings(inspect_mesh(reading.mesh))) {
     std::cerr << fmt::format("meshnoise: warning: {}: {}\n", path, warning);
   }
   return reading;
+}
+
+bool keeps_the_rest(const std::string& in, const std::string& out) {
+  if (!is_mesh_path(in) || !is_mesh_path(out) || mesh_format(in) != mesh_format(out)) return false;
+  return mesh_format(in) == MeshFormat::ply || mesh_format(in) == MeshFormat::obj;
+}
+
+bool has_rest(const MeshReading& reading) {
+  return std::ranges::any_of(reading.notes, is_kept);
+}
+
+void print_dropped(const std::string& path, const MeshReading& reading) {
+  for (const std::string& note : reading.notes) {
+    if (is_kept(note)) std::cerr << fmt::format("meshnoise: {}: {}\n", path, note);
+  }
 }
 
 void require_mesh_name(const std::string& out, Shows shows) {
@@ -38,7 +58,17 @@ bool holds_numbers(const std::string& out) {
   return is_mesh_path(out) && (mesh_format(out) == MeshFormat::ply || mesh_format(out) == MeshFormat::om);
 }
 
-void write_output_mesh(const std::string& out, const PolygonMesh& mesh, const MeshWriteOptions& options) {
+void write_output_mesh(const std::string& out, const PolygonMesh& mesh, const MeshWriteOptions& options,
+                       const std::string& source) {
+  if (!source.empty()) {
+    constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 36;
+    const std::string bytes = read_file(source, kMostBytes);
+    write_output(out, {.existing = options.existing, .progress = options.progress, .group = options.group},
+                 [&](std::ostream& stream) {
+                   rewrite_mesh(stream, bytes, mesh_format(source), source, mesh, options);
+                 });
+    return;
+  }
   if (out != "-") return write_mesh(out, mesh, options);
   write_output("-", {.progress = options.progress},
                [&](std::ostream& stream) { write_mesh(stream, MeshFormat::ply, mesh, options); });

@@ -8,7 +8,7 @@
 
 #include "common/recipe_files.h"
 #include "meshnoise/commands.h"
-#include "solidnoise/geometry/mesh_file.h"
+#include "solidnoise/geometry/read_points.h"
 #include "solidnoise/mesh/bake_recipe_json.h"
 
 namespace solidnoise {
@@ -17,7 +17,7 @@ namespace {
 constexpr std::string_view kRecipeMark = "solidnoise recipe ";
 
 std::string text_of(const std::filesystem::path& path) {
-  if (auto text = recipe_in_comments(read_mesh(path).comments)) return *text;
+  if (auto text = recipe_in_comments(read_mesh(path, Faces::optional).comments)) return *text;
   throw std::runtime_error(fmt::format("{}: it carries no recipe of meshnoise", path.string()));
 }
 

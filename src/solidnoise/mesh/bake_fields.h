@@ -111,11 +111,14 @@ constexpr auto fields_of(std::type_identity<Steering>) {
 
 constexpr auto fields_of(std::type_identity<DirectionRecipe>) {
   using Recipe = DirectionRecipe;
-  return list_fields(field("source", &Recipe::source, kDirectionChoices,
-                           "Waves travel along the axis, or along a principal curvature"),
-                     field("axis", &Recipe::axis, kFinite, "", "An axis, laid into the tangent plane"),
-                     field("smooth", &Recipe::smooth, between(0, 10000), "rounds",
-                           "Smoothing of a direction that follows the curvature"));
+  return list_fields(
+      field("source", &Recipe::source, kDirectionChoices,
+            "Waves travel along the axis, or along a principal curvature; photographs stand on it"),
+      field("axis", &Recipe::axis, kFinite, "",
+            "An axis, laid into the tangent plane: of waves, or up in a photograph; left out, the "
+            "up axis"),
+      field("smooth", &Recipe::smooth, between(0, 10000), "rounds",
+            "Smoothing of a direction that follows the curvature"));
 }
 
 constexpr auto fields_of(std::type_identity<RefineRecipe>) {
@@ -123,6 +126,9 @@ constexpr auto fields_of(std::type_identity<RefineRecipe>) {
   return list_fields(field("mode", &Recipe::mode, kRefineChoices,
                            "Split edges until the noise shows on the mesh, or so often"),
                      field("rounds", &Recipe::rounds, between(1, 8), "rounds", "Of splitting every edge"),
+                     field("budget", &Recipe::budget,
+                           "Of auto: most vertices; 0 for four times the mesh's, 200 000 at least and 4 "
+                           "million at most"),
                      field("method", &Recipe::method, kRefineMethodChoices,
                            "How edges are split: by our own rule, or by a subdivider of OpenMesh"),
                      field("placement", &Recipe::placement, kPlacementChoices,
@@ -134,7 +140,8 @@ constexpr auto fields_of_smoothing() {
   return list_fields(
       field("smooth", &Recipe::smooth, between(0, 10000), "rounds", "Smoothing of the curvature"),
       field("smooth_radius", &Recipe::smooth_radius, at_least(0.0), "world units",
-            "More of it, over a distance that does not depend on the mesh"));
+            "Smoothing over a distance that does not depend on the mesh; of a bake, of the normals that the "
+            "noise lies along, too; left out there, a feature's size"));
 }
 
 constexpr auto fields_of(std::type_identity<BakeRecipe>) {
@@ -146,8 +153,11 @@ constexpr auto fields_of(std::type_identity<BakeRecipe>) {
       field("layers", &Recipe::layers, "Their sum takes the noise's place")
           .written_if([](const Recipe& recipe) { return !recipe.layers.empty(); }),
       field("frequency", &Recipe::frequency, between(1e-9, 1e9), "cycles per world unit",
-            "Principal frequency; left out, it suits the mesh; a range follows what steers"),
-      field("detail", &Recipe::detail, between(1e-3, 1e3), "", "Instead: frequency over what suits the mesh")
+            "Principal frequency; left out, one cycle per feature_size; a range follows what steers"),
+      field("feature_size", &Recipe::feature_size, between(1e-9, 1e9), "world units",
+            "Where frequency is left out: size of a feature; left out too, a 24th of the box's diagonal"),
+      field("detail", &Recipe::detail, between(1e-3, 1e3), "",
+            "Where frequency is left out: features per feature_size; a range follows what steers")
           .written_if([](const Recipe& recipe) { return !recipe.frequency; }),
       field("bandwidth", &Recipe::bandwidth, between(0.1, 4.0), "octaves",
             "Width of the band at half amplitude"),
@@ -162,7 +172,7 @@ constexpr auto fields_of(std::type_identity<BakeRecipe>) {
       field("refine", &Recipe::refine, "How densely the mesh is sampled before baking"),
       field("displace", &Recipe::displace, between(-1e12, 1e12), "world units",
             "Move vertices along their normals, by this for a value of 1"),
-      field("up", &Recipe::up, kUpAxisChoices, "The up axis: of height, and of the preview"));
+      field("up", &Recipe::up, kUpAxisChoices, "The up axis: of height, of directions, and of the preview"));
 }
 
 constexpr auto fields_of(std::type_identity<CurvatureRecipe>) {

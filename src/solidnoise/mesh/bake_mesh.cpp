@@ -40,18 +40,6 @@ double diagonal_of(const PolygonMesh& mesh) {
   return glm::length(upper - lower);
 }
 
-// The recipe's frequencies, or those that suit the mesh. `highest` is that of the noise over its principal
-// one. Where nothing has a size, any frequency will do.
-ParameterRange frequencies_for(const PolygonMesh& mesh, double mean_edge, const BakeRecipe& recipe,
-                               double highest) {
-  if (recipe.frequency) return *recipe.frequency;
-  const double diagonal = diagonal_of(mesh);
-  if (diagonal == 0.0) return {};
-  const bool any_edge = mean_edge == 0.0 || recipe.refine.mode == RefineRecipe::Mode::automatic;
-  const double suitable = default_frequency(diagonal, any_edge ? 1e-9 * diagonal : mean_edge, highest);
-  return {suitable * recipe.detail.from, suitable * recipe.detail.to};
-}
-
 // Cycles per edge of the highest frequency, mean over all edges.
 double mean_cycles_per_edge(const PolygonMesh& mesh, const VertexNumber& frequency, double highest) {
   const auto add_faces = [&](const tbb::blocked_range<std::size_t>& faces, double sum) {
@@ -152,6 +140,7 @@ void carry_normals(const RefinedMesh& refined, std::vector<Vec<3>>& normals) {
 // What is measured on a mesh, for the mesh that is made of it by refining.
 VertexGuides carry(const RefinedMesh& refined, VertexGuides guides) {
   carry_normals(refined, guides.normals);
+  if (!guides.smooth_normals.empty()) carry_normals(refined, guides.smooth_normals);
   if (!guides.directions.empty()) guides.directions = refined.carry_lines(std::move(guides.directions));
   if (guides.numbers.empty()) return guides;
   guides.steering.weights = refined.carry(std::move(guides.steering.weights));
@@ -181,16 +170,46 @@ void require_memory(const PolygonMesh& mesh, std::uint64_t most_memory) {
                   mesh.positions.size(), mesh.face_count(), std::ceil(bytes / 0x1p20)));
 }
 
-// The mesh with edges that are short enough for frequencies up to `highest` times the principal one.
-RefinedMesh refine_mesh(const PolygonMesh& mesh, const RefineRecipe& recipe, const VertexNumber& frequency,
-                        double highest, std::uint64_t most_memory) {
+// Edges of these lengths at the vertices show frequencies up to `highest` times the principal one.
+std::vector<double> edges_that_show(const VertexNumber& frequency, double highest, std::size_t vertices) {
+  constexpr double kCyclesPerEdge = 0.5;
+  std::vector<double> lengths(vertices);
+  for (std::size_t i = 0; i < vertices; ++i) lengths[i] = kCyclesPerEdge / (highest * at(frequency, i));
+  return lengths;
+}
+
+// How much longer than `targets` edges have to be for a budget of vertices.
+double stretch_within(const PolygonMesh& mesh, const std::vector<double>& targets, std::uint64_t budget,
+                      const RefineOptions& options) {
+  const auto vertices_of = [&](double stretch) {
+    std::vector<double> longer = targets;
+    for (double& target : longer) target *= stretch;
+    return refined_vertices(mesh, longer, options, static_cast<double>(budget));
+  };
+  const double most = static_cast<double>(budget);
+  if (vertices_of(1.0) <= most) return 1.0;
+  double low = 1.0;
+  double high = 2.0;
+  while (vertices_of(high) > most && high < 1e12) high *= 2.0;
+  constexpr double kExact = 1.01;
+  while (high > kExact * low) {
+    const double middle = std::sqrt(low * high);
+    (vertices_of(middle) > most ? low : high) = middle;
+  }
+  return high;
+}
+
+// `targets`: edges_that_show().
+RefinedMesh refine_mesh(const PolygonMesh& mesh, const RefineRecipe& recipe, std::vector<double> targets,
+                        std::uint64_t most_memory) {
   const RefineOptions options =
       limited({.method = recipe.method, .placement = recipe.placement}, most_memory);
   if (recipe.mode == RefineRecipe::Mode::rounds) return subdivide(mesh, recipe.rounds, options);
-  constexpr double kCyclesPerEdge = 0.5;
-  std::vector<double> target(mesh.positions.size());
-  for (std::size_t i = 0; i < target.size(); ++i) target[i] = kCyclesPerEdge / (highest * at(frequency, i));
-  return refine(mesh, target, options);
+  const std::uint64_t budget =
+      recipe.budget > 0 ? recipe.budget : default_vertex_budget(mesh.positions.size());
+  const double stretch = stretch_within(mesh, targets, budget, options);
+  for (double& target : targets) target *= stretch;
+  return refine(mesh, targets, options);
 }
 
 // Noise times magnitude plus bias at each vertex.
@@ -199,7 +218,7 @@ std::vector<float> bake_values(const BakePlan& plan, const BakeRecipe& recipe,
                                const SurfaceNoiseRecipe& noise, Progress* progress) {
   BakeVertices vertices;
   vertices.positions = plan.mesh.positions;
-  vertices.normals = plan.guides.normals;
+  vertices.normals = plan.guides.planes();
   vertices.frequency = plan.parameters.frequency;
   vertices.bandwidth = plan.parameters.bandwidth;
   vertices.magnitude = plan.parameters.magnitude;
@@ -247,25 +266,30 @@ BakePlan plan_bake(PolygonMesh mesh, const BakeRecipe& recipe, std::uint64_t mos
   require_memory(mesh, most_memory);
   BakePlan plan;
   plan.original_vertices = mesh.positions.size();
+  const ParameterRange frequency = frequencies_of(recipe, diagonal_of(mesh));
   {
     const SurfaceMesh surface(mesh);
     plan.mean_edge = surface.mean_edge_length();
-    plan.guides = measure_guides(mesh, surface, recipe);
+    plan.guides = measure_guides(mesh, surface, recipe, frequency);
   }
   // The band is in proportion to the frequency.
   const double highest = surface_band(recipe.noise, 1.0, recipe.bandwidth.from).upper;
-  const ParameterRange frequency = frequencies_for(mesh, plan.mean_edge, recipe, highest);
   plan.parameters = make_parameters(recipe, frequency, plan.guides.steering.weights);
+  plan.mean_cycles_per_edge = mean_cycles_per_edge(mesh, plan.parameters.frequency, highest);
+  std::vector<double> targets = edges_that_show(plan.parameters.frequency, highest, mesh.positions.size());
+  if (plan.mean_cycles_per_edge > kHighestCyclesPerEdge) {
+    plan.vertices_to_show = refined_vertices(mesh, targets, {}, kMostCounted);
+  }
   if (recipe.refine.mode != RefineRecipe::Mode::off) {
-    RefinedMesh refined = refine_mesh(mesh, recipe.refine, plan.parameters.frequency, highest, most_memory);
+    RefinedMesh refined = refine_mesh(mesh, recipe.refine, std::move(targets), most_memory);
     plan.guides = carry(refined, std::move(plan.guides));
     mesh = std::move(refined.mesh);
     plan.mean_edge = SurfaceMesh(mesh).mean_edge_length();
     plan.parameters = make_parameters(recipe, frequency, plan.guides.steering.weights);
+    plan.mean_cycles_per_edge = mean_cycles_per_edge(mesh, plan.parameters.frequency, highest);
   }
   plan.mesh = std::move(mesh);
   plan.highest_frequency = highest * std::max(frequency.from, frequency.to);
-  plan.mean_cycles_per_edge = mean_cycles_per_edge(plan.mesh, plan.parameters.frequency, highest);
   return plan;
 }
 

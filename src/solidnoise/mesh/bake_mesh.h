@@ -16,6 +16,9 @@
 
 namespace solidnoise {
 
+inline constexpr double kHighestCyclesPerEdge = 0.5;
+inline constexpr double kMostCounted = 1e7;
+
 // A mesh that is ready to be baked: as densely sampled as the recipe says, with the parameters of every
 // vertex. Vertices of the original mesh come first, in their order; new ones follow.
 struct BakePlan {
@@ -25,7 +28,10 @@ struct BakePlan {
   std::size_t original_vertices = 0;
   double mean_edge = 0.0;             // of `mesh`, world units; 0 without edges
   double highest_frequency = 0.0;     // of the noise's band, where it is highest, cycles per world unit
-  double mean_cycles_per_edge = 0.0;  // of the highest frequency: above 0.5 the noise aliases
+  double mean_cycles_per_edge = 0.0;  // of the highest frequency: above kHighestCyclesPerEdge it aliases
+  // Where it does, or would without refining: about how many vertices the mesh takes to show all of the
+  // noise, counted up to kMostCounted.
+  double vertices_to_show = 0.0;
 };
 
 // Measures, refines and steers. Throws std::invalid_argument: recipe.validate(), a mesh whose positions are

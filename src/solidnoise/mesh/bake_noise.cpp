@@ -62,6 +62,10 @@ bool has_layer(const SurfaceNoiseRecipe& recipe) {
   return recipe.kind == SurfaceNoiseKind::surface || has_direction(recipe);
 }
 
+bool has_plane(const SurfaceNoiseRecipe& recipe) {
+  return has_layer(recipe) || recipe.kind == SurfaceNoiseKind::kensler;
+}
+
 bool has_direction(const SurfaceNoiseRecipe& recipe) {
   if (recipe.kind != SurfaceNoiseKind::spectrum) return recipe.kind == SurfaceNoiseKind::oriented;
   return !recipe.exemplar.channels.empty() && recipe.exemplar.channels.front().dimensions == 2;

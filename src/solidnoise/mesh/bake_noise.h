@@ -62,6 +62,8 @@ bool is_gabor(SurfaceNoiseKind kind);
 bool has_bandwidth(SurfaceNoiseKind kind);
 // Whether impulses are taken from a layer around the surface.
 bool has_layer(const SurfaceNoiseRecipe& recipe);
+// Whether the noise lies in the tangent plane, and not in space.
+bool has_plane(const SurfaceNoiseRecipe& recipe);
 // Whether the noise lies along a direction of the tangent plane.
 bool has_direction(const SurfaceNoiseRecipe& recipe);
 

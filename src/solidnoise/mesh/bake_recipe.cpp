@@ -29,6 +29,10 @@ void BakeRecipe::validate() const {
   if (frequency && detail != ParameterRange{}) {
     throw std::invalid_argument("detail has no effect where there is a frequency; leave one of them out");
   }
+  if (frequency && feature_size) {
+    throw std::invalid_argument(
+        "feature_size has no effect where there is a frequency; leave one of them out");
+  }
   if (!may_vary(noise.kind)) {
     if (frequency) refuse_variation("frequency", *frequency);
     refuse_variation("detail", detail);
@@ -40,7 +44,7 @@ void BakeRecipe::validate() const {
         fmt::format("time is {}; it must be 0 where dims is 3 and no noise evolves", noise.time));
   }
   by.validate();
-  if (glm::length(direction.axis) == 0.0)
+  if (glm::length(direction_axis()) == 0.0)
     throw std::invalid_argument("direction is 0 0 0; it must point somewhere");
   if (!has_exemplar_colors()) {
     parse_color_ramp(ramp);
@@ -56,6 +60,10 @@ NoiseRecipe noise_of_layers(const SurfaceNoiseRecipe& recipe) {
   return {GaborNoiseOptions{.seed = recipe.seed}, recipe.fractal};
 }
 
+Vec<3> BakeRecipe::direction_axis() const {
+  return direction.axis.value_or(up == UpAxis::y ? Vec<3>(0.0, 1.0, 0.0) : Vec<3>(0.0, 0.0, 1.0));
+}
+
 bool BakeRecipe::changes_with_time() const {
   return noise.dims == 4 || noise.evolve > 0.0 ||
          std::ranges::any_of(noises_of(layers, noise_of_layers(noise)),
@@ -67,10 +75,25 @@ bool BakeRecipe::steers() const {
          bias.varies();
 }
 
-double default_frequency(double diagonal, double mean_edge, double highest) {
+std::uint64_t default_vertex_budget(std::size_t vertices) {
+  return std::clamp<std::uint64_t>(4 * std::uint64_t{vertices}, 200'000, 4'000'000);
+}
+
+double default_feature_size(double diagonal) {
   constexpr double kFeaturesAlongDiagonal = 24.0;
-  constexpr double kCyclesPerEdge = 0.45;  // below 0.5, above which noise aliases
-  return std::min(kFeaturesAlongDiagonal / diagonal, kCyclesPerEdge / (highest * mean_edge));
+  return diagonal / kFeaturesAlongDiagonal;
+}
+
+ParameterRange frequencies_of(const BakeRecipe& recipe, double diagonal) {
+  if (recipe.frequency) return *recipe.frequency;
+  const double size = recipe.feature_size.value_or(default_feature_size(diagonal));
+  if (size == 0.0) return {};  // any frequency will do where nothing has a size
+  return {recipe.detail.from / size, recipe.detail.to / size};
+}
+
+double smoothing_radius(const BakeRecipe& recipe, const ParameterRange& frequency) {
+  constexpr double kFeatures = 1.0;
+  return recipe.smooth_radius.value_or(kFeatures / std::min(frequency.from, frequency.to));
 }
 
 float place_on_ramp(double value, double contrast) {

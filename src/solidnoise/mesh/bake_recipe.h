@@ -13,7 +13,7 @@
 
 namespace solidnoise {
 
-// Which way the waves of oriented noise travel.
+// Which way the waves of oriented noise travel, and which way is up in a photograph that noise is made of.
 struct DirectionRecipe {
   enum class Source {
     axis,           // an axis of space, laid into the tangent plane
@@ -22,8 +22,8 @@ struct DirectionRecipe {
   };
 
   Source source = Source::axis;
-  Vec<3> axis{0.0, 1.0, 0.0};  // any length but 0
-  int smooth = 10;             // rounds of smoothing, 0 to 10000: of a field that follows the curvature
+  std::optional<Vec<3>> axis{};  // any length but 0; unset: the up axis
+  int smooth = 10;               // rounds of smoothing, 0 to 10000: of a field that follows the curvature
 
   friend bool operator==(const DirectionRecipe&, const DirectionRecipe&) = default;
 };
@@ -34,11 +34,16 @@ struct RefineRecipe {
 
   Mode mode = Mode::off;
   int rounds = 1;  // see subdivide(), 1 to 8
+  // Of automatic: most vertices, 0 for default_vertex_budget(). Edges are longer where more are needed.
+  std::uint64_t budget = 0;
   RefineOptions::Method method = RefineOptions::Method::own;
   RefineOptions::Placement placement = RefineOptions::Placement::on_edges;  // of new vertices
 
   friend bool operator==(const RefineRecipe&, const RefineRecipe&) = default;
 };
+
+// Four times the mesh's vertices, but at least 200 000 and at most 4 million.
+std::uint64_t default_vertex_budget(std::size_t vertices);
 
 // The ramp of a noise by example that has the colours of the exemplar.
 inline constexpr char kExemplarRamp[] = "exemplar";
@@ -51,15 +56,17 @@ struct BakeRecipe {
   // parameters; one that does has a solid noise of space, of the frequency that it names. Places are in the
   // mesh's box.
   std::vector<Layer> layers{};
-  std::optional<ParameterRange>
-      frequency{};                     // cycles per world unit; unset: suits the mesh, default_frequency()
-  ParameterRange detail{1.0, 1.0};     // of what suits the mesh, where frequency is unset; 0.001 to 1000
-  ParameterRange bandwidth{1.0, 1.0};  // octaves; 0.1 to 4
-  ParameterRange magnitude{1.0, 1.0};  // standard deviation; >= 0
-  ParameterRange bias{0.0, 0.0};       // added to the noise, in standard deviations
-  Steering by{};                       // what ranges follow
-  int smooth = 2;                      // rounds of smoothing of the curvature, 0 to 10000
-  double smooth_radius = 0.0;          // of smoothing that does not depend on the mesh, world units; >= 0
+  std::optional<ParameterRange> frequency{};  // cycles per world unit; unset: one per feature_size
+  std::optional<double> feature_size{};       // world units, > 0; unset: default_feature_size() of the mesh
+  ParameterRange detail{1.0, 1.0};            // over one cycle per feature_size; 0.001 to 1000
+  ParameterRange bandwidth{1.0, 1.0};         // octaves; 0.1 to 4
+  ParameterRange magnitude{1.0, 1.0};         // standard deviation; >= 0
+  ParameterRange bias{0.0, 0.0};              // added to the noise, in standard deviations
+  Steering by{};                              // what ranges follow
+  int smooth = 0;                             // rounds of smoothing of the curvature, 0 to 10000
+  // Of smoothing that does not depend on how the mesh is cut up, of the curvature that steers and of the
+  // normals that say where the tangent plane of a noise lies; world units, >= 0. Unset: smoothing_radius().
+  std::optional<double> smooth_radius{};
   DirectionRecipe direction{};
   std::string ramp = "rust";  // a name or stops, see parse_color_ramp(); or exemplar, for its own colours
   double contrast = 1.0;  // the ramp spans -2.5 to 2.5 standard deviations over this; > 0. Of an exemplar's
@@ -73,6 +80,8 @@ struct BakeRecipe {
   // Whether a parameter follows the steering.
   bool steers() const;
   bool has_exemplar_colors() const { return ramp == kExemplarRamp; }
+  // The direction's axis.
+  Vec<3> direction_axis() const;
   // Whether frames at different times differ.
   bool changes_with_time() const;
 
@@ -82,10 +91,15 @@ struct BakeRecipe {
 // What stands for the surface's noise where noises of layers have seeds mixed with its own.
 NoiseRecipe noise_of_layers(const SurfaceNoiseRecipe& recipe);
 
-// A frequency that suits a mesh: 24 features along the diagonal of its box, or fewer where its edges are too
-// long to show them: `highest`, the noise's highest frequency over its principal one, then is 0.5 cycles per
-// edge. `diagonal` and `mean_edge` in world units, > 0.
-double default_frequency(double diagonal, double mean_edge, double highest);
+// 24 features lie along the diagonal of a mesh's box, > 0, however it is cut up. World units.
+double default_feature_size(double diagonal);
+
+// The recipe's frequencies on a mesh whose box has this diagonal, 0 or more.
+ParameterRange frequencies_of(const BakeRecipe& recipe, double diagonal);
+
+// How far curvature and normals are smoothed for these frequencies, world units: then the noise changes over
+// the surface by little more than by itself. See BakeRecipe::smooth_radius.
+double smoothing_radius(const BakeRecipe& recipe, const ParameterRange& frequency);
 
 // Where a value (noise plus bias) is on the ramp, 0 to 1 within it.
 float place_on_ramp(double value, double contrast);

@@ -121,7 +121,8 @@ Json describe_bake(const BakePlan& plan, const BakeRecipe& recipe) {
                    {"magnitude", describe_number(plan.parameters.magnitude)},
                    {"bias", describe_number(plan.parameters.bias)},
                    {"highest_frequency", plan.highest_frequency},
-                   {"mean_cycles_per_edge", plan.mean_cycles_per_edge}};
+                   {"mean_cycles_per_edge", plan.mean_cycles_per_edge},
+                   {"vertices_to_show", plan.vertices_to_show}};
   if (recipe.noise.kind == SurfaceNoiseKind::surface || recipe.noise.kind == SurfaceNoiseKind::oriented)
     json["noise"]["kernel"] = describe_kernel(recipe.noise, plan.parameters);
   if (!plan.guides.numbers.empty()) json["steering"] = describe_steering(plan.guides.steering);

@@ -64,7 +64,7 @@ Curvature measure_curvature(const SurfaceMesh& surface, const CurvatureOptions& 
   const TangentFrames frames(surface.normals());
   std::vector<ShapeOperator> shapes = fit_shapes(surface, frames);
   if (options.rounds > 0 || options.radius > 0.0) {
-    SurfaceSmoothing smoothing(surface, frames);
+    SurfaceSmoothing smoothing(surface);
     for (int round = 0; round < options.rounds; ++round) {
       smoothing.average(shapes, surface.areas());
     }

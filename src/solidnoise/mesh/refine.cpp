@@ -19,12 +19,11 @@
 
 #include "solidnoise/core/check.h"
 #include "solidnoise/geometry/scalar_type.h"
+#include "solidnoise/mesh/cut_triangle.h"
 #include "solidnoise/mesh/surface_mesh.h"
 
 namespace solidnoise {
 namespace {
-
-constexpr std::uint32_t kWhole = std::numeric_limits<std::uint32_t>::max();  // an edge that is not split
 
 // A triangle and the polygon that it is a part of.
 struct Piece {
@@ -36,22 +35,6 @@ void require_faces(double count, const RefineOptions& options) {
   if (count <= static_cast<double>(options.most_faces)) return;
   throw std::invalid_argument(fmt::format(
       "refining takes more than {} faces: the edges that are asked for are too short", options.most_faces));
-}
-
-// Refuses, before any work, what must take too many faces. Of edges that are no longer than t a triangle has
-// an area of at most sqrt(3) / 4 t^2, and the longest edge of another is in as many as it is longer than t.
-void require_room(const PolygonMesh& mesh, const std::vector<double>& targets, const RefineOptions& options) {
-  double faces = 0.0;
-  for (const auto& [a, b, c] : triangulate(mesh)) {
-    const Vec<3> ab = mesh.positions[b] - mesh.positions[a];
-    const Vec<3> ac = mesh.positions[c] - mesh.positions[a];
-    const double target = std::max({targets[a], targets[b], targets[c]});
-    const double longest = std::max({glm::length(ab), glm::length(ac), glm::length(ac - ab)});
-    const double area = 0.5 * glm::length(glm::cross(ab, ac));
-    const double largest_part = 0.25 * std::sqrt(3.0) * target * target;
-    faces += std::max({1.0, area / largest_part, longest / target});
-  }
-  require_faces(faces, options);
 }
 
 class Refiner {
@@ -182,40 +165,15 @@ class Refiner {
           starts[i] + 1 + (middles[i][0] != kWhole) + (middles[i][1] != kWhole) + (middles[i][2] != kWhole);
     }
     std::vector<Piece> parts(starts.back());
+    const auto place = [this](std::uint32_t vertex) -> const Vec<3>& { return result_.positions[vertex]; };
     tbb::parallel_for(std::size_t{0}, pieces_.size(), [&](std::size_t i) {
       Piece* part = &parts[starts[i]];
-      for (const Triangle& corners : cut(pieces_[i].corners, middles[i])) {
+      for (const Triangle& corners : cut_triangle(pieces_[i].corners, middles[i], place)) {
         if (part == parts.data() + starts[i + 1]) break;
         *part++ = {corners, pieces_[i].face};
       }
     });
     pieces_ = std::move(parts);
-  }
-
-  // The parts of a triangle v0 v1 v2 whose edge from v_k on is split at m_k, or is whole: one more than there
-  // are new vertices, all wound as the triangle is.
-  std::array<Triangle, 4> cut(const Triangle& triangle, const std::array<std::uint32_t, 3>& middles) const {
-    const auto is_split = [&](std::size_t k) { return middles[k % 3] != kWhole; };
-    const auto count = is_split(0) + is_split(1) + is_split(2);
-    if (count == 0) return {triangle};
-    // Turn it so that the first of one, or of two in a row, is m0.
-    std::size_t turn = 0;
-    while (!is_split(turn) || (count == 2 && !is_split(turn + 1))) ++turn;
-    const auto corner = [&](std::size_t k) { return triangle[(k + turn) % 3]; };
-    const auto middle = [&](std::size_t k) { return middles[(k + turn) % 3]; };
-    const std::uint32_t v0 = corner(0);
-    const std::uint32_t v1 = corner(1);
-    const std::uint32_t v2 = corner(2);
-    const std::uint32_t m0 = middle(0);
-    const std::uint32_t m1 = middle(1);
-    const std::uint32_t m2 = middle(2);
-    if (count == 1) return {{{v0, m0, v2}, {m0, v1, v2}}};
-    if (count == 3) return {{{v0, m0, m2}, {m0, v1, m1}, {m2, m1, v2}, {m0, m1, m2}}};
-    const auto& p = result_.positions;
-    if (glm::distance(p[v0], p[m1]) <= glm::distance(p[m0], p[v2])) {
-      return {{{m0, v1, m1}, {v0, m0, m1}, {v0, m1, v2}}};
-    }
-    return {{{m0, v1, m1}, {v0, m0, v2}, {m0, m1, v2}}};
   }
 
   RefinedMesh assemble() {
@@ -246,6 +204,22 @@ std::vector<Number> carry_means(std::vector<Number> numbers, const std::vector<P
   numbers.reserve(numbers.size() + parents.size());
   for (const Parents& of_vertex : parents) numbers.push_back(of_vertex.mean(numbers));
   return numbers;
+}
+
+// One for each vertex. Throws std::invalid_argument.
+std::vector<double> targets_of(const PolygonMesh& mesh, std::span<const double> target) {
+  const std::size_t vertices = mesh.positions.size();
+  if (target.size() != 1 && target.size() != vertices) {
+    throw std::invalid_argument(
+        fmt::format("there are {} lengths of edges for {} vertices", target.size(), vertices));
+  }
+  for (std::size_t v = 0; v < target.size(); ++v) {
+    require_positive(target.size() == 1 ? std::string("the length of edges")
+                                        : fmt::format("the length of edges at vertex {}", v),
+                     target[v], "world units");
+  }
+  if (target.size() == 1) return std::vector<double>(vertices, target[0]);
+  return {target.begin(), target.end()};
 }
 
 // The parts of the normals that a file has, if it has all three as floats.
@@ -306,22 +280,19 @@ void require_vertices(std::size_t count, const RefineOptions& options) {
 }
 
 RefinedMesh refine(const PolygonMesh& mesh, std::span<const double> target, const RefineOptions& options) {
-  const std::size_t vertices = mesh.positions.size();
-  if (target.size() != 1 && target.size() != vertices) {
-    throw std::invalid_argument(
-        fmt::format("there are {} lengths of edges for {} vertices", target.size(), vertices));
-  }
-  for (std::size_t v = 0; v < target.size(); ++v) {
-    require_positive(target.size() == 1 ? std::string("the length of edges")
-                                        : fmt::format("the length of edges at vertex {}", v),
-                     target[v], "world units");
-  }
-  std::vector<double> targets(target.begin(), target.end());
-  if (target.size() == 1) targets.assign(vertices, target[0]);
-  using enum RefineOptions::Method;
-  if (options.method == own || options.method == longest_edge) require_room(mesh, targets, options);
-  if (options.method != own) return refine_by_openmesh(mesh, targets, options);
+  std::vector<double> targets = targets_of(mesh, target);
+  require_faces(refined_faces(mesh, targets, options, static_cast<double>(options.most_faces)), options);
+  if (options.method != RefineOptions::Method::own) return refine_by_openmesh(mesh, targets, options);
   return Refiner(mesh, std::move(targets), options).split_long_edges();
+}
+
+double refined_vertices(const PolygonMesh& mesh, std::span<const double> target, const RefineOptions& options,
+                        double most) {
+  // On a closed surface a vertex more is two faces more.
+  const double vertices = static_cast<double>(mesh.positions.size());
+  const double faces = static_cast<double>(triangulate(mesh).size());
+  const double most_faces = faces + 2.0 * std::max(most - vertices, 0.0);
+  return vertices + 0.5 * (refined_faces(mesh, targets_of(mesh, target), options, most_faces) - faces);
 }
 
 RefinedMesh subdivide(const PolygonMesh& mesh, int rounds, const RefineOptions& options) {

@@ -89,11 +89,17 @@ struct RefinedMesh {
 // above.
 //
 // Throws std::invalid_argument: a target that is not positive, naming the vertex; a number of targets that is
-// neither 1 nor that of the vertices; more vertices or faces than allowed, before any work where area and
-// lengths say so; what SurfaceMesh throws; a mesh that is no
-// manifold of triangles, naming the face, where OpenMesh's methods need one.
+// neither 1 nor that of the vertices; more faces than allowed, which are counted before any work; more
+// vertices than allowed; what SurfaceMesh throws; a mesh that is no manifold of triangles, naming the face,
+// where OpenMesh's methods need one.
 RefinedMesh refine(const PolygonMesh& mesh, std::span<const double> target,
                    const RefineOptions& options = {});
+
+// About how many vertices refine() makes, without making any: exact for our own method on closed surfaces
+// whose new vertices lie on the edges. Counting ends at `most`, and more is said as infinity. Throws what
+// refine() does of its arguments.
+double refined_vertices(const PolygonMesh& mesh, std::span<const double> target, const RefineOptions& options,
+                        double most);
 
 // Halves every edge, `rounds` times (0 to 16): each triangle becomes 4^rounds, by `sqrt3` 3^rounds; by
 // `longest_edge` edges are split that are longer than the longest over 2^rounds. The rest is as for refine().
@@ -105,6 +111,10 @@ RefinedMesh subdivide(const PolygonMesh& mesh, int rounds, const RefineOptions& 
 RefinedMesh refine_by_openmesh(const PolygonMesh& mesh, const std::vector<double>& targets,
                                const RefineOptions& options);
 RefinedMesh subdivide_by_openmesh(const PolygonMesh& mesh, int rounds, const RefineOptions& options);
+
+// How many rounds of `loop` or `sqrt3` these lengths take.
+int openmesh_rounds(const PolygonMesh& mesh, const std::vector<double>& targets,
+                    RefineOptions::Method method);
 
 // Throws std::invalid_argument if a refined mesh may not have as many vertices.
 void require_vertices(std::size_t count, const RefineOptions& options);

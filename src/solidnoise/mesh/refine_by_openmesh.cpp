@@ -184,20 +184,24 @@ void for_each_side(const PolygonMesh& mesh, const Function& function) {
 
 }  // namespace
 
+int openmesh_rounds(const PolygonMesh& mesh, const std::vector<double>& targets,
+                    RefineOptions::Method method) {
+  double excess = 1.0;  // of an edge over its target
+  for_each_side(mesh, [&](std::uint32_t a, std::uint32_t b, double length) {
+    excess = std::max(excess, length / std::min(targets[a], targets[b]));
+  });
+  const double by_round = method == Method::loop ? 2.0 : std::sqrt(3.0);
+  constexpr double kRounding = 1e-9;
+  return static_cast<int>(std::ceil(std::log(excess) / std::log(by_round) - kRounding));
+}
+
 RefinedMesh refine_by_openmesh(const PolygonMesh& mesh, const std::vector<double>& targets,
                                const RefineOptions& options) {
   if (options.method == Method::longest_edge) {
     const double shortest = targets.empty() ? 1.0 : *std::min_element(targets.begin(), targets.end());
     return split_longest(mesh, shortest, options);
   }
-  double excess = 1.0;  // of an edge over its target
-  for_each_side(mesh, [&](std::uint32_t a, std::uint32_t b, double length) {
-    excess = std::max(excess, length / std::min(targets[a], targets[b]));
-  });
-  const double by_round = options.method == Method::loop ? 2.0 : std::sqrt(3.0);
-  constexpr double kRounding = 1e-9;
-  const double rounds = std::ceil(std::log(excess) / std::log(by_round) - kRounding);
-  return subdivide_by_openmesh(mesh, static_cast<int>(rounds), options);
+  return subdivide_by_openmesh(mesh, openmesh_rounds(mesh, targets, options.method), options);
 }
 
 RefinedMesh subdivide_by_openmesh(const PolygonMesh& mesh, int rounds, const RefineOptions& options) {

@@ -19,6 +19,9 @@ using Line = std::complex<double>;
 double product(const Line& a, const Line& b) {
   return a.real() * b.real() + a.imag() * b.imag();
 }
+double product(const Vec<3>& a, const Vec<3>& b) {
+  return glm::dot(a, b);
+}
 double product(const ShapeOperator& a, const ShapeOperator& b) {
   return a.mean * b.mean + product(a.line, b.line);
 }
@@ -47,13 +50,15 @@ struct Carry {
   ShapeOperator operator()(const ShapeOperator& shape, std::size_t entry) const {
     return {shape.mean, (*this)(shape.line, entry)};
   }
+  Vec<3> operator()(const Vec<3>& vector, std::size_t) const { return vector; }
 };
 
 template <typename Value>
-void average_round(const SurfaceMesh& surface, const Carry& carry, std::vector<Value>& values,
+void average_round(const SmoothingLevel& points, std::vector<Value>& values,
                    const std::vector<double>& weights) {
   const std::vector<Value> old = values;
-  const Adjacency& neighbours = surface.neighbours();
+  const Carry carry{points.turns};
+  const Adjacency& neighbours = points.neighbours;
   tbb::parallel_for(std::size_t{0}, values.size(), [&](std::size_t p) {
     Value sum = weights[p] * old[p];
     double total = weights[p];
@@ -71,13 +76,12 @@ void average_round(const SurfaceMesh& surface, const Carry& carry, std::vector<V
 template <typename Value>
 class HeatStep {
  public:
-  HeatStep(const SurfaceMesh& surface, const Carry& carry, const std::vector<float>& edge_weights,
-           double time)
-      : neighbours_(surface.neighbours()),
-        carry_(carry),
-        edge_weights_(edge_weights),
+  HeatStep(const SmoothingLevel& level, double time)
+      : neighbours_(level.neighbours),
+        carry_{level.turns},
+        edge_weights_(level.weights),
         time_(time),
-        masses_(surface.areas()),
+        masses_(level.areas),
         diagonal_(masses_.size()) {
     tbb::parallel_for(std::size_t{0}, diagonal_.size(), [&](std::size_t p) {
       double flow = 0.0;
@@ -148,74 +152,78 @@ class HeatStep {
 };
 
 template <typename Value>
-void diffuse_values(const SurfaceMesh& surface, const Carry& carry, const std::vector<float>& edge_weights,
-                    std::vector<Value>& values, double radius) {
+void diffuse_on(const SmoothingLevel& level, std::vector<Value>& values, double radius) {
   // In the plane the mean square of the way is 4 t; in one implicit step of time t as well.
   constexpr int kSteps = 2;
-  const HeatStep<Value> step(surface, carry, edge_weights, 0.25 * radius * radius / kSteps);
+  const HeatStep<Value> step(level, 0.25 * radius * radius / kSteps);
   for (int i = 0; i < kSteps; ++i) step.run(values);
 }
 
-// The cotangent of the angle at c, up to the largest that makes sense for a sliver.
-double cotangent(const Vec<3>& a, const Vec<3>& b, const Vec<3>& c) {
-  constexpr double kLargest = 100.0;
-  const double cosine = glm::dot(a - c, b - c);
-  const double sine = glm::length(glm::cross(a - c, b - c));
-  return sine > 0.0 ? std::clamp(cosine / sine, -kLargest, kLargest) : std::copysign(kLargest, cosine);
+// The means of clusters.
+template <typename Value>
+std::vector<Value> gather(const SmoothingLevel& fine, const CoarserLevel& coarse,
+                          const std::vector<Value>& values) {
+  std::vector<std::complex<float>> back = coarse.turns;
+  for (std::complex<float>& turn : back) turn = std::conj(turn);
+  const Carry carry{back};
+  std::vector<Value> sums(coarse.level.size());
+  for (std::size_t p = 0; p < values.size(); ++p) {
+    sums[coarse.cluster_of[p]] += fine.areas[p] * carry(values[p], p);
+  }
+  for (std::size_t c = 0; c < sums.size(); ++c) {
+    if (coarse.level.areas[c] > 0.0) sums[c] = (1.0 / coarse.level.areas[c]) * sums[c];
+  }
+  return sums;
 }
 
 }  // namespace
 
-SurfaceSmoothing::SurfaceSmoothing(const SurfaceMesh& surface, const TangentFrames& frames)
-    : surface_(surface), turns_(surface.neighbours().items.size()) {
-  const Adjacency& neighbours = surface.neighbours();
-  tbb::parallel_for(std::size_t{0}, surface.point_count(), [&](std::size_t p) {
-    const TangentFrame frame = frames[p];
-    for (std::size_t k = neighbours.starts[p]; k < neighbours.starts[p + 1]; ++k) {
-      turns_[k] = std::complex<float>(line_at(transport(frames[neighbours.items[k]], frame)));
-    }
-  });
-}
-
 void SurfaceSmoothing::average(std::vector<ShapeOperator>& shapes, const std::vector<double>& weights) const {
-  average_round(surface_, Carry{turns_}, shapes, weights);
+  average_round(points_, shapes, weights);
 }
 
 void SurfaceSmoothing::average(std::vector<Line>& lines, const std::vector<double>& weights) const {
-  average_round(surface_, Carry{turns_}, lines, weights);
+  average_round(points_, lines, weights);
+}
+
+template <typename Value>
+void SurfaceSmoothing::spread(std::size_t level, std::vector<Value>& values, double radius) {
+  constexpr double kMostEdges = 10.0;   // that values are spread over on one level
+  constexpr double kPolish = 1.5;       // of a coarser level's edges: what hides its clusters
+  constexpr std::size_t kFewest = 100;  // places that are worth a coarser level
+  const auto level_at = [this](std::size_t i) -> const SmoothingLevel& {
+    return i == 0 ? points_ : coarser_[i - 1].level;
+  };
+  const double mean_edge = level_at(level).mean_edge;  // 0 where no place has a neighbour
+  if (mean_edge == 0.0 || radius <= kMostEdges * mean_edge || values.size() < kFewest) {
+    return diffuse_on(level_at(level), values, radius);
+  }
+  if (coarser_.size() == level) coarser_.push_back(make_coarser(level_at(level)));
+  const double polish = kPolish * coarser_[level].level.mean_edge;
+  std::vector<Value> means = gather(level_at(level), coarser_[level], values);
+  spread(level + 1, means, std::sqrt(std::max(radius * radius - polish * polish, 0.0)));
+  const CoarserLevel& coarse = coarser_[level];
+  const Carry carry{coarse.turns};
+  for (std::size_t p = 0; p < values.size(); ++p) {
+    // An isolated place has no area, and keeps what it has.
+    if (coarse.level.areas[coarse.cluster_of[p]] > 0.0) values[p] = carry(means[coarse.cluster_of[p]], p);
+  }
+  diffuse_on(level_at(level), values, std::min(polish, radius));
 }
 
 void SurfaceSmoothing::diffuse(std::vector<ShapeOperator>& shapes, double radius) {
   require_at_least("the smoothing radius", radius, 0.0, "world units");
-  if (radius > 0.0) diffuse_values(surface_, Carry{turns_}, edge_weights(), shapes, radius);
+  if (radius > 0.0) spread(0, shapes, radius);
 }
 
 void SurfaceSmoothing::diffuse(std::vector<Line>& lines, double radius) {
   require_at_least("the smoothing radius", radius, 0.0, "world units");
-  if (radius > 0.0) diffuse_values(surface_, Carry{turns_}, edge_weights(), lines, radius);
+  if (radius > 0.0) spread(0, lines, radius);
 }
 
-const std::vector<float>& SurfaceSmoothing::edge_weights() {
-  const Adjacency& neighbours = surface_.neighbours();
-  if (edge_weights_.size() == neighbours.items.size()) return edge_weights_;
-  edge_weights_.assign(neighbours.items.size(), 0.0f);
-  const auto& positions = surface_.positions();
-  tbb::parallel_for(std::size_t{0}, surface_.point_count(), [&](std::size_t p) {
-    const auto around = neighbours[p];
-    float* const weights = edge_weights_.data() + neighbours.starts[p];
-    for (const std::uint32_t t : surface_.triangles_at(p)) {
-      for (int corner = 0; corner < 3; ++corner) {
-        const Triangle& triangle = surface_.triangles()[t];
-        const std::uint32_t q = triangle[static_cast<std::size_t>(corner)];
-        if (q == p) continue;
-        const std::uint32_t r = triangle[0] + triangle[1] + triangle[2] - q - static_cast<std::uint32_t>(p);
-        const auto entry = std::lower_bound(around.begin(), around.end(), q) - around.begin();
-        weights[entry] += static_cast<float>(0.5 * cotangent(positions[p], positions[q], positions[r]));
-      }
-    }
-    for (std::size_t k = 0; k < around.size(); ++k) weights[k] = std::max(weights[k], 0.0f);
-  });
-  return edge_weights_;
+void SurfaceSmoothing::diffuse(std::vector<Vec<3>>& vectors, double radius) {
+  require_at_least("the smoothing radius", radius, 0.0, "world units");
+  if (radius > 0.0) spread(0, vectors, radius);
 }
 
 }  // namespace solidnoise

@@ -103,16 +103,18 @@ std::vector<char> continue_lines(const SurfaceMesh& surface, const TangentFrames
 
 }  // namespace
 
-std::vector<Vec<3>> axis_directions(const SurfaceMesh& surface, const Vec<3>& axis) {
+std::vector<Vec<3>> axis_directions(std::span<const Vec<3>> normals, const Vec<3>& axis) {
   const double length = glm::length(axis);
   if (!std::isfinite(length) || length == 0.0) {
     throw std::invalid_argument(
         fmt::format("the axis is {} {} {}; it must be finite and not 0", axis.x, axis.y, axis.z));
   }
-  const TangentFrames frames(surface.normals());
-  std::vector<Line> lines(surface.point_count());
-  for (std::size_t p = 0; p < lines.size(); ++p) lines[p] = axis_line(frames[p], axis / length);
-  return to_directions(surface, frames, lines);
+  const TangentFrames frames(normals);
+  std::vector<Vec<3>> directions(normals.size());
+  for (std::size_t v = 0; v < directions.size(); ++v) {
+    directions[v] = frames[v].in_space(direction_of_line(axis_line(frames[v], axis / length)));
+  }
+  return directions;
 }
 
 std::vector<Vec<3>> curvature_directions(const SurfaceMesh& surface, const Curvature& curvature,
@@ -125,7 +127,7 @@ std::vector<Vec<3>> curvature_directions(const SurfaceMesh& surface, const Curva
   const TangentFrames frames(surface.normals());
   std::vector<Line> lines = lines_of(surface, frames, curvature);
   const double shortest = shortest_line(surface, curvature);
-  const SurfaceSmoothing smoothing(surface, frames);
+  const SurfaceSmoothing smoothing(surface);
   const auto smooth = [&] {
     for (int round = 0; round < rounds; ++round) smoothing.average(lines, surface.areas());
   };
@@ -156,13 +158,48 @@ double larger(double k1, double k2) {
   return std::abs(k1) >= std::abs(k2) ? k1 : k2;
 }
 
-std::vector<Vec<3>> make_directions(const SurfaceMesh& surface, const Curvature& curvature,
-                                    const DirectionRecipe& recipe) {
-  if (recipe.source == DirectionRecipe::Source::axis) return axis_directions(surface, recipe.axis);
-  const PrincipalDirection which = recipe.source == DirectionRecipe::Source::max_curvature
+std::vector<Vec<3>> make_directions(const SurfaceMesh& surface, std::span<const Vec<3>> planes,
+                                    const Curvature& curvature, const BakeRecipe& recipe) {
+  const DirectionRecipe& direction = recipe.direction;
+  if (direction.source == DirectionRecipe::Source::axis) {
+    return axis_directions(planes, recipe.direction_axis());
+  }
+  const PrincipalDirection which = direction.source == DirectionRecipe::Source::max_curvature
                                        ? PrincipalDirection::larger
                                        : PrincipalDirection::smaller;
-  return curvature_directions(surface, curvature, which, recipe.smooth);
+  return curvature_directions(surface, curvature, which, direction.smooth);
+}
+
+// A picture's second axis is up in it; noise by example asks for the first, to the right as seen from
+// outside.
+void turn_upright(std::span<const Vec<3>> planes, std::vector<Vec<3>>& directions) {
+  for (std::size_t v = 0; v < directions.size(); ++v) directions[v] = glm::cross(directions[v], planes[v]);
+}
+
+// The surface's; of vertices without faces those that the mesh says.
+std::vector<Vec<3>> normals_of(const PolygonMesh& mesh, const SurfaceMesh& surface) {
+  std::vector<Vec<3>> normals = surface.to_vertices(surface.normals());
+  const auto parts = normal_parts(mesh);
+  if (parts.empty()) return normals;
+  for (std::size_t v = 0; v < normals.size(); ++v) {
+    if (!surface.triangles_at(surface.point_of(v)).empty()) continue;
+    const Vec<3> said(parts[0]->values[v], parts[1]->values[v], parts[2]->values[v]);
+    const double length = glm::length(said);
+    if (std::isfinite(length) && length > 0.0) normals[v] = said / length;
+  }
+  return normals;
+}
+
+// Where opposite normals meet there is no plane between them, and the surface's own normal stays.
+std::vector<Vec<3>> smooth_normals(const SurfaceMesh& surface, double radius) {
+  constexpr double kShortest = 1e-3;
+  std::vector<Vec<3>> smooth = surface.normals();
+  SurfaceSmoothing(surface).diffuse(smooth, radius);
+  for (std::size_t p = 0; p < smooth.size(); ++p) {
+    const double length = glm::length(smooth[p]);
+    smooth[p] = length > kShortest ? smooth[p] / length : surface.normals()[p];
+  }
+  return surface.to_vertices(smooth);
 }
 
 }  // namespace
@@ -199,18 +236,23 @@ std::vector<double> steering_numbers(const PolygonMesh& mesh, const Curvature& c
   return numbers;
 }
 
-VertexGuides measure_guides(const PolygonMesh& mesh, const SurfaceMesh& surface, const BakeRecipe& recipe) {
+VertexGuides measure_guides(const PolygonMesh& mesh, const SurfaceMesh& surface, const BakeRecipe& recipe,
+                            const ParameterRange& frequency) {
   VertexGuides guides;
-  guides.normals = surface.to_vertices(surface.normals());
+  const double radius = smoothing_radius(recipe, frequency);
+  guides.normals = normals_of(mesh, surface);
+  if (radius > 0.0 && has_plane(recipe.noise) && !surface.triangles().empty())
+    guides.smooth_normals = smooth_normals(surface, radius);
   const bool oriented = has_direction(recipe.noise);
   const bool steered_by_curvature = recipe.steers() && recipe.by.source != SteeringSource::attribute &&
                                     recipe.by.source != SteeringSource::height;
   const bool directed_by_curvature = oriented && recipe.direction.source != DirectionRecipe::Source::axis;
   Curvature curvature;
   if (steered_by_curvature || directed_by_curvature) {
-    curvature = measure_curvature(surface, {.rounds = recipe.smooth, .radius = recipe.smooth_radius});
+    curvature = measure_curvature(surface, {.rounds = recipe.smooth, .radius = radius});
   }
-  if (oriented) guides.directions = make_directions(surface, curvature, recipe.direction);
+  if (oriented) guides.directions = make_directions(surface, guides.planes(), curvature, recipe);
+  if (recipe.noise.kind == SurfaceNoiseKind::spectrum) turn_upright(guides.planes(), guides.directions);
   if (recipe.steers()) {
     guides.numbers = steering_numbers(mesh, curvature, recipe.by, recipe.up);
     guides.steering = make_weights(guides.numbers, recipe.by, vertex_areas(surface));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,9 +19,9 @@ namespace solidnoise {
 // around a point; such singularities are there on nearly every closed surface. Seams there are none: lines at
 // vertices of one point are the same.
 
-// An axis of space, laid into the tangent plane; arbitrary where it is along the normal. The axis may have
-// any length but 0, otherwise std::invalid_argument is thrown.
-std::vector<Vec<3>> axis_directions(const SurfaceMesh& surface, const Vec<3>& axis);
+// An axis of space, laid into the planes of these unit normals; arbitrary where it is along the normal. The
+// axis may have any length but 0, otherwise std::invalid_argument is thrown.
+std::vector<Vec<3>> axis_directions(std::span<const Vec<3>> normals, const Vec<3>& axis);
 
 enum class PrincipalDirection {
   larger,   // along which the curvature has the larger magnitude: across ridges and creases, around a tube
@@ -38,15 +39,20 @@ std::vector<Vec<3>> curvature_directions(const SurfaceMesh& surface, const Curva
 
 // What a recipe makes of a mesh before any noise: its normals, and what its parameters follow.
 struct VertexGuides {
-  std::vector<Vec<3>> normals;     // unit length
-  std::vector<Vec<3>> directions;  // unit length or 0; of oriented noise only
-  std::vector<double> numbers;     // what ranges follow; empty if no parameter is a range
-  SteeringWeights steering;        // of the numbers
+  std::vector<Vec<3>> normals;         // of the surface, unit length
+  std::vector<Vec<3>> smooth_normals;  // unit length; empty if they are the surface's
+  std::vector<Vec<3>> directions;      // unit length or 0; of oriented noise only
+  std::vector<double> numbers;         // what ranges follow; empty if no parameter is a range
+  SteeringWeights steering;            // of the numbers
+
+  // Normals of the planes that noise of the tangent plane lies in.
+  const std::vector<Vec<3>>& planes() const { return smooth_normals.empty() ? normals : smooth_normals; }
 };
 
-// Measures the mesh. Throws std::invalid_argument: an attribute that the vertices do not have (the message
-// names those they have).
-VertexGuides measure_guides(const PolygonMesh& mesh, const SurfaceMesh& surface, const BakeRecipe& recipe);
+// Measures the mesh, for a noise of these frequencies. Throws std::invalid_argument: an attribute that the
+// vertices do not have (the message names those they have).
+VertexGuides measure_guides(const PolygonMesh& mesh, const SurfaceMesh& surface, const BakeRecipe& recipe,
+                            const ParameterRange& frequency);
 
 // Each vertex's share of the surface, world units squared: vertices at one point share its area.
 std::vector<double> vertex_areas(const SurfaceMesh& surface);

@@ -11,8 +11,13 @@ void require_preview(const std::string& path) {
 }
 
 Image render_mesh_preview(const PolygonMesh& mesh, std::span<const Vec<3>> normals,
-                          std::span<const Color> colors, UpAxis up) {
-  return render_mesh(mesh, normals, colors, {.up = up});
+                          std::span<const Color> colors, UpAxis up, const PreviewOptions& options) {
+  return render_mesh(mesh, normals, colors,
+                     {.width = options.size,
+                      .height = options.size,
+                      .up = up,
+                      .turn = options.turn,
+                      .elevation = options.elevation});
 }
 
 }  // namespace solidnoise

@@ -9,7 +9,8 @@ void require_preview(const std::string&) {
       "again");
 }
 
-Image render_mesh_preview(const PolygonMesh&, std::span<const Vec<3>>, std::span<const Color>, UpAxis) {
+Image render_mesh_preview(const PolygonMesh&, std::span<const Vec<3>>, std::span<const Color>, UpAxis,
+                          const PreviewOptions&) {
   return {};
 }
 

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <complex>
+#include <cstdint>
+#include <vector>
+
+#include "solidnoise/core/vec.h"
+#include "solidnoise/mesh/surface_mesh.h"
+
+namespace solidnoise {
+
+// What heat flows through: places on a surface, of a mesh or coarser ones that stand for some of its points.
+struct SmoothingLevel {
+  Adjacency neighbours;
+  std::vector<double> areas;
+  std::vector<Vec<3>> positions;
+  std::vector<Vec<3>> normals;
+  // For each neighbour, in the order of the adjacency: what its line is to be multiplied with (transport()),
+  // and what flows per difference.
+  std::vector<std::complex<float>> turns;
+  std::vector<float> weights;
+  double mean_edge = 0.0;  // world units; 0 without neighbours
+
+  std::size_t size() const { return areas.size(); }
+};
+
+// The level of a mesh's points: the cotangent weights of Pinkall and Polthier 1993, negative ones taken as 0.
+SmoothingLevel level_of_points(const SurfaceMesh& surface);
+
+// A coarser level, whose places are clusters of a finer one's: a point and what neighbours of it no earlier
+// cluster has.
+struct CoarserLevel {
+  SmoothingLevel level;
+  std::vector<std::uint32_t> cluster_of;   // of each place of the finer level
+  std::vector<std::complex<float>> turns;  // what the cluster's line is multiplied with at the place
+};
+
+// Heat flows from cluster to cluster through the borders of the finer level's places between them, as if the
+// value were linear from centre to centre (finite volumes).
+CoarserLevel make_coarser(const SmoothingLevel& fine);
+
+}  // namespace solidnoise

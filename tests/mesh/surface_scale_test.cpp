@@ -1,0 +1,149 @@
+// Scale belongs to the asset, not to its tessellation: frequencies, steering and tangent planes.
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include "solidnoise/geometry/mesh_file.h"
+#include "solidnoise/mesh/bake_cost.h"
+#include "solidnoise/mesh/bake_mesh.h"
+#include "solidnoise/mesh/refine.h"
+#include "solidnoise/noise/gabor/surface_gabor_noise.h"
+#include "support/paths.h"
+#include "support/surfaces.h"
+
+namespace solidnoise {
+namespace {
+
+PolygonMesh wyrm() {
+  return read_mesh(in_source("meshes/wyrm.ply")).mesh;
+}
+
+// E[(noise(x + d) - noise(x))^2] on a plane, by the spectrum S of the noise of frequency 1:
+// 2 integral of 2 pi f S(f) (1 - J0(2 pi f d)) df.
+double expected_square(const SurfaceGaborNoise& noise, double distance) {
+  constexpr double kHighest = 4.0;
+  constexpr int kSteps = 400;
+  double sum = 0.0;
+  for (int i = 0; i < kSteps; ++i) {
+    const double f = kHighest * (i + 0.5) / kSteps;
+    const double turns = 2.0 * std::numbers::pi * f;
+    sum += 2.0 * turns * noise.power_spectrum({f, 0.0}) * (1.0 - std::cyl_bessel_j(0, turns * distance));
+  }
+  return sum * kHighest / kSteps;
+}
+
+// What the noise does along the edges of a mesh, against what it does on a plane.
+struct EdgeSteps {
+  double torn = 0.0;      // share of the edges where it steps by more than 3.5 standard deviations
+  double gradient = 0.0;  // root mean square of the steps, in standard deviations
+};
+
+EdgeSteps measure_steps(const BakePlan& plan, const BakeRecipe& recipe) {
+  const BakedMesh baked = bake(plan, recipe);
+  const std::vector<double>& values = baked.mesh.property("noise")->values;
+  const SurfaceGaborNoise noise(
+      {.frequency = 1.0, .bandwidth = recipe.bandwidth.from, .error = recipe.noise.error});
+  constexpr double kFarthest = 1.0;  // of the table, wavelengths
+  constexpr std::size_t kTable = 256;
+  std::vector<double> table;
+  for (std::size_t i = 0; i <= kTable; ++i) {
+    table.push_back(expected_square(noise, kFarthest * static_cast<double>(i) / kTable));
+  }
+  const VertexNumber& frequency = plan.parameters.frequency;
+  const auto frequency_at = [&](std::uint32_t v) {
+    return frequency.varies() ? static_cast<double>(frequency.values[v]) : frequency.constant;
+  };
+  EdgeSteps steps;
+  double count = 0.0;
+  for (std::size_t f = 0; f < plan.mesh.face_count(); ++f) {
+    const auto face = plan.mesh.face(f);
+    for (std::size_t k = 0; k < face.size(); ++k) {
+      const std::uint32_t a = face[k];
+      const std::uint32_t b = face[(k + 1) % face.size()];
+      const double length = glm::distance(plan.mesh.positions[a], plan.mesh.positions[b]) *
+                            std::sqrt(frequency_at(a) * frequency_at(b));
+      if (length <= 0.0 || length >= kFarthest) continue;
+      const double place = length / kFarthest * kTable;
+      const auto i = static_cast<std::size_t>(place);
+      const double square = table[i] + (place - static_cast<double>(i)) * (table[i + 1] - table[i]);
+      const double step = values[b] - values[a];
+      steps.torn += step * step > 3.5 * 3.5 * square ? 1.0 : 0.0;
+      steps.gradient += step * step / square;
+      count += 1.0;
+    }
+  }
+  return {steps.torn / count, std::sqrt(steps.gradient / count)};
+}
+
+// Bumps of a tenth of a feature and less, such as scanned skin has.
+PolygonMesh rough_wyrm() {
+  PolygonMesh mesh = wyrm();
+  return shaken(std::move(mesh), 1e-3);
+}
+
+TEST(SurfaceScale, NoiseDoesNotTearWhereItFollowsTheCurvatureOfAnyMesh) {
+  BakeRecipe recipe;
+  recipe.noise.error = 0.05;
+  recipe.bandwidth = {0.6, 0.6};
+  BakeRecipe varying = recipe;
+  varying.detail = {0.6, 2.2};
+  varying.by.source = SteeringSource::abs_curvature;
+  for (const PolygonMesh& mesh : {wyrm(), rough_wyrm()}) {
+    const EdgeSteps steady = measure_steps(plan_bake(mesh, recipe), recipe);
+    EXPECT_LT(steady.torn, 0.01);
+    EXPECT_LT(steady.gradient, 1.1);
+    const EdgeSteps steered = measure_steps(plan_bake(mesh, varying), varying);
+    EXPECT_LT(steered.torn, 0.01);
+    EXPECT_LT(steered.gradient, 1.3);
+  }
+  // What this is for.
+  varying.smooth = 2;
+  varying.smooth_radius = 0.0;
+  const EdgeSteps raw = measure_steps(plan_bake(wyrm(), varying), varying);
+  EXPECT_GT(raw.torn, 0.01);
+  EXPECT_GT(raw.gradient, 1.5);
+}
+
+TEST(SurfaceScale, FrequenciesDoNotDependOnTheTessellation) {
+  const BakeRecipe recipe;
+  const double coarse = plan_bake(torus_mesh(1.0, 0.4, {.n = 8}), recipe).parameters.frequency.constant;
+  const double fine = plan_bake(torus_mesh(1.0, 0.4, {.n = 64}), recipe).parameters.frequency.constant;
+  EXPECT_NEAR(coarse, fine, 1e-9 * fine);
+}
+
+TEST(SurfaceScale, VerticesAreCountedBeforeTheyAreMade) {
+  const PolygonMesh mesh = torus_mesh(1.0, 0.4, {.n = 12, .jitter = 0.3});
+  for (const double target : {1.0, 0.11, 0.02}) {
+    const double counted = refined_vertices(mesh, std::array{target}, {}, 1e9);
+    EXPECT_EQ(counted, static_cast<double>(refine(mesh, std::array{target}).mesh.positions.size()));
+  }
+  EXPECT_TRUE(std::isinf(refined_vertices(mesh, std::array{0.02}, {}, 1000.0)));
+  EXPECT_TRUE(std::isinf(refined_vertices(mesh, std::array{1e-300}, {}, 1e6)));
+}
+
+TEST(SurfaceScale, RefiningStaysWithinItsBudget) {
+  BakeRecipe recipe;
+  recipe.noise.fractal.octaves = 4;
+  recipe.refine.mode = RefineRecipe::Mode::automatic;
+  recipe.refine.budget = 20000;
+  const PolygonMesh mesh = torus_mesh(1.0, 0.4, {.n = 20, .jitter = 0.3});
+  const BakePlan plan = plan_bake(mesh, recipe);
+  EXPECT_LE(plan.mesh.positions.size(), 20000u);
+  EXPECT_GT(plan.mesh.positions.size(), 10000u);
+  EXPECT_GT(plan.mean_cycles_per_edge, kHighestCyclesPerEdge);
+  EXPECT_GT(plan.vertices_to_show, 5e4);
+  // What is said to be needed is what it takes.
+  recipe.refine.budget = 10'000'000;
+  const BakePlan all = plan_bake(mesh, recipe);
+  EXPECT_EQ(static_cast<double>(all.mesh.positions.size()), plan.vertices_to_show);
+  EXPECT_LE(all.mean_cycles_per_edge, kHighestCyclesPerEdge);
+}
+
+}  // namespace
+}  // namespace solidnoise
