@@ -25,8 +25,8 @@ class SurfaceSmoothing {
   // surface): on a plane, the convolution with a bell of that radius, however fine the mesh. Two implicit
   // steps of the heat equation, on the points or, where the radius is many edges, on clusters of them
   // (SmoothingLevel), and then a little more from level to level down to the points: the time does not grow
-  // with the radius, which is met within 15 % there. Linear systems are solved by conjugate gradients to a
-  // relative residual of 1e-4. No value leaves the range of the others. Throws std::invalid_argument if the
+  // with the radius, which is met within a quarter there. Linear systems are solved by conjugate gradients to
+  // a relative residual of 1e-4. No value leaves the range of the others. Throws std::invalid_argument if the
   // radius is not at least 0.
   void diffuse(std::vector<ShapeOperator>& shapes, double radius);
   void diffuse(std::vector<std::complex<double>>& lines, double radius);
