@@ -26,7 +26,7 @@ def model() -> solidnoise.ExemplarModel:
 
 def test_models_are_those_of_noisefit(tool: Tool, tmp_path: Path) -> None:
     solidnoise.write_image(tmp_path / "in.png", texture())
-    tool("noisefit", "in.png", "--kappa", "0.02", "--out", "out.json", "--quiet")
+    tool("noisefit", "in.png", "--linear-light", "--kappa", "0.02", "--out", "out.json", "--quiet")
     by_tool = json.loads((tmp_path / "out.json").read_text())
     by_path = solidnoise.fit(tmp_path / "in.png", kappa=0.02)
     assert by_path.recipe == by_tool

@@ -212,7 +212,7 @@ const Refusal kFiles[] = {
     {"NoSuchVertexInObj", 1, {"bake", "index.obj", "--out", "x.ply"}, {"index.obj:5: face 2", "index 9"}},
     {"NoSuchVertexInOff", 1, {"bake", "index.off", "--out", "x.ply"}, {"index.off:6: face 0", "vertex 7"}},
     {"EmptyFile", 1, {"bake", "empty.obj", "--out", "x.ply"}, {"empty.obj", "empty"}},
-    {"NoFaces", 1, {"bake", "no_faces.obj", "--out", "x.ply"}, {"no_faces.obj", "no faces"}},
+    {"NoFaces", 1, {"curvature", "no_faces.obj", "--out", "x.ply"}, {"no_faces.obj", "no faces"}},
     {"TruncatedPly", 1, {"bake", "cut.ply", "--out", "x.ply"}, {"cut.ply", "face"}},
     {"TruncatedOff", 1, {"bake", "cut.off", "--out", "x.ply"}, {"cut.off", "face 1 of 2"}},
     {"TruncatedStl", 1, {"bake", "cut.stl", "--out", "x.ply"}, {"cut.stl:5: face 0"}},

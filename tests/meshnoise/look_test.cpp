@@ -144,7 +144,7 @@ TEST(BakeLook, OrientsAlongEachAxisOfEitherSign) {
                            Vec<3>(0, 1, 0), Vec<3>(0, 0, -1), Vec<3>(1, 2, -3)}) {
     const PolygonMesh baked =
         baked_with({"--noise", "oriented", "--direction", std::to_string(axis.x), std::to_string(axis.y),
-                    std::to_string(axis.z), "--keep", "direction"});
+                    std::to_string(axis.z), "--keep", "direction", "--smooth-radius", "0"});
     ASSERT_GT(spread(numbers_of(baked, "noise")), 1.0);
     const SurfaceMesh surface(baked);
     const std::vector<Vec<3>> normals = surface.to_vertices(surface.normals());

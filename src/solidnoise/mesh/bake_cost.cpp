@@ -18,7 +18,8 @@ double count_layers(const std::vector<Layer>& layers) {
 // bytes for a vertex and its faces, 335 with directions, ranges and what --keep names, 560 with meshnoise's
 // preview; 76 for a face where a million share three vertices.
 double bake_memory(double vertices, double faces) {
-  constexpr double kProgram = 20.0 * 0x1p20;
+  // With the impulses that are kept for points which are farther apart than a wave.
+  constexpr double kProgram = 64.0 * 0x1p20;
   constexpr double kVertex = 190.0;
   constexpr double kFace = 80.0;
   return kProgram + kVertex * vertices + kFace * faces;
