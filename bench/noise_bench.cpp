@@ -134,7 +134,7 @@ void add_cellular(std::vector<Ratio>& ratios) {
   });
   register_noise<3>(name + "best", noise);
   ratios.push_back(
-      {"cellular 3D, 12 voxels per cell, over scalar", name + "scalar", name + "best", 140.0, 190.0});
+      {"cellular 3D, 12 voxels per cell, over scalar", name + "scalar", name + "best", 1500.0, 2000.0});
 }
 
 // Wall-clock time per voxel of one thread, and of two that evaluate different blocks.
