@@ -70,10 +70,11 @@ class PartCount {
 
 double count_parts(const PolygonMesh& mesh, const std::vector<double>& targets, double most) {
   const std::vector<Triangle> triangles = triangulate(mesh);
-  std::atomic<double> faces{0.0};
+  std::atomic<std::uint64_t> faces{0};
   constexpr std::size_t kGrain = 256;
+  constexpr double kMost = 1e15;  // far more than there is memory for
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, triangles.size(), kGrain), [&](const auto& range) {
-    const double before = faces;
+    const auto before = static_cast<double>(faces);
     if (before > most) return;
     PartCount count(most - before);
     double parts = 0.0;
@@ -82,9 +83,10 @@ double count_parts(const PolygonMesh& mesh, const std::vector<double>& targets, 
       const auto corner = [&](std::uint32_t v) { return Corner{mesh.positions[v], targets[v]}; };
       parts += count.of({corner(a), corner(b), corner(c)});
     }
-    faces += parts;
+    faces += static_cast<std::uint64_t>(std::min(parts, kMost));
   });
-  return faces > most ? kInfinite : faces.load();
+  const auto counted = static_cast<double>(faces);
+  return counted > most || counted >= kMost ? kInfinite : counted;
 }
 
 }  // namespace
