@@ -99,8 +99,8 @@ const kMostSteps = 200;
 const kStorage = "solidnoise-studio";
 
 // Makes a new state; changes with one tag in one gesture are undone together.
-export function commit(next: State, kind: string): void {
-  const tag = `${kind} ${gesture}`;
+export function commit(next: State, kind: string, at = gesture): void {
+  const tag = `${kind} ${at}`;
   if (tag !== lastTag) {
     past.push(state.value);
     if (past.length > kMostSteps) past.shift();
@@ -129,7 +129,9 @@ export function save(): void {
   writeAddress(state.value);
 }
 
-export function undo(): void {
+// What is still being edited is done first: one undo takes all of a gesture back, and redo brings all of it.
+export async function undo(): Promise<void> {
+  await editing;
   const before = past.pop();
   if (!before) return;
   future.push(state.value);
@@ -139,7 +141,8 @@ export function undo(): void {
   void knowAll();
 }
 
-export function redo(): void {
+export async function redo(): Promise<void> {
+  await editing;
   const after = future.pop();
   if (!after) return;
   past.push(state.value);
@@ -169,12 +172,12 @@ async function knowAll(): Promise<void> {
   }
 }
 
-export function replaceNoise(noise: Noise, tag: string, rest: Partial<State> = {}): void {
+export function replaceNoise(noise: Noise, tag: string, rest: Partial<State> = {}, at = gesture): void {
   const next = { ...state.value, ...rest };
-  if (next.mode === "surface") return commit({ ...next, bake: noise.text }, tag);
+  if (next.mode === "surface") return commit({ ...next, bake: noise.text }, tag, at);
   const noises = next.noises.slice();
   noises[next.active] = noise;
-  commit({ ...next, noises }, tag);
+  commit({ ...next, noises }, tag, at);
 }
 
 // A recipe by its text, checked; says what is wrong with it in `problem`.
@@ -198,36 +201,38 @@ export async function setText(text: string, tag: string, rest: Partial<State> = 
 }
 
 // Edits wait for the one under way; of one path the last counts, so that a slider is never ahead of its picture.
-let editing = false;
+let editing: Promise<void> | undefined;
 let waiting: Edit[] = [];
-export async function edit(edits: Edit[], tag: string): Promise<void> {
+let waitingSince = 0;  // the gesture that they are of
+export function edit(edits: Edit[], tag: string): Promise<void> {
   for (const one of edits) {
     const key = JSON.stringify(one.path);
     if (one.value !== undefined && !one.keep) waiting = waiting.filter((other) => JSON.stringify(other.path) !== key);
     waiting.push(one);
   }
-  if (editing) return;
-  editing = true;
-  try {
-    while (waiting.length > 0) {
-      const now = waiting;
-      waiting = [];
-      const noise = activeNoise();
-      try {
-        const answer = await desk.ask("desk", { do: "edit", recipe: noise.text, edits: now });
-        const info = answer.json as unknown as Info;
-        learn(info.recipe, info);
-        const grids = info.grids.flatMap((grid) => grid.names);
-        batch(() => {
-          problem.value = undefined;
-          replaceNoise({ text: info.recipe, grid: grids.includes(noise.grid) ? noise.grid : "" }, tag);
-        });
-      } catch (error) {
-        problem.value = { message: (error as Error).message, ...(now[0] ? { path: now[0].path } : {}) };
-      }
+  waitingSince = gesture;
+  editing ??= apply(tag).finally(() => (editing = undefined));
+  return editing;
+}
+
+async function apply(tag: string): Promise<void> {
+  while (waiting.length > 0) {
+    const now = waiting;
+    const at = waitingSince;
+    waiting = [];
+    const noise = activeNoise();
+    try {
+      const answer = await desk.ask("desk", { do: "edit", recipe: noise.text, edits: now });
+      const info = answer.json as unknown as Info;
+      learn(info.recipe, info);
+      const grids = info.grids.flatMap((grid) => grid.names);
+      batch(() => {
+        problem.value = undefined;
+        replaceNoise({ text: info.recipe, grid: grids.includes(noise.grid) ? noise.grid : "" }, tag, {}, at);
+      });
+    } catch (error) {
+      problem.value = { message: (error as Error).message, ...(now[0] ? { path: now[0].path } : {}) };
     }
-  } finally {
-    editing = false;
   }
 }
 

@@ -94,13 +94,13 @@ test("a slider changes recipe, address and picture; undo and redo go back and fo
   await page.mouse.move(box.x + box.width * 0.3, box.y + 8, { steps: 6 });
   await page.mouse.up();
   await page.waitForFunction((n) => globalThis.pictured > n, before);
-  await page.waitForFunction(() => JSON.parse(document.querySelector("textarea").value).noise.frequency < 6);
-  const { frequency } = (await recipeOf(page)).noise;
-  assert.ok(frequency > 1 && frequency < 6, String(frequency));
+  // At once: what the last movements changed may still be under way, and belongs to the same step.
   await page.keyboard.press("Control+z");
   await page.waitForFunction(() => JSON.parse(document.querySelector("textarea").value).noise.frequency === 8);
   await page.keyboard.press("Control+Shift+z");
-  await page.waitForFunction((f) => JSON.parse(document.querySelector("textarea").value).noise.frequency === f, frequency);
+  await page.waitForFunction(() => JSON.parse(document.querySelector("textarea").value).noise.frequency < 6);
+  const { frequency } = (await recipeOf(page)).noise;
+  assert.ok(frequency > 1 && frequency < 6, String(frequency));
   await page.waitForTimeout(600);
   await page.reload();
   await page.waitForSelector(".app");
