@@ -1,10 +1,15 @@
 #include "documentation.h"
 
+#include <stdexcept>
 #include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
+
+#include "json.h"
+#include "solidnoise/mesh/bake_recipe_json.h"
+#include "solidnoise/volume/volume_recipe_json.h"
 
 namespace solidnoise::python {
 namespace {
@@ -84,6 +89,22 @@ std::string signature_of_options(const Json& schema) {
 
 std::string document(std::string_view signature, std::string_view text) {
   return fmt::format("{}\n--\n\n{}", signature, text);
+}
+
+void add_schema(pybind11::module_& module) {
+  using namespace pybind11::literals;
+  module.def(
+      "schema",
+      [](const std::string& kind) {
+        if (kind == "volume") return object_of(volume_recipe_schema());
+        if (kind == "bake") return object_of(bake_recipe_schema());
+        throw std::invalid_argument(fmt::format("kind is {}; it must be one of volume, bake", kind));
+      },
+      "kind"_a, R"(schema(kind)
+--
+
+The JSON Schema of the recipes of make_volume(), "volume", or of bake(), "bake": a dict with each key's type, range, default, unit and
+description.)");
 }
 
 }  // namespace solidnoise::python

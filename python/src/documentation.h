@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pybind11/pybind11.h>
 #include <string>
 #include <string_view>
 
@@ -16,5 +17,8 @@ std::string signature_of_options(const Json& schema);
 
 // The documentation of a function: its signature, which inspect.signature() reads, and the text.
 std::string document(std::string_view signature, std::string_view text);
+
+// schema(), the tables themselves, for those who make controls of them.
+void add_schema(pybind11::module_& module);
 
 }  // namespace solidnoise::python

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "call.h"
+#include "documentation.h"
 #include "exemplar.h"
 #include "mesh.h"
 #include "noise.h"
@@ -53,6 +54,7 @@ PYBIND11_MODULE(_solidnoise, module) {
   add_volume(module);
   add_mesh(module);
   add_exemplar(module);
+  add_schema(module);
   module.attr("__name__") = name;
   module.attr("algorithm") = solidnoise::kAlgorithmVersion;
   py::list names;

@@ -164,3 +164,13 @@ def test_a_damaged_file_is_refused(tmp_path: Path) -> None:
     path.write_bytes(path.read_bytes()[:2000])
     with pytest.raises(OSError, match="cloud.vdb"):
         solidnoise.read_volume(path)
+
+
+@pytest.mark.parametrize("kind, program", [("volume", "vdbnoise"), ("bake", "meshnoise")])
+def test_the_schema_is_that_of_the_program(kind: Any, program: str, tool: Tool) -> None:
+    assert solidnoise.schema(kind) == json.loads(tool(program, "--schema"))
+
+
+def test_a_schema_that_there_is_none_of_is_refused() -> None:
+    with pytest.raises(ValueError, match="kind is mesh; it must be one of volume, bake"):
+        solidnoise.schema("mesh")  # type: ignore[arg-type]
