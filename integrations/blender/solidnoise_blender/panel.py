@@ -1,0 +1,71 @@
+"""Menus, and the side panel (N) of what was made."""
+
+import json
+
+import bpy
+
+from . import pictures, recipes, volumes, worker
+
+
+class VIEW3D_MT_solidnoise_volume_add(bpy.types.Menu):
+    bl_idname = "VIEW3D_MT_solidnoise_volume_add"
+    bl_label = "Solidnoise"
+
+    def draw(self, context):
+        for name, _ in recipes.presets(recipes.VOLUME):
+            self.layout.operator("object.solidnoise_volume_add", text=name.capitalize(), icon_value=pictures.icon(name)).preset = name
+
+
+class VIEW3D_PT_solidnoise(bpy.types.Panel):
+    bl_idname = "VIEW3D_PT_solidnoise"
+    bl_label = "Solidnoise"
+    bl_space_type = "VIEW_3D"
+    bl_region_type = "UI"
+    bl_category = "Solidnoise"
+
+    def draw(self, context):
+        layout, obj = self.layout, context.object
+        for job in worker.jobs:
+            row = layout.row()
+            row.label(text=f"{job.fraction:.0%}", icon="TIME")
+            row.operator("wm.solidnoise_stop", text="", icon="X").subject = job.subject
+        if obj is None or volumes.RECIPE not in obj:
+            layout.label(text="Nothing of Solidnoise is selected")
+            return
+        box = layout.box()
+        for line in recipes.words(json.loads(obj[volumes.RECIPE])):
+            box.label(text=line)
+        if obj.type == "VOLUME":
+            obj.solidnoise_volume.draw_settings(layout)
+            layout.operator("object.solidnoise_volume_remake", icon="FILE_REFRESH")
+
+
+class WM_OT_solidnoise_stop(bpy.types.Operator):
+    """Stop this, and leave nothing of it"""
+
+    bl_idname = "wm.solidnoise_stop"
+    bl_label = "Stop"
+    bl_options = {"INTERNAL"}
+
+    subject: bpy.props.StringProperty()
+
+    def execute(self, context):
+        job = worker.at_work(self.subject)
+        if job:
+            job.stops = True
+        return {"FINISHED"}
+
+
+def _in_add_menu(self, context) -> None:
+    self.layout.menu(VIEW3D_MT_solidnoise_volume_add.bl_idname, icon="OUTLINER_OB_VOLUME")
+
+
+CLASSES = (VIEW3D_MT_solidnoise_volume_add, VIEW3D_PT_solidnoise, WM_OT_solidnoise_stop)
+
+
+def register() -> None:
+    bpy.types.VIEW3D_MT_volume_add.append(_in_add_menu)
+
+
+def unregister() -> None:
+    bpy.types.VIEW3D_MT_volume_add.remove(_in_add_menu)

@@ -1,0 +1,28 @@
+"""The presets' pictures, as icons of menus."""
+
+import os
+
+import bpy.utils.previews
+
+_FOLDER = os.path.join(os.path.dirname(__file__), "pictures")
+_previews = None
+
+
+def icon(name: str) -> int:
+    """0, none, where there is no picture."""
+    return _previews[name].icon_id if _previews and name in _previews else 0
+
+
+def register() -> None:
+    global _previews
+    _previews = bpy.utils.previews.new()
+    for file in sorted(os.listdir(_FOLDER)):
+        name, _, ending = file.rpartition("_")
+        if ending == "icon.png":
+            _previews.load(name, os.path.join(_FOLDER, file), "IMAGE")
+
+
+def unregister() -> None:
+    global _previews
+    bpy.utils.previews.remove(_previews)
+    _previews = None

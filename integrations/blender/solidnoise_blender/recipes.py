@@ -1,0 +1,63 @@
+"""The recipes that ship, and what properties make of them."""
+
+import functools
+import hashlib
+import json
+
+import solidnoise
+
+from . import fields
+
+VOLUME, BAKE = "volume", "bake"
+_DIM = solidnoise.schema(VOLUME)["properties"]["domain"]["properties"]["dim"]["default"]
+
+
+@functools.lru_cache(maxsize=None)
+def presets(kind: str) -> list[tuple[str, str]]:
+    """Names, and what they are, of volumes or of bakes; the library's default first."""
+    found = [(name, told) for name, told in solidnoise.presets().items() if ("surface" in solidnoise.preset(name)) == (kind == BAKE)]
+    return sorted(found, key=lambda preset: preset[0] not in ("cumulus", "rust"))
+
+
+@functools.lru_cache(maxsize=None)
+def preset(kind: str, name: str) -> dict:
+    """A preset with all of its values, as the library completes it."""
+    recipe = solidnoise.preset(name)
+    if kind == BAKE:
+        return recipe
+    completed = solidnoise.describe(recipe, dim=1)["recipe"]  # to plan few voxels takes no time
+    completed["domain"]["dim"] = recipe.get("domain", recipe).get("dim", _DIM)
+    return completed
+
+
+def finer(recipe, factor: float):
+    """The same with all of its noises so many times finer."""
+    if factor == 1.0:
+        return recipe
+    if isinstance(recipe, list):
+        return [finer(item, factor) for item in recipe]
+    if not isinstance(recipe, dict):
+        return recipe
+    result = {key: finer(value, factor) for key, value in recipe.items()}
+    if "type" in result and "frequency" in result:
+        result["frequency"] = float(f"{result['frequency'] * factor:.7g}")
+    return result
+
+
+def digest(recipe: dict) -> str:
+    """The same for the same values, of this version of the library."""
+    text = json.dumps([solidnoise.algorithm, recipe], sort_keys=True)
+    return hashlib.sha256(text.encode()).hexdigest()[:12]
+
+
+def words(recipe: dict) -> list[str]:
+    """What a recipe is, in lines for people."""
+    noise = recipe.get("noise") or recipe.get("surface") or {}
+    lines = [recipe["description"]] if "description" in recipe else []
+    kind = noise.get("type") or noise.get("noise")
+    if kind:
+        lines.append(f"{kind}, {noise.get('octaves', 1)} octaves, seed {noise.get('seed', 0)}")
+    domain = recipe.get("domain", {})
+    if "dim" in domain or "voxel" in domain:
+        lines.append(f"{domain['dim']} voxels along the longest side" if "dim" in domain else f"voxels of {domain['voxel']:g}")
+    return lines + [grid["name"] for grid in recipe.get("grids", []) if "name" in grid]

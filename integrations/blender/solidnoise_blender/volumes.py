@@ -1,0 +1,126 @@
+"""Volumes in the scene: their files are made behind the window, and shown when they are there."""
+
+import json
+import math
+import os
+from typing import Callable, Optional
+
+import bpy
+import solidnoise
+
+from . import files, recipes, worker
+
+RECIPE = "solidnoise_recipe"  # the custom property of an object that keeps its recipe, JSON
+
+
+def making(recipe: dict, path: str) -> Callable:
+    """Work that makes a recipe's file, whole or not at all."""
+
+    def work(tell: Callable) -> None:
+        solidnoise.make_volume(recipe, progress=tell).write(path, force=True)
+
+    return work
+
+
+def request(label: str, recipe: dict, work_for: Callable = making, key: Optional[dict] = None) -> tuple[str, Optional[worker.Job]]:
+    """The path of a recipe's file, and the job that still makes it, if any. `key`: what it is the file of, if not of the recipe alone.
+    Raises what the library does of a recipe."""
+    path = files.path_for(label, recipes.digest(key or recipe))
+    absolute = files.absolute(path)
+    if files.take_back(absolute):
+        return path, None
+    job = worker.at_work(absolute)
+    if job:
+        return path, job
+    job = worker.Job(absolute, work_for(recipe, absolute), done=lambda _: arrived(absolute), wanted=lambda: files.is_shown(absolute))
+    if worker.wait_a_little(job):
+        job.settle()
+        files.made(absolute)
+        return path, None
+    return path, job
+
+
+def arrived(path: str) -> None:
+    """Shows a file in the volumes that wait for it."""
+    files.made(path)
+    for volume in bpy.data.volumes:
+        if files.absolute(volume.filepath) == path:
+            volume.filepath = volume.filepath  # reads it
+            volume.grids.load()
+    files.tidy()
+
+
+def show(volume, path: str, job: Optional[worker.Job], failed: Callable) -> None:
+    """Gives a volume its file, now or when the job is over."""
+    volume.filepath = path
+    if job is None:
+        volume.grids.load()
+    elif job not in worker.jobs:
+        job.failed = failed
+        worker.go_on(job)
+
+
+def longest_side(recipe: dict) -> float:
+    box = recipe["domain"].get("box", [-1, -1, -1, 1, 1, 1])
+    return max(box[axis + 3] - box[axis] for axis in range(3))
+
+
+def add_object(context, name: str):
+    """A volume at the cursor, upright, and the only one selected."""
+    obj = bpy.data.objects.new(name, bpy.data.volumes.new(name))
+    obj.location = context.scene.cursor.location
+    obj.rotation_euler = (math.pi / 2, 0, 0)  # up is y in a file, and z in Blender
+    (context.collection or context.scene.collection).objects.link(obj)
+    for other in context.selected_objects:
+        other.select_set(False)
+    obj.select_set(True)
+    context.view_layer.objects.active = obj
+    return obj
+
+
+def remove_object(obj) -> None:
+    """With its volume and materials, as if they had never been."""
+    volume, materials = obj.data, [material for material in obj.data.materials if material]
+    bpy.data.objects.remove(obj)
+    for block, owner in [(volume, bpy.data.volumes), *[(material, bpy.data.materials) for material in materials]]:
+        if block.users == 0:
+            owner.remove(block)
+
+
+def users_of(path: str) -> list:
+    return [obj for obj in bpy.data.objects if obj.type == "VOLUME" and files.absolute(obj.data.filepath) == path]
+
+
+def remake(obj, recipe: dict) -> None:
+    """Gives an object of a preset another recipe."""
+    path, job = request(obj.name.split(".")[0].lower(), recipe)
+    before = obj.data.filepath, obj.get(RECIPE)
+    obj[RECIPE] = json.dumps(recipe)
+    absolute = files.absolute(path)
+
+    def failed(_) -> None:
+        for other in users_of(absolute):
+            other.data.filepath, other[RECIPE] = before
+
+    show(obj.data, path, job, failed)
+
+
+def restore() -> None:
+    """Has files again that are missing, from the bin or by the recipes of their objects: after an undo, or where a .blend came alone."""
+    for obj in bpy.data.objects:
+        if obj.type != "VOLUME" or RECIPE not in obj or obj.library or obj.data.library:
+            continue
+        path, recipe = files.absolute(obj.data.filepath), json.loads(obj[RECIPE])
+        if os.path.exists(path) or worker.at_work(path):
+            continue
+        if files.take_back(path):
+            arrived(path)
+            continue
+        if "on" in recipe or obj.data.is_sequence:
+            continue
+        os.makedirs(os.path.dirname(path), exist_ok=True)
+        job = worker.Job(path, making(recipe, path), done=lambda _, path=path: arrived(path), wanted=lambda path=path: files.is_shown(path))
+        if not worker.wait_a_little(job):
+            worker.go_on(job)
+        elif job.error is None:
+            arrived(path)
