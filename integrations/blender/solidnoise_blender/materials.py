@@ -83,11 +83,13 @@ def of_volume(name: str, recipe: dict, scale: float):
     return material
 
 
-def of_mesh(name: str, attribute: str):
-    """A Principled BSDF whose colour is a colour attribute."""
+def of_mesh(name: str, colors: str, noise: str):
+    """A Principled BSDF whose colour is a colour attribute, and whose roughness goes a little with the noise."""
     material, nodes, links = _new(name)
     shader = _place(nodes.new("ShaderNodeBsdfPrincipled"), 2)
-    shader.inputs["Roughness"].default_value = 0.6
     links.new(shader.outputs["BSDF"], _place(nodes.new("ShaderNodeOutputMaterial"), 3).inputs["Surface"])
-    links.new(_attribute(nodes, attribute, 0).outputs["Color"], shader.inputs["Base Color"])
+    links.new(_attribute(nodes, colors, 0).outputs["Color"], shader.inputs["Base Color"])
+    rough = _scaled(nodes, links, _attribute(nodes, noise, 1).outputs["Fac"], 0.1, 1, 0.6)
+    rough.node.use_clamp = True
+    links.new(rough, shader.inputs["Roughness"])
     return material

@@ -16,6 +16,19 @@ class VIEW3D_MT_solidnoise_volume_add(bpy.types.Menu):
             self.layout.operator("object.solidnoise_volume_add", text=name.capitalize(), icon_value=pictures.icon(name)).preset = name
 
 
+class VIEW3D_MT_solidnoise_object(bpy.types.Menu):
+    bl_idname = "VIEW3D_MT_solidnoise_object"
+    bl_label = "Solidnoise"
+
+    def draw(self, context):
+        if context.object and context.object.type == "MESH":
+            self.layout.operator_menu_enum("object.solidnoise_bake", "preset", text="Bake Noise")
+            self.layout.operator("object.solidnoise_displace")
+            self.layout.operator("object.solidnoise_example")
+        else:
+            self.layout.label(text="Select a mesh or a volume")
+
+
 class VIEW3D_PT_solidnoise(bpy.types.Panel):
     bl_idname = "VIEW3D_PT_solidnoise"
     bl_label = "Solidnoise"
@@ -38,6 +51,9 @@ class VIEW3D_PT_solidnoise(bpy.types.Panel):
         if obj.type == "VOLUME":
             obj.solidnoise_volume.draw_settings(layout)
             layout.operator("object.solidnoise_volume_remake", icon="FILE_REFRESH")
+        else:
+            obj.solidnoise_mesh.draw_task(layout)
+            layout.operator("object.solidnoise_mesh_remake", icon="FILE_REFRESH")
 
 
 class WM_OT_solidnoise_stop(bpy.types.Operator):
@@ -60,12 +76,19 @@ def _in_add_menu(self, context) -> None:
     self.layout.menu(VIEW3D_MT_solidnoise_volume_add.bl_idname, icon="OUTLINER_OB_VOLUME")
 
 
-CLASSES = (VIEW3D_MT_solidnoise_volume_add, VIEW3D_PT_solidnoise, WM_OT_solidnoise_stop)
+def _in_object_menu(self, context) -> None:
+    self.layout.separator()
+    self.layout.menu(VIEW3D_MT_solidnoise_object.bl_idname)
+
+
+CLASSES = (VIEW3D_MT_solidnoise_volume_add, VIEW3D_MT_solidnoise_object, VIEW3D_PT_solidnoise, WM_OT_solidnoise_stop)
 
 
 def register() -> None:
     bpy.types.VIEW3D_MT_volume_add.append(_in_add_menu)
+    bpy.types.VIEW3D_MT_object.append(_in_object_menu)
 
 
 def unregister() -> None:
     bpy.types.VIEW3D_MT_volume_add.remove(_in_add_menu)
+    bpy.types.VIEW3D_MT_object.remove(_in_object_menu)

@@ -1,0 +1,114 @@
+"""Meshes of the scene as the library's arrays, and what it makes of them as attributes and shape keys."""
+
+import bpy
+import numpy as np
+
+from . import materials
+from .errors import Refused
+
+COLOR, NOISE, DISPLACEMENT, KEY = "solidnoise", "noise", "displacement", "Solidnoise"
+
+
+def scale_of(obj) -> np.ndarray:
+    """Of the object in the world, so that features are as large along every axis. A mirrored one has the noise of what it mirrors."""
+    scale = np.abs(np.array(obj.matrix_world.to_scale()))
+    if not scale.all():
+        raise Refused(f"{obj.name} is scaled to 0 along an axis; its surface has no extent")
+    return scale
+
+
+def read(obj) -> tuple[np.ndarray, np.ndarray]:
+    """Vertices, at the size they have in the world, and faces: of equal numbers of corners, else triangles."""
+    mesh = obj.data
+    count = len(mesh.vertices)
+    if count == 0:
+        raise Refused(f"{mesh.name}: the mesh has no vertices")
+    if len(mesh.polygons) == 0:
+        raise Refused(f"{mesh.name}: the mesh has {count} vertices but no faces")
+    positions = np.empty(3 * count, np.float32)
+    (mesh.shape_keys.key_blocks[0].data if mesh.shape_keys else mesh.vertices).foreach_get("co", positions)
+    corners = np.empty(len(mesh.polygons), np.int32)
+    mesh.polygons.foreach_get("loop_total", corners)
+    if (corners == corners[0]).all():
+        faces = np.empty(len(mesh.loops), np.int32)
+        mesh.loops.foreach_get("vertex_index", faces)
+        faces = faces.reshape(-1, corners[0])
+    else:
+        mesh.calc_loop_triangles()
+        faces = np.empty(3 * len(mesh.loop_triangles), np.int32)
+        mesh.loop_triangles.foreach_get("vertices", faces)
+        faces = faces.reshape(-1, 3)
+    return positions.reshape(-1, 3) * scale_of(obj), faces
+
+
+def number(obj, name: str) -> np.ndarray:
+    """A number of each vertex: an attribute, or the weights of a vertex group."""
+    mesh = obj.data
+    values = np.zeros(len(mesh.vertices), np.float32)
+    attribute = mesh.attributes.get(name)
+    if attribute and attribute.domain == "POINT" and attribute.data_type in ("FLOAT", "INT"):
+        attribute.data.foreach_get("value", values)
+        return values
+    group = obj.vertex_groups.get(name)
+    if not group:
+        raise Refused(f"{mesh.name} has no number {name} of its vertices, and no vertex group")
+    for vertex in mesh.vertices:
+        values[vertex.index] = next((member.weight for member in vertex.groups if member.group == group.index), 0.0)
+    return values
+
+
+_KINDS = {COLOR: "FLOAT_COLOR", NOISE: "FLOAT", DISPLACEMENT: "FLOAT_VECTOR"}
+
+
+def require_room(mesh) -> None:
+    """That what is to be written is not there already as something else."""
+    for name, kind in _KINDS.items():
+        found = mesh.attributes.get(name)
+        if found and (found.data_type, found.domain) != (kind, "POINT"):
+            raise Refused(f"{mesh.name} has an attribute {name} of another kind; rename or remove it")
+
+
+def _set(mesh, name: str, key: str, values: np.ndarray) -> None:
+    if name not in mesh.attributes:
+        mesh.attributes.new(name, _KINDS[name], "POINT")
+    mesh.attributes[name].data.foreach_set(key, values.ravel())
+
+
+def write(obj, baked: dict) -> None:
+    """Colours, in linear light as Blender has them, the noise, and a material that shows both."""
+    mesh = obj.data
+    require_room(mesh)
+    with_alpha = np.ones((len(mesh.vertices), 4), np.float32)
+    with_alpha[:, :3] = baked["colors"]
+    _set(mesh, COLOR, "color", with_alpha)
+    _set(mesh, NOISE, "value", baked["noise"])
+    mesh.color_attributes.active_color = mesh.color_attributes[COLOR]
+    mesh.color_attributes.render_color_index = mesh.color_attributes.active_color_index
+    if not obj.active_material or not obj.active_material.get(COLOR):
+        obj.active_material = materials.of_mesh(f"{obj.name} noise", COLOR, NOISE)
+        obj.active_material[COLOR] = True
+    mesh.update()
+
+
+def displace(obj, baked: dict, as_key: bool) -> None:
+    """Moved vertices as a shape key, or how far they move as an attribute for Geometry Nodes; and the noise."""
+    mesh = obj.data
+    require_room(mesh)
+    moved = np.float32(baked["vertices"] / scale_of(obj))
+    _set(mesh, NOISE, "value", baked["noise"])
+    if not as_key:
+        _set(mesh, DISPLACEMENT, "vector", moved - np.float32(read(obj)[0] / scale_of(obj)))
+    else:
+        if not mesh.shape_keys:
+            obj.shape_key_add(name="Basis")
+        key = mesh.shape_keys.key_blocks.get(KEY) or obj.shape_key_add(name=KEY, from_mix=False)
+        key.data.foreach_set("co", moved.ravel())
+        key.value = 1.0
+    mesh.update()
+
+
+def show_colors(screen) -> None:
+    """Has the viewports of a window show colour attributes."""
+    for area in screen.areas if screen else ():
+        if area.type == "VIEW_3D":
+            area.spaces.active.shading.color_type = "VERTEX"
