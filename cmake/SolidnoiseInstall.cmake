@@ -59,6 +59,7 @@ endfunction()
 
 set(SOLIDNOISE_COMPONENTS "")
 set(SOLIDNOISE_REQUIREMENTS "")
+set(SOLIDNOISE_FOREIGN "")
 foreach(_library IN LISTS _libraries)
   get_target_property(_component ${_library} EXPORT_NAME)
   list(APPEND SOLIDNOISE_COMPONENTS ${_component})
@@ -72,6 +73,7 @@ foreach(_library IN LISTS _libraries)
   list(FILTER _foreign EXCLUDE REGEX "^solidnoise::")
   list(TRANSFORM _foreign REPLACE "::.*" "")
   list(REMOVE_DUPLICATES _foreign)
+  list(APPEND SOLIDNOISE_FOREIGN ${_foreign})
   string(APPEND SOLIDNOISE_REQUIREMENTS "set(_solidnoise_${_component}_components ${_own})\n"
                                         "set(_solidnoise_${_component}_packages ${_foreign})\n")
 
@@ -91,9 +93,20 @@ endforeach()
 
 foreach(_tool vdbnoise meshnoise noisefit)
   if(TARGET ${_tool})
-    install(TARGETS ${_tool} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+    install(TARGETS ${_tool} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT tools)
+    # A shell looks for what completes a program's command lines by the program's name.
+    install(FILES ${PROJECT_SOURCE_DIR}/tools/shell/solidnoise.bash RENAME ${_tool}
+      DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT tools)
   endif()
 endforeach()
+if(SOLIDNOISE_BUILD_TOOLS)
+  # Debian's zsh looks in another folder of /usr than of /usr/local.
+  install(CODE "set(_zsh site-functions)
+    if(CMAKE_INSTALL_PREFIX MATCHES \"/usr$\")
+      set(_zsh vendor-completions)
+    endif()" COMPONENT tools)
+  install(FILES ${PROJECT_SOURCE_DIR}/tools/shell/_solidnoise DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/\${_zsh} COMPONENT tools)
+endif()
 
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/solidnoise-config.cmake.in
   ${PROJECT_BINARY_DIR}/solidnoise-config.cmake INSTALL_DESTINATION ${_package_folder})

@@ -12,7 +12,7 @@ import sys
 COMMANDS = ["vdbnoise", "vdbnoise slice", "vdbnoise surface", "vdbnoise merge", "vdbnoise analyze", "meshnoise bake", "meshnoise curvature",
             "noisefit", "noisefit edit", "noisefit volume"]
 ALWAYS = {"--help", "--help-all"}
-OTHER_PROGRAMS = {"--install", "--write", "--gtest_filter", "--tool", "--cflags", "--libs"}  # cmake, scripts, tests, valgrind, pkg-config
+OTHER_PROGRAMS = {"--install", "--prefix", "--write", "--gtest_filter", "--tool", "--cflags", "--libs"}  # cmake, scripts, tests, valgrind, pkg-config
 FLAG = re.compile(r"^  (--[\w-]+)((?: \S+)*?)(?:  |$) *(.*)$")
 
 

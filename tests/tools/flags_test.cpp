@@ -35,6 +35,24 @@ TEST(Help, TellsTheDefaultsOfThePresetThatIsNamed) {
   EXPECT_TRUE(contains(run_vdbnoise({"--raw", "--help", "frequency"}).out, "(default 8)"));
 }
 
+TEST(Completion, IsOfCommandsFlagsAndWords) {
+  const auto completed = [](const std::vector<std::string>& words) {
+    const ToolResult result = run_vdbnoise(words);
+    EXPECT_EQ(result.status, 0) << result.err;
+    return result.out;
+  };
+  EXPECT_EQ(completed({"--complete", "s"}), "surface\nslice\n");
+  EXPECT_EQ(completed({"--complete", "--see"}), "--seed  Another seed makes another noise\n");
+  EXPECT_TRUE(completed({"--complete", ""}).starts_with("make\nmerge\n"));
+  EXPECT_TRUE(contains(completed({"--complete", ""}), "\n--seed  "));  // it takes nothing but flags
+  EXPECT_EQ(completed({"info", "--complete", ""}), "");                // a file
+  EXPECT_EQ(completed({"--dims", "2", "--complete", "--dims"}), "");   // is given
+  EXPECT_EQ(completed({"--shape", "--complete", ""}), "box\nsphere\nellipsoid\n");
+  EXPECT_EQ(completed({"slice", "--preset", "--complete", "f"}), "fire\n");
+  EXPECT_EQ(completed({"--seed", "--complete", ""}), "");
+  expect_refusal(run_vdbnoise({"--complete"}), {"", 2, {}, {"--complete is not a flag"}}, "vdbnoise");
+}
+
 TEST(Commands, ThatAreMistypedAreSuggested) {
   expect_refusal(run_vdbnoise({"analize", "x.vdb"}), {"", 2, {}, {"analize is no command", "mean analyze?"}},
                  "vdbnoise");

@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace solidnoise {
@@ -20,6 +21,7 @@ struct Flag {
   Numbers numbers = Numbers::none;                                       // what its values are
   std::function<std::string()> standard{};                               // its default; none: not to be told
   std::string group{};
+  std::vector<std::string_view> words{};            // what may be given, where value_names does not list it
   bool may_vary = false;                            // its numbers may be curves over frames
   std::optional<std::vector<std::string>> given{};  // the values of the command line
 };

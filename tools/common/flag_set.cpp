@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "common/flag_completion.h"
 #include "common/frame_curve.h"
 #include "common/parse_value.h"
 #include "solidnoise/core/printable.h"
@@ -115,6 +116,9 @@ void FlagSet::version(const std::string& text) {
 
 void FlagSet::parse(const std::vector<std::string>& arguments) {
   std::vector<std::string> words = arguments;
+  if (words.size() > 1 && words[words.size() - 2] == kCompletionFlag) {
+    throw TextRequested{completions({words.begin(), words.end() - 2}, words.back(), arguments_, flags_)};
+  }
   take_help_request(words);
   if (page_.asked == HelpPage::Asked::nothing) {
     read(words);

@@ -18,7 +18,8 @@ namespace solidnoise {
 // The flags of a command, in groups, and what each does. Parsing and applying are two steps, so that a
 // command can load what the flags then override: parse() checks the command line, apply() runs the actions of
 // the flags that were given, in the order in which they were declared. Where help was asked for apply()
-// gives it instead, with the defaults of what was loaded. Read here, not by CLI11: that takes the file of
+// gives it instead, with the defaults of what was loaded. For shells, `WORD... --complete PART` lists what
+// may stand in the place of PART (flag_completion.h). Read here, not by CLI11: that takes the file of
 // `--period 2 2 2 cloud.vdb` for a period, a flag for the value that the one before it lacks and `-:GRID` for
 // a flag.
 class FlagSet {
@@ -66,7 +67,7 @@ class FlagSet {
   void footer(const std::string& text) { page_.footer = text; }
   void version(const std::string& text);
 
-  // Throws UsageError, or TextRequested for --version.
+  // Throws UsageError, or TextRequested for --version and --complete.
   void parse(const std::vector<std::string>& arguments);
   // Throws UsageError, TextRequested where help was asked for, and what the actions throw. Curves are taken
   // at a frame.

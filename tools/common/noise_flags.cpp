@@ -74,9 +74,9 @@ std::vector<std::string> declare_noise_flags(FlagSet& flags, NoiseRecipe& recipe
     }
     change_noise_type(recipe, noise);
   };
-  flags.text("--noise", "KIND", noise_help(), choose).standard = [&] {
-    return std::string(noise_type(recipe));
-  };
+  Flag& kind = flags.text("--noise", "KIND", noise_help(), choose);
+  kind.standard = [&] { return std::string(noise_type(recipe)); };
+  kind.words = noise_names(kIsNamed);
   std::vector<std::string> declared =
       declare_alternatives(flags, recipe.noise, {noise_names(), "{} does not apply to --noise {}"});
   declare_fields(flags, recipe.fractal);

@@ -27,10 +27,16 @@ std::string list_presets() {
 
 }  // namespace
 
+std::vector<std::string_view> preset_names() {
+  std::vector<std::string_view> names;
+  for (const Preset& preset : presets()) names.push_back(preset.name);
+  return names;
+}
+
 void declare_recipe_flags(FlagSet& flags, const std::string& files, std::string& written,
                           const std::function<Json()>& schema) {
   flags.group("Recipes");
-  flags.add({"--preset", "NAME", "Start from a recipe that comes with the program"});
+  flags.add({"--preset", "NAME", "Start from a recipe that comes with the program"}).words = preset_names();
   flags.add({"--recipe", "FILE",
              "Start from a recipe, .json, from a link of the studio, or from that of " + files});
   flags.exclude({"--preset", "--recipe"});
@@ -57,9 +63,7 @@ void load_recipe(const FlagSet& flags, const std::string& standard,
     return;
   }
   const std::string name = flags.value_of("--preset").value_or(standard);
-  std::vector<std::string_view> names;
-  for (const Preset& preset : presets()) names.push_back(preset.name);
-  use(parse_json(presets()[parse_word("--preset", name, names)].json));
+  use(parse_json(presets()[parse_word("--preset", name, preset_names())].json));
 }
 
 }  // namespace solidnoise

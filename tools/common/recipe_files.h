@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "common/flag_set.h"
 #include "solidnoise/recipe/json.h"
@@ -20,6 +21,7 @@ struct Preset {
 
 // Those of this program; defined by the source that solidnoise_tool() in CMakeLists.txt makes of them.
 std::span<const Preset> presets();
+std::vector<std::string_view> preset_names();
 
 // Declares --preset, --recipe, --write-recipe, whose value is kept in `written`, --list-presets and --schema.
 // `files` says what --recipe reads beside .json.

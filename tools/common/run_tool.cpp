@@ -15,6 +15,7 @@
 
 #include <fmt/format.h>
 
+#include "common/flag_completion.h"
 #include "common/flag_help.h"
 #include "solidnoise/core/choices.h"
 #include "solidnoise/core/output_file.h"
@@ -135,6 +136,13 @@ int run_and_print(const std::function<int()>& run) {
   return status;
 }
 
+// Those that may stand in the place of a part of one: what completes a command line goes on with the flags.
+void list_commands(const std::vector<std::string_view>& names, const std::string& part) {
+  for (const std::string_view name : names) {
+    if (name.starts_with(part)) std::cout << name << '\n';
+  }
+}
+
 }  // namespace
 
 int run_tool(const char* tool, const std::function<int()>& run) {
@@ -176,6 +184,7 @@ int run_commands(const std::string& tool, std::span<const Command> commands,
       throw UsageError(error.what(), fmt::format("{} {}", tool, first));
     }
   }
+  if (first == kCompletionFlag) list_commands(names, arguments.back());
   const std::string_view nearest = nearest_word(first, names);
   if (!first.starts_with('-') && !nearest.empty() && !std::filesystem::exists(first)) {
     throw UsageError(fmt::format("{} is no command; did you mean {}?", printable(first), nearest));

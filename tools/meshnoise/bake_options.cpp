@@ -180,10 +180,12 @@ void declare_noise(FlagSet& flags, BakeRecipe& recipe) {
 
 void declare_steering(FlagSet& flags, BakeRecipe& recipe) {
   flags.group("What ranges follow");
-  flags.text("--by", "WORD",
-             fmt::format("{}, or the name of a number of the vertices (default mean-curvature)",
-                         fmt::join(names_of(kSteeringChoices), ", ")),
-             [&](const std::string& text) { set_source(recipe.by, text); });
+  flags
+      .text("--by", "WORD",
+            fmt::format("{}, or the name of a number of the vertices (default mean-curvature)",
+                        fmt::join(names_of(kSteeringChoices), ", ")),
+            [&](const std::string& text) { set_source(recipe.by, text); })
+      .words = names_of(kSteeringChoices);
   declare_fields(flags, recipe.by, {"percentiles", "gamma"});
   declare_fields(flags, recipe, {"smooth", "smooth_radius", "up"});
 }
@@ -205,15 +207,17 @@ void declare_direction(FlagSet& flags, DirectionRecipe& direction) {
 
 void declare_look(FlagSet& flags, BakeRecipe& recipe) {
   flags.group("Look");
-  flags.text(
-      "--ramp", "RAMP",
-      fmt::format(
-          "{}, or stops such as 0:#000,1:#fff; sRGB, blended in linear light; or exemplar (default rust)",
-          fmt::join(ramp_names(), ", ")),
-      [&](const std::string& text) {
-        if (text != kExemplarRamp) parse_color_ramp(text);
-        recipe.ramp = text;
-      });
+  flags
+      .text(
+          "--ramp", "RAMP",
+          fmt::format(
+              "{}, or stops such as 0:#000,1:#fff; sRGB, blended in linear light; or exemplar (default rust)",
+              fmt::join(ramp_names(), ", ")),
+          [&](const std::string& text) {
+            if (text != kExemplarRamp) parse_color_ramp(text);
+            recipe.ramp = text;
+          })
+      .words = ramp_names();
   declare_fields(flags, recipe, {"contrast", "displace"});
   flags.text("--refine", "auto|N", "Split edges until the noise shows on the mesh, or N times (default off)",
              [&](const std::string& text) { set_refine(recipe.refine, text); });

@@ -42,14 +42,16 @@ void declare_output(FlagSet& flags, SliceOptions& options) {
         }
         options.values.emplace(v[0], v[1]);
       });
-  flags.text("--ramp", "RAMP",
-             fmt::format("Colours: {}, or stops such as 0:#000,1:#fff (default: grey, the pixel's number "
-                         "proportional to the value)",
-                         fmt::join(ramp_names(), ", ")),
-             [&](const std::string& text) {
-               parse_color_ramp(text);
-               options.ramp = text;
-             });
+  flags
+      .text("--ramp", "RAMP",
+            fmt::format("Colours: {}, or stops such as 0:#000,1:#fff (default: grey, the pixel's number "
+                        "proportional to the value)",
+                        fmt::join(ramp_names(), ", ")),
+            [&](const std::string& text) {
+              parse_color_ramp(text);
+              options.ramp = text;
+            })
+      .words = ramp_names();
   flags.toggle(
       "--color",
       "Of a noise by example in colour its colours; of others three independent noises, one for each of "
@@ -77,7 +79,8 @@ void declare_source(FlagSet& flags, SliceOptions& options) {
   flags.choice("--component", {"x", "y", "z", "length"},
                "Of a grid of vectors; without it, all three as colours",
                [&](std::size_t index) { options.component = SliceRecipe::Component(index); });
-  flags.add({"--preset", "NAME", "Start from a recipe that comes with the program (default raw)"});
+  flags.add({"--preset", "NAME", "Start from a recipe that comes with the program (default raw)"}).words =
+      preset_names();
   flags.add(
       {"--recipe", "FILE",
        "Start from a recipe, .json, from a link of the studio, or from that of a .vdb made by vdbnoise"});
