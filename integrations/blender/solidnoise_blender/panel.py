@@ -4,7 +4,7 @@ import json
 
 import bpy
 
-from . import pictures, recipes, volumes, worker
+from . import files, pictures, recipes, volumes, worker
 
 
 class VIEW3D_MT_solidnoise_volume_add(bpy.types.Menu):
@@ -25,6 +25,8 @@ class VIEW3D_MT_solidnoise_object(bpy.types.Menu):
             self.layout.operator_menu_enum("object.solidnoise_bake", "preset", text="Bake Noise")
             self.layout.operator("object.solidnoise_displace")
             self.layout.operator("object.solidnoise_example")
+        elif context.object and context.object.type == "VOLUME":
+            self.layout.operator_menu_enum("object.solidnoise_volume_modify", "preset", text="Modify")
         else:
             self.layout.label(text="Select a mesh or a volume")
 
@@ -48,7 +50,10 @@ class VIEW3D_PT_solidnoise(bpy.types.Panel):
         box = layout.box()
         for line in recipes.words(json.loads(obj[volumes.RECIPE])):
             box.label(text=line)
-        if obj.type == "VOLUME":
+        if obj.type == "VOLUME" and obj.data.get(files.SOURCES):
+            obj.solidnoise_modify.draw_settings(layout)
+            layout.operator("object.solidnoise_volume_modify_again", icon="FILE_REFRESH")
+        elif obj.type == "VOLUME":
             obj.solidnoise_volume.draw_settings(layout)
             layout.operator("object.solidnoise_volume_remake", icon="FILE_REFRESH")
         else:

@@ -8,13 +8,24 @@ import solidnoise
 
 from . import fields
 
-VOLUME, BAKE = "volume", "bake"
+VOLUME, BAKE, MODIFY = "volume", "bake", "modify"
 _DIM = solidnoise.schema(VOLUME)["properties"]["domain"]["properties"]["dim"]["default"]
+_DETAIL = {"type": "gabor", "bandwidth": 1, "octaves": 3, "lacunarity": 2, "gain": 0.5}
+_MODIFICATIONS = {
+    "erode": {"description": "Wears thin parts off and leaves what is dense", "noise": {**_DETAIL, "frequency": 3.5, "seed": 4},
+              "combine": "erode", "amount": 2.5},
+    "detail": {"description": "Adds lumps, strong where it is dense", "noise": {**_DETAIL, "frequency": 5, "seed": 1},
+               "combine": "multiply", "amount": 0.9},
+    "mask": {"description": "Cuts it by a mesh: what is out of it goes", "noise": {"type": "gabor", "frequency": 1},
+             "layers": [{"weight": 0, "bias": 0}], "shaping": {"type": "raw"}, "combine": "replace"},
+}
 
 
 @functools.lru_cache(maxsize=None)
 def presets(kind: str) -> list[tuple[str, str]]:
-    """Names, and what they are, of volumes or of bakes; the library's default first."""
+    """Names, and what they are, of volumes, bakes or modifications; the library's default first."""
+    if kind == MODIFY:
+        return [(name, recipe["description"]) for name, recipe in _MODIFICATIONS.items()]
     found = [(name, told) for name, told in solidnoise.presets().items() if ("surface" in solidnoise.preset(name)) == (kind == BAKE)]
     return sorted(found, key=lambda preset: preset[0] not in ("cumulus", "rust"))
 
@@ -22,6 +33,8 @@ def presets(kind: str) -> list[tuple[str, str]]:
 @functools.lru_cache(maxsize=None)
 def preset(kind: str, name: str) -> dict:
     """A preset with all of its values, as the library completes it."""
+    if kind == MODIFY:
+        return _MODIFICATIONS[name]
     recipe = solidnoise.preset(name)
     if kind == BAKE:
         return recipe

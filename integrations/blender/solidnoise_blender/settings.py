@@ -5,7 +5,7 @@ import bpy
 import solidnoise
 
 from . import fields, recipes
-from .recipes import BAKE, VOLUME
+from .recipes import BAKE, MODIFY, VOLUME
 
 _volume = solidnoise.schema("volume")
 _bake = solidnoise.schema("bake")
@@ -13,7 +13,7 @@ _grid = _volume["properties"]["grids"]["items"]
 _domain = _volume["properties"]["domain"]
 _noises = {"oneOf": [kind for kind in _volume["$defs"]["noise"]["oneOf"] if "exemplar" not in kind["properties"]]}
 _words = [kind["properties"]["type"]["enum"][0] for kind in _noises["oneOf"]]
-_TYPE = fields.Field("noise_type", ("noise", "type"), {"enum": _words, "description": "Which noise it is"})
+TYPE = fields.Field("noise_type", ("noise", "type"), {"enum": _words, "description": "Which noise it is"})
 _SHAPE = fields.Field("domain_shape", ("domain", "shape", "type"),
                       {"enum": ["box", "sphere", "ellipsoid"], "description": _domain["properties"]["shape"]["description"]})
 
@@ -23,14 +23,15 @@ SCALE = fields.fields_of(_grid["properties"]["scale"], "scale", ("grids", 0, "sc
 REST = [_SHAPE, *fields.fields_of(_domain, "domain", ("domain",), {"dim", "edge"}),
         *fields.fields_of(_grid, "grid", ("grids", 0), {"prune", "half"}),
         *fields.fields_of(_volume, "volume", (), {"time", "offset", "wind", "band_limit", "exact"})]
-OF_VOLUME = [_TYPE, *NOISE, *SHAPING, *SCALE, *REST]
+OF_VOLUME = [TYPE, *NOISE, *SHAPING, *SCALE, *REST]
 
 SURFACE = fields.fields_of(_bake["properties"]["surface"], "surface", ("surface",))
 STEERING = [field for key in ("by", "direction") for field in fields.fields_of(_bake["properties"][key], key, (key,))]
 OF_BAKE = [*SURFACE, *[field for field in fields.fields_of(_bake, "bake", ()) if field.path[0] not in
                        ("$schema", "solidnoise", "algorithm", "description", "displace", "up")], *STEERING]
 
-FIELDS = {VOLUME: OF_VOLUME, BAKE: OF_BAKE}
+OF_MODIFY = [*fields.fields_of(_volume, "modify", (), {"amount"}), TYPE, *NOISE]
+FIELDS = {VOLUME: OF_VOLUME, BAKE: OF_BAKE, MODIFY: OF_MODIFY}
 
 
 def named(field_list, *names):
@@ -63,16 +64,22 @@ def _preset(kind: str):
                                   update=lambda self, context: prepare(self, kind))
 
 
-def _shared(kind: str, field_list) -> dict:
+def shared(kind: str, field_list) -> dict:
     return {"preset": _preset(kind),
             "filled": bpy.props.StringProperty(options={"HIDDEN", "SKIP_SAVE"}),
             "advanced": bpy.props.BoolProperty(name="Advanced", description="All options", options={"SKIP_SAVE"}),
             **fields.annotations(field_list)}
 
 
+def with_keys_of_its_noise(recipe: dict) -> dict:
+    """Without those that noises of another type have."""
+    allowed = next(kind["properties"] for kind in _noises["oneOf"] if kind["properties"]["type"]["enum"][0] == recipe["noise"]["type"])
+    return {**recipe, "noise": {key: value for key, value in recipe["noise"].items() if key in allowed}}
+
+
 class VolumeSettings:
     __annotations__ = {
-        **_shared(VOLUME, OF_VOLUME),
+        **shared(VOLUME, OF_VOLUME),
         "detail": bpy.props.FloatProperty(name="Detail", description="How many times finer all noises are than the preset's", default=1.0,
                                           min=0.01, max=100.0, soft_min=0.25, soft_max=4.0, options={"SKIP_SAVE"})}
 
@@ -80,13 +87,10 @@ class VolumeSettings:
 
     def recipe(self) -> dict:
         prepare(self, VOLUME)
-        recipe = fields.applied(self, OF_VOLUME, recipes.preset(VOLUME, self.preset))
-        allowed = next(kind["properties"] for kind in _noises["oneOf"] if kind["properties"]["type"]["enum"][0] == recipe["noise"]["type"])
-        recipe["noise"] = {key: value for key, value in recipe["noise"].items() if key in allowed}
-        return recipes.finer(recipe, self.detail)
+        return recipes.finer(with_keys_of_its_noise(fields.applied(self, OF_VOLUME, recipes.preset(VOLUME, self.preset))), self.detail)
 
     def draw_settings(self, layout, *others) -> None:
-        recipe = fields.applied(self, [_TYPE], recipes.preset(VOLUME, self.preset))
+        recipe = fields.applied(self, [TYPE], recipes.preset(VOLUME, self.preset))
         layout.use_property_split = True
         layout.prop(self, "preset")
         main = named(OF_VOLUME, "noise_seed", "domain_dim", "scale_optical_depth")
@@ -97,14 +101,14 @@ class VolumeSettings:
         if "scale" in recipe["grids"][0]:
             fields.draw(layout, self, main[2:], recipe)
         layout.prop(self, "advanced", icon="TRIA_DOWN" if self.advanced else "TRIA_RIGHT", emboss=False)
-        for title, group in (("Noise", [_TYPE, *NOISE]), ("Shaping", SHAPING), ("Volume", REST)) if self.advanced else ():
+        for title, group in (("Noise", [TYPE, *NOISE]), ("Shaping", SHAPING), ("Volume", REST)) if self.advanced else ():
             column = layout.column(heading=title)
             column.label(text=title)
             fields.draw(column, self, [field for field in group if field not in main], recipe)
 
 
 class BakeSettings:
-    __annotations__ = _shared(BAKE, OF_BAKE)
+    __annotations__ = shared(BAKE, OF_BAKE)
     SHARED = tuple(__annotations__)
 
     def recipe(self) -> dict:
