@@ -19,9 +19,9 @@ except ImportError as error:
     missing = str(error)
 
 if not missing:
-    from . import add_volume, bake_mesh, files, modify_volume, panel, pictures, volumes, worker
+    from . import add_volume, bake_mesh, files, modify_volume, panel, pictures, sequence, volumes, worker
 
-    _PARTS = (pictures, add_volume, modify_volume, bake_mesh, panel, files)
+    _PARTS = (pictures, add_volume, modify_volume, sequence, bake_mesh, panel, files)
     files.restore = volumes.restore
 
 

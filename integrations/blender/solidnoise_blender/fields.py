@@ -125,13 +125,13 @@ def fill(holder, fields: list[Field], recipe: dict, keeps_set: bool) -> None:
             setattr(holder, field.name, value_in(recipe, field))
 
 
-def _plain(value: Any) -> Any:
+def plain(value: Any) -> Any:
     """Single precision as people write it: 2.8, not 2.799999952316284."""
     if isinstance(value, float):
         return float(f"{value:.7g}")
     if isinstance(value, (bool, int, str)):
         return value
-    return [_plain(item) for item in value]
+    return [plain(item) for item in value]
 
 
 def _is_same(value: Any, before: Any) -> bool:
@@ -151,7 +151,7 @@ def applied(holder, fields: list[Field], recipe: dict) -> dict:
         target = result
         for key in field.path[:-1]:
             target = target[key] if isinstance(key, int) else target.setdefault(key, {})
-        value = _plain(value)
+        value = plain(value)
         if _kind(field.schema) == "range" and value[0] == value[1]:
             value = value[0]
         if "default" not in field.schema and _is_same(getattr(holder, field.name), _default(field)):

@@ -27,6 +27,7 @@ class VIEW3D_MT_solidnoise_object(bpy.types.Menu):
             self.layout.operator("object.solidnoise_example")
         elif context.object and context.object.type == "VOLUME":
             self.layout.operator_menu_enum("object.solidnoise_volume_modify", "preset", text="Modify")
+            self.layout.operator("object.solidnoise_sequence")
         else:
             self.layout.label(text="Select a mesh or a volume")
 

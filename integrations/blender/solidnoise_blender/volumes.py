@@ -46,12 +46,14 @@ def arrived(path: str) -> None:
     for volume in bpy.data.volumes:
         if files.absolute(volume.filepath) == path:
             volume.filepath = volume.filepath  # reads it
-            volume.grids.load()
+            if not volume.is_sequence:  # whose grids only evaluated copies have
+                volume.grids.load()
     files.tidy()
 
 
 def show(volume, path: str, job: Optional[worker.Job], failed: Callable) -> None:
     """Gives a volume its file, now or when the job is over."""
+    volume.is_sequence = False
     volume.filepath = path
     if job is None:
         volume.grids.load()

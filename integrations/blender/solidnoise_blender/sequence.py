@@ -1,0 +1,134 @@
+"""Object > Solidnoise > Sequence: a volume that moves, a file for each of the scene's frames."""
+
+import copy
+import json
+import os
+import shutil
+
+import bpy
+import solidnoise
+
+from . import files, recipes, volumes, worker
+from .errors import Refused, reported, require_object
+from .fields import plain
+
+_table = solidnoise.schema("volume")["$defs"]["noise"]["oneOf"][0]["properties"]
+
+
+def moving(recipe, evolve: float, loop: float):
+    """The recipe with all of its noises turning on the spot."""
+    if isinstance(recipe, list):
+        return [moving(item, evolve, loop) for item in recipe]
+    if not isinstance(recipe, dict):
+        return recipe
+    result = {key: moving(value, evolve, loop) for key, value in recipe.items()}
+    if "type" in result and "frequency" in result:
+        result |= {"evolve": evolve, "loop": loop}
+    return result
+
+
+def scaled_as(recipe: dict, volume) -> dict:
+    """The recipe with the factors that its densities were multiplied by in a volume, so that frames do not flicker."""
+    result = copy.deepcopy(recipe)
+    for grid, made in zip(result["grids"], volume.grids.values()):
+        factor = made.metadata.get("solidnoise:density_factor")
+        if factor is not None and "scale" in grid:
+            grid["scale"]["factor"] = factor
+    return result
+
+
+def frame_path(folder: str, frame: int) -> str:
+    return os.path.join(folder, f"frame.{frame:04d}.vdb")
+
+
+def making(recipe: dict, folder: str, frames: range, fps: float):
+    """Work that makes all files, or none. What is there is kept."""
+
+    def work(tell) -> None:
+        try:
+            os.makedirs(folder, exist_ok=True)
+            of_all = recipe
+            for place, frame in enumerate(frames):
+                volume = solidnoise.make_volume(of_all, time=place / fps, progress=lambda part: tell((place + part) / len(frames)))
+                of_all = scaled_as(recipe, volume) if place == 0 else of_all
+                volume.write(frame_path(folder, frame), force=True, frame=frame, fps=fps)
+        except BaseException:
+            shutil.rmtree(folder, ignore_errors=True)
+            raise
+
+    return work
+
+
+class OBJECT_OT_solidnoise_sequence(bpy.types.Operator):
+    """Make the volume move: a file for each frame of the scene. Esc stops it"""
+
+    bl_idname, bl_label = "object.solidnoise_sequence", "Sequence"
+    bl_options = {"UNDO"}
+
+    evolve: bpy.props.FloatProperty(name="Evolve", description=f"{_table['evolve']['description']}; a unit of time is a second", default=0.3,
+                                    min=0.0, soft_max=4.0)
+    loops: bpy.props.BoolProperty(name="Loop", description="After the scene's last frame the first follows, to the last bit", default=True)
+
+    def invoke(self, context, event):
+        return context.window_manager.invoke_props_dialog(self)
+
+    @reported
+    def execute(self, context):
+        obj, scene = context.object, context.scene
+        require_object(obj, "VOLUME")
+        if volumes.RECIPE not in obj or obj.data.get(files.SOURCES):
+            raise Refused(f"{obj.name} has no recipe of its own; it must be a volume of Add > Volume > Solidnoise")
+        fps = scene.render.fps / scene.render.fps_base
+        self._frames = range(scene.frame_start, scene.frame_end + 1)
+        self._recipe = moving(obj.solidnoise_volume.recipe(), plain(self.evolve), len(self._frames) / fps if self.loops else 0.0)
+        key = {**self._recipe, "frames": [scene.frame_start, scene.frame_end, fps]}
+        self._folder = files.path_for(obj.name.split(".")[0].lower(), recipes.digest(key), "")
+        self._name = obj.name
+        self._job = worker.Job(self._folder, making(self._recipe, files.absolute(self._folder), self._frames, fps))
+        if bpy.app.background:
+            self._job.is_over(None)
+            return self._finish(context)
+        self._timer = context.window_manager.event_timer_add(0.1, window=context.window)
+        context.window_manager.modal_handler_add(self)
+        context.window_manager.progress_begin(0, 100)
+        return {"RUNNING_MODAL"}
+
+    def modal(self, context, event):
+        if event.type == "ESC":
+            self._job.stops = True
+        elif event.type != "TIMER":
+            return {"PASS_THROUGH"}
+        if not self._job.is_over():
+            context.window_manager.progress_update(int(100 * self._job.fraction))
+            context.workspace.status_text_set(f"Solidnoise: {self._job.fraction:.0%} of {len(self._frames)} frames, Esc stops")
+            return {"RUNNING_MODAL"}
+        context.window_manager.event_timer_remove(self._timer)
+        context.window_manager.progress_end()
+        context.workspace.status_text_set(None)
+        return reported(type(self)._finish)(self, context)
+
+    def _finish(self, context):
+        """Shows the sequence, or raises what went wrong; then nothing is left of it."""
+        self._job.settle()
+        files.made(self._folder)
+        obj = bpy.data.objects.get(self._name)
+        if obj is None:
+            files.tidy()
+            raise Refused(f"{self._name} is gone")
+        first = frame_path(self._folder, self._frames[0])
+        obj.data.filepath, obj.data.is_sequence = first, True
+        obj.data.frame_start, obj.data.frame_duration, obj.data.frame_offset = self._frames[0], len(self._frames), self._frames[0] - 1
+        obj.data.sequence_mode = "REPEAT" if self.loops else "EXTEND"
+        obj[volumes.RECIPE] = json.dumps(self._recipe)
+        files.tidy()
+        return {"FINISHED"}
+
+
+CLASSES = (OBJECT_OT_solidnoise_sequence,)
+
+
+def register() -> None:
+    """Nothing but its class."""
+
+
+unregister = register

@@ -1,0 +1,101 @@
+"""Object > Solidnoise > Sequence: a file for each frame of the scene, shown as a sequence."""
+
+import json
+import os
+from pathlib import Path
+
+import bpy
+import numpy as np
+import pytest
+import solidnoise
+
+FRAMES = range(11, 15)
+
+
+@pytest.fixture
+def smoke(add):
+    scene = bpy.context.scene
+    scene.frame_start, scene.frame_end, scene.render.fps = FRAMES[0], FRAMES[-1], 2
+    return add(preset="smoke", domain_dim=24)
+
+
+def folder_of(obj) -> Path:
+    return Path(bpy.path.abspath(obj.data.filepath)).parent
+
+
+def density(path) -> np.ndarray:
+    return solidnoise.read_volume(path).to_numpy("density")
+
+
+def test_every_frame_is_the_recipes_moment_at_one_scale(smoke) -> None:
+    recipe = json.loads(smoke["solidnoise_recipe"])
+    assert bpy.ops.object.solidnoise_sequence(evolve=0.4, loops=False) == {"FINISHED"}
+    assert sorted(os.listdir(folder_of(smoke))) == [f"frame.{frame:04d}.vdb" for frame in FRAMES]
+    recipe["noise"]["evolve"] = 0.4
+    first = solidnoise.make_volume(recipe)
+    factor = first.grids["density"].metadata["solidnoise:density_factor"]
+    recipe["grids"][0]["scale"]["factor"] = factor
+    for place, frame in enumerate(FRAMES):
+        expected = solidnoise.make_volume(recipe, time=place / 2)
+        np.testing.assert_array_equal(density(folder_of(smoke) / f"frame.{frame:04d}.vdb"), expected.to_numpy("density"))
+
+
+@pytest.mark.parametrize("loops, after", [(True, 11), (False, 14)])
+def test_blender_shows_the_frame_of_the_scene(loops: bool, after: int, smoke) -> None:
+    bpy.ops.object.solidnoise_sequence(loops=loops)
+    for frame, shown in ((11, 11), (12, 12), (14, 14), (15, after)):
+        bpy.context.scene.frame_set(frame)
+        volume = smoke.evaluated_get(bpy.context.evaluated_depsgraph_get()).data
+        volume.grids.load()
+        assert os.path.basename(volume.grids.frame_filepath) == f"frame.{shown:04d}.vdb"
+        assert [grid.name for grid in volume.grids] == ["density"]
+
+
+def test_a_loop_ends_where_it_began(smoke) -> None:
+    bpy.ops.object.solidnoise_sequence(loops=True)
+    recipe = json.loads(smoke["solidnoise_recipe"])
+    assert recipe["noise"]["loop"] == len(FRAMES) / 2
+    files = [density(folder_of(smoke) / f"frame.{frame:04d}.vdb") for frame in FRAMES]
+    again = solidnoise.make_volume(recipe, time=len(FRAMES) / 2)
+    np.testing.assert_array_equal(again.to_numpy("density"), files[0])
+    assert not np.array_equal(files[0], files[1])
+
+
+def test_undo_brings_back_the_volume_and_takes_the_files_along(smoke) -> None:
+    single = smoke.data.filepath
+    bpy.ops.object.solidnoise_sequence("EXEC_DEFAULT", True)
+    folder = folder_of(smoke)
+    bpy.ops.ed.undo()
+    smoke = bpy.data.objects["Smoke"]
+    assert (smoke.data.filepath, smoke.data.is_sequence) == (single, False)
+    assert smoke.data.grids.load() and not folder.exists()
+    bpy.ops.ed.redo()
+    assert bpy.data.objects["Smoke"].data.is_sequence and len(os.listdir(folder)) == len(FRAMES)
+
+
+def test_saved_and_opened_again_it_is_a_sequence_and_can_be_a_single_volume(smoke, tmp_path) -> None:
+    bpy.ops.object.solidnoise_sequence()
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "scene.blend"))
+    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "scene.blend"))
+    smoke = bpy.data.objects["Smoke"]
+    assert smoke.data.filepath.startswith("//solidnoise/smoke-") and len(os.listdir(folder_of(smoke))) == len(FRAMES)
+    bpy.context.view_layer.objects.active = smoke
+    bpy.ops.object.solidnoise_volume_remake()
+    assert not smoke.data.is_sequence and smoke.data.grids.load()
+
+
+def test_what_cannot_be_is_refused_and_leaves_nothing(smoke) -> None:
+    there = sorted(os.listdir(os.path.join(bpy.app.tempdir, "solidnoise")))
+    before = smoke.data.filepath
+
+    def refused(message: str) -> None:
+        with pytest.raises(RuntimeError, match=f"Error: {message}"):
+            bpy.ops.object.solidnoise_sequence()
+        assert smoke.data.filepath == before and not smoke.data.is_sequence
+        assert sorted(os.listdir(os.path.join(bpy.app.tempdir, "solidnoise"))) == there
+
+    smoke.solidnoise_volume.noise_type = "kensler"  # which does not turn on the spot
+    refused("noise.evolve is unknown")
+    smoke.solidnoise_volume.noise_type = "gabor-oriented"
+    bpy.ops.object.volume_add()
+    refused("Volume has no recipe of its own")
