@@ -3,6 +3,9 @@
 #include <functional>
 #include <pybind11/stl.h>
 #include <string>
+#include <type_traits>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
@@ -13,6 +16,7 @@
 #include "evaluation.h"
 #include "json.h"
 #include "solidnoise/core/check.h"
+#include "solidnoise/noise/error_budget.h"
 #include "solidnoise/noise/interpolation/interpolated_noise.h"
 #include "solidnoise/noise/noise_views.h"
 #include "solidnoise/noise/registry/noise_entries.h"
@@ -284,11 +288,38 @@ The covariance of values so far apart, an array (..., dims), world units: the tr
       "(dims,).");
 }
 
+// What describe() says of the kernel and of its impulses, in any dimensions.
+Json description_of(const NoiseObject& noise) {
+  Json json;
+  const auto of_kernel = [&](const char* key, const auto& value) { json["kernel"][key] = value; };
+  const auto of_noise = [&](const char* key, const auto& value) { json[key] = value; };
+  const auto describe = [&]<typename Options>(const Options& whole) {
+    using Entry = NoiseEntry<Options>;
+    const Options options = with_truncation_share(whole);
+    const auto in = [&]<int Dim>(std::integral_constant<int, Dim>) {
+      if constexpr (Entry::kLeastDimensions <= Dim && Dim <= Entry::kMostDimensions) {
+        if (noise.made_dims() == Dim) Entry::template describe<Dim>(options, of_kernel, of_noise);
+      }
+    };
+    [&]<int... Less>(std::integer_sequence<int, Less...>) {
+      (in(std::integral_constant<int, Less + 1>()), ...);
+    }
+    (std::make_integer_sequence<int, 4>());
+  };
+  std::visit(describe, noise.recipe().noise);
+  return json;
+}
+
 void add_state(NoiseClass& of) {
   using namespace py::literals;
   of.def_property_readonly(
       "recipe", [](const NoiseObject& noise) { return object_of(to_json(noise.recipe())); },
       "What the noise is made of, as a new dict: what recipes of volumes have under \"noise\".");
+  of.def_property_readonly(
+      "description", [](const NoiseObject& noise) { return object_of(description_of(noise)); },
+      "What is known of the kernel (\"kernel\": its radius and the like, world units) and of the impulses, "
+      "of the first octave, "
+      "as a new dict: what describe() has of a volume's noise.");
   of.def_property_readonly("dims", &NoiseObject::dims, "Dimensions of its positions, 1 to 4.");
   of.def_property_readonly("time", &NoiseObject::time,
                            "The time that it is looked at; None if none was given.");

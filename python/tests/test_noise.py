@@ -137,6 +137,24 @@ def test_closed_forms() -> None:
     assert abs(noise.excess_kurtosis) < 0.1
 
 
+@pytest.mark.parametrize("dims", [3, 4])
+def test_description_is_what_describe_says(dims: int) -> None:
+    for noise in KINDS:
+        told = solidnoise.describe({"noise": noise.recipe, "dims": dims})["noise"]
+        about = solidnoise.Noise(noise.recipe, dims=dims).description
+        assert about and about == {key: told[key] for key in about}
+
+
+@pytest.mark.parametrize("dims", [1, 2, 3, 4])
+def test_description_has_the_impulses_of_all_dimensions(dims: int) -> None:
+    about = solidnoise.gabor(dims=dims, frequency=2, impulses=40, impulses_process="poisson").description
+    assert abs(about["impulses_per_kernel"] - 40) < 1e-9
+    # Frequencies twice as high make everything half as large.
+    finer = solidnoise.gabor(dims=dims, frequency=4, impulses=40, impulses_process="poisson").description
+    assert finer["impulse_density"] / about["impulse_density"] == pytest.approx(2**dims)
+    assert about["kernel"]["radius"] / finer["kernel"]["radius"] == pytest.approx(2)
+
+
 def test_time() -> None:
     evolving = solidnoise.gabor(frequency=4, evolve=0.5)
     assert not np.array_equal(evolving.at_time(0.0)(POINTS), evolving.at_time(1.0)(POINTS))
