@@ -1,45 +1,19 @@
-"""What the pages' scripts share: reading the data that our programs wrote, and one look for all pictures."""
+"""What the pages share: words, pictures, and one look for all of them."""
 
-import csv
 import datetime
 import io
-import json
 import os
-import subprocess
 
 import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
-import numpy as np
 from PIL import Image
 
 plt.rcParams.update({
     "font.size": 13, "axes.titlesize": 13, "legend.fontsize": 11, "figure.dpi": 100, "axes.grid": True, "grid.alpha": 0.3,
     "lines.linewidth": 1.6, "legend.framealpha": 0.8, "savefig.bbox": "tight", "savefig.pad_inches": 0.08,
 })
-
-
-class Data:
-    """The files of a folder."""
-
-    def __init__(self, folder):
-        self.folder = folder
-
-    def table(self, name):
-        with open(os.path.join(self.folder, name + ".csv"), encoding="utf-8") as file:
-            rows = list(csv.reader(file))
-        columns = np.array(rows[1:], dtype=float).T
-        return dict(zip(rows[0], columns))
-
-    def json(self, name):
-        with open(os.path.join(self.folder, name + ".json"), encoding="utf-8") as file:
-            return json.load(file)
-
-    def field(self, name):
-        shape = self.json(name)
-        values = np.fromfile(os.path.join(self.folder, name + ".f32"), dtype="<f4")
-        return values.reshape(shape["rows"], shape["columns"])
 
 
 class Page:

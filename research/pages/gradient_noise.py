@@ -1,10 +1,9 @@
-"""gradient_noise.py DATA DOCS VERSION: the page and pictures of "Better Gradient Noise"."""
+"""The page and pictures of "Better Gradient Noise"."""
 
-import sys
 
 import numpy as np
 
-from drawing import Data, Page, middle_of_spectrum, plt, show, table
+from pages.drawing import middle_of_spectrum, plt, show, table
 
 FIGURE = [
     ("a", "a: Perlin, classic hash"), ("b", "b: Perlin, xor hash"), ("c", "c: wide kernel"),
@@ -15,9 +14,9 @@ ZERO_DC = [("c_zero_dc", "c, zero-dc"), ("d_zero_dc", "d, zero-dc"), ("e_zero_dc
 
 def draw_spectra(data, kinds, axes):
     for (name, title), column in zip(kinds, axes.T):
-        field = data.field(f"gradient_{name}")
+        field = data[f"gradient_{name}"]
         show(column[0], field[:192, :192], title, -3 * field.std(), 3 * field.std())
-        spectrum, extent = middle_of_spectrum(data.field(f"gradient_{name}_spectrum"), 76, 4 / 256)
+        spectrum, extent = middle_of_spectrum(data[f"gradient_{name}_spectrum"], 76, 4 / 256)
         column[1].imshow(spectrum, cmap="gray", vmin=0, vmax=np.quantile(spectrum, 0.99), extent=extent)
         column[1].grid(False)
     axes[1][0].set_ylabel("cycles per lattice unit")
@@ -29,11 +28,12 @@ def draw_figure(data, page):
     page.write("""
 ## Figure 1: six noises and their Fourier transforms
 Above, 48 lattice units of each; below, magnitudes of the transforms of 256 units, the tables' full repetition, with frequency 0 in the middle. The classic hash leaves stripes in a; the wide
-kernel makes a ring of the disk; a plane through 3D noise fills it with low frequencies, and the projection empties it again.
+kernel makes a ring of the disk; a plane through 3D noise fills it with low frequencies, and the projection empties it again. c and d are the library's noises, a, b, e and f
+the papers' procedures in NumPy (`research/papers/gradients.py`), f through a window of 2 units, see below.
 """)
     page.photo(figure, "figure1", "Figure 1 made again")
 
-    values = data.json("gradient")
+    values = data["gradient"]
     rows = []
     for name, title in FIGURE + ZERO_DC:
         record = values[name]
@@ -49,10 +49,10 @@ hash has {values['a']['striation_x']:.2f} between lines across the axis that is 
 
 
 def draw_zero_dc(data, page):
-    closed = data.table("gradient_closed")
+    closed = data["gradient_closed"]
     figure, axes = plt.subplots(1, 2, figsize=(11, 3.4))
     for name, label, color in (("c", "published, measured", "C0"), ("c_zero_dc", "zero-dc, measured", "C1")):
-        radial = data.table(f"gradient_{name}_radial")
+        radial = data[f"gradient_{name}_radial"]
         for axis in axes:
             axis.plot(radial["f"], radial["density"], ".", color=color, markersize=4, label=label)
     for axis in axes:
@@ -75,7 +75,7 @@ The paper has no closed form of the spectrum; ours is derived at `GradientKernel
 
 
 def write_planes(data, page):
-    planes = data.table("gradient_planes")
+    planes = data["gradient_planes"]
     rows = [[f"{planes['height'][i]:g}"] + [f"{planes[name][i]:.4f}" for name in ("full", "half_printed", "half_wide")]
             for i in range(len(planes["height"]))]
     zero = planes["half_printed"][list(planes["height"]).index(1.0)]
@@ -90,12 +90,12 @@ to 1, those of our `cosine` do.
 
 
 def write_costs(data, page):
-    costs = data.json("gradient_costs")
+    costs = data["gradient_costs"]
     perlin = costs["chained"]
     page.write("""
 ## Section 5: costs
-Three dimensions, over Perlin's noise with the classic hash; scalar procedures in single precision, processor time of one thread. All of ours read their gradients
-from a table of 256; how the paper's Perlin noise was made, against which the others look dearer, it does not say.
+Three dimensions, over Perlin's noise with the classic hash; the procedures in NumPy, all points at once, processor time of one thread. All of ours read their gradients
+from a table of 256; how the paper's Perlin noise was made it does not say.
 """)
     page.write(table(["", "printed", "measured", "ns"], [
         ["xor hash", "about 0.95", f"{costs['xor_tables'] / perlin:.2f}", f"{costs['xor_tables']:.0f}"],
@@ -103,15 +103,14 @@ from a table of 256; how the paper's Perlin noise was made, against which the ot
         ["projected", "about 14", f"{costs['projected'] / perlin:.1f}", f"{costs['projected']:.0f}"],
         ["projected, half resolution", "2.4", f"{costs['half'] / perlin:.2f}", f"{costs['half']:.0f}"],
     ]))
-    page.write("The library's own evaluation, in blocks and with SIMD, is in the [README](../../README.md#speed).")
+    page.write("The library's own evaluation, in blocks and with SIMD, and compiled procedures are in the [README](../../README.md#speed).")
 
 
-def main():
-    data, page = Data(sys.argv[1]), Page("gradient-noise", sys.argv[2])
+def write(data, page):
     page.write("""
 # Better Gradient Noise
 Kensler, Knoll and Shirley, SCI Institute technical report UUSCI-2008-001. The figure and numbers of the paper, made again by
-`scripts/reproduce.sh`; the numbers are asserted, in smaller versions, by `tests/papers/`. Lengths are in lattice units.
+`scripts/reproduce.sh`; the numbers are asserted, in smaller versions, by `tests/papers`. Lengths are in lattice units.
 """)
     draw_figure(data, page)
     draw_zero_dc(data, page)
@@ -126,7 +125,3 @@ Kensler, Knoll and Shirley, SCI Institute technical report UUSCI-2008-001. The f
 | section 3 | "separable radial filter" is radial, as in the pseudocode |
 | section 2 | with the exclusive-or, H(i, j) ^ H(i+1, j) ^ H(i, j+1) ^ H(i+1, j+1) is always 0; nothing of it shows |
 """)
-    page.save(sys.argv[3])
-
-
-main()

@@ -1,0 +1,188 @@
+"""What the page of "Impulses in strata" shows, of no paper: the closed forms of src/solidnoise/noise/kernel/impulse_strata.h again, and the library
+against them over many seeds. Kernels in 1 to 4 dimensions, a wave a unit, one octave."""
+
+import math
+
+import numpy as np
+import solidnoise
+from scipy import optimize
+
+from papers.data import columns, mean_of
+from papers.gabor import Isotropic, Oriented, a_of, mean_cosine, nodes
+from papers.impulses import sparse_sum
+
+KERNELS, MAKERS = (Isotropic, Oriented), (solidnoise.gabor, solidnoise.gabor_oriented)
+BATCHES, SEEDS = 20, 400
+
+
+def kernel_of(n, kind):
+    """With weights of 1 or -1, where it has weights."""
+    return KERNELS[kind](n, 1.0, a_of(1.0))
+
+
+def mean_square(kernel, r):
+    return kernel.value(r) ** 2 if isinstance(kernel, Isotropic) else kernel.mean_square(r)
+
+
+def library(n, kind, seed=0, poisson=False, **options):
+    """The default, or the Poisson process of as many impulses."""
+    noise = MAKERS[kind](dims=n, frequency=1.0, seed=seed, **options)
+    if not poisson:
+        return noise
+    return MAKERS[kind](dims=n, frequency=1.0, seed=seed, impulses=noise.description["impulses_per_kernel"], impulses_process="poisson", **options)
+
+
+class Overlap:
+    """The integral of (h * M)^2, h the uniform density of a cube: that of the cube's autocorrelation, triangles, times M's, which is radial, as is its
+    transform."""
+
+    def __init__(self, n, kind):
+        self.n, self.kernel = n, kernel_of(n, kind)
+        (r, weights), (f, of_f) = nodes(n, 0, 4 / self.kernel.a), nodes(n, 0, 8.0)
+        waves = mean_cosine(n, 2 * np.pi * np.multiply.outer(f, r))
+        transform = waves @ (weights * mean_square(self.kernel, r))
+        self.r = np.linspace(0, 8, 2000)
+        self.correlation = mean_cosine(n, 2 * np.pi * np.multiply.outer(self.r, f)) @ (of_f * transform**2)
+
+    def __call__(self, side):
+        x, weights = np.polynomial.legendre.leggauss(20)
+        x, weights = (x + 1) / 2, weights * (1 - (x + 1) / 2)  # both halves of the triangle
+        distance = side * np.sqrt(sum(axis**2 for axis in np.meshgrid(*[x] * self.n)))
+        return (np.prod(np.meshgrid(*[weights] * self.n), 0) * np.interp(distance, self.r, self.correlation, right=0)).sum()
+
+    def share(self, side):
+        """The fourth cumulant over that of a Poisson process."""
+        return 1 - 3 * self(side) / self.kernel.fourth
+
+    def cubes(self, density):
+        """Their side, and how many impulses each has: as near to where the fourth cumulant is 0 as whole numbers allow."""
+        balanced = optimize.brentq(self.share, 0.05, 3)
+        count = max(1, round(density * balanced**self.n))
+        return (count / density) ** (1 / self.n), count
+
+    def kurtosis(self, density, side):
+        return self.share(side) * self.kernel.fourth / (density * self.kernel.energy**2)
+
+
+def sides():
+    side = np.arange(0.05, 2.01, 0.05)
+    return {"strata_sides": {"side": side} | {
+        f"{name}{n}": np.array([Overlap(n, kind).share(s / a_of(1.0)) for s in side])
+        for kind, name in enumerate(("isotropic", "directions")) for n in range(1, 5)}}
+
+
+def measure_ensemble(n, kind, poisson, seeds=SEEDS):
+    """Mean, variance, excess kurtosis and shares beyond 3 and 4 of values at 4096 places of each seed, 1.1 radii apart; and their errors."""
+    step = 1.1 * library(n, kind).description["kernel"]["radius"]
+    side = round(4096 ** (1 / n))
+    batches = []
+    for batch in range(BATCHES):
+        values = np.stack([library(n, kind, seed, poisson).lattice(0, step, [side] * n) for seed in range(batch, seeds, BATCHES)]).astype(float)
+        central = values - values.mean()
+        batches.append([values.mean(), values.var(), np.mean(central**4) / values.var() ** 2 - 3,
+                        np.mean(np.abs(values) > 3), np.mean(np.abs(values) > 4)])
+    return mean_of(batches)
+
+
+def ensembles():
+    rows = []
+    for n in range(1, 5):
+        for kind in (0, 1):
+            for poisson in (False, True):
+                noise = library(n, kind, poisson=poisson)
+                about = noise.description
+                side = math.nan if poisson else Overlap(n, kind).cubes(about["impulse_density"])[0] * a_of(1.0)
+                found = np.ravel(np.transpose(measure_ensemble(n, kind, poisson, SEEDS // 4 if n == 4 else SEEDS)))
+                rows.append([n, kind, poisson, about["impulses_per_kernel"], side, noise.excess_kurtosis, *found])
+    names = [name + error for name in ("mean", "variance", "kurtosis", "beyond_3", "beyond_4") for error in ("", "_error")]
+    return {"strata_ensembles": columns(["n", "kind", "poisson", "impulses", "side", "closed", *names], rows)}
+
+
+def closed_at_place(kind, density, side, place):
+    """The excess kurtosis at a place between two planes of cubes, in two dimensions: (h * M)^2 summed over the planes, on a lattice."""
+    kernel = kernel_of(2, kind)
+    step, n = side / 48, 1024
+    axis = (np.arange(n) - n // 2) * step
+    square = mean_square(kernel, np.hypot(*np.meshgrid(axis, axis, indexing="ij")))
+    box = np.sinc(np.fft.fftfreq(n, step) * side)
+    smooth = np.fft.ifft2(np.fft.fft2(square) * np.outer(box, box)).real
+    planes = (smooth**2).sum(1) * step
+    cells = np.arange(-10, 11)[:, None]
+    overlap = side * np.interp((place - 0.5 + cells) * side, axis, planes).sum(0)
+    return (kernel.fourth - 3 * overlap) / (density * kernel.energy**2)
+
+
+def fourth_moments(kind, density, side, place, random, planes=100, along=60):
+    """Of noise by its definition, with impulses in cubes whose planes begin at whole multiples of the side, at places between the planes."""
+    kernel, margin = kernel_of(2, kind), 5
+    reach, count = np.sqrt(np.log(1e3) / np.pi) / kernel.a, round(density * side**2)
+    length = int(4 * along / side)  # of the planes, in cubes
+    cubes = np.indices((planes + 2 * margin, length + 2 * margin))[..., None]
+    shifts = np.stack([np.zeros(len(cubes[0])), random.uniform(0, 1, len(cubes[0]))])[:, :, None, None]
+    impulses = ((cubes + shifts + random.uniform(0, 1, (*cubes.shape[:-1], count))).reshape(2, -1).T - margin) * side
+    marks = kernel.draw(lambda: random.uniform(0, 1, len(impulses)))
+    if kind == 0:
+        marks = [np.sign(marks[0])]
+    points = np.empty((planes, len(place), along, 2))
+    points[..., 0] = (np.arange(planes)[:, None, None] + place[:, None]) * side
+    points[..., 1] = random.uniform(1, length, points.shape[:-1]) * side
+    points = points.reshape(-1, 2)
+    values = sparse_sum(points, impulses, reach, lambda r, i, j: kernel.term(points[i] - impulses[j], [mark[j] for mark in marks]))
+    return np.mean((values**2 / (density * kernel.energy)).reshape(planes, len(place), along) ** 2, (0, 2))
+
+
+def places():
+    """The library's numbers of impulses, in a simulation: where its planes of cubes are it does not tell."""
+    place, rows = (np.arange(12) + 0.5) / 12, []
+    for kind in (0, 1):
+        density = library(2, kind).description["impulse_density"]
+        side, _ = Overlap(2, kind).cubes(density)
+        random = np.random.default_rng(kind)
+        found = mean_of([fourth_moments(kind, density, side, place, random) - 3 for _ in range(BATCHES)])
+        rows += zip(np.full(12, kind), place, closed_at_place(kind, density, side, place), *found)
+    return {"strata_places": columns(("kind", "place", "closed", "kurtosis", "kurtosis_error"), rows)}
+
+
+def measure_windows(kind, poisson, seeds=200):
+    """The variance of the mean square over square windows with sides of 1, 2, 4, ... 16 radii, cut of squares of 32, over that of a Gaussian field of the
+    same covariance C, 2 integral of C(x - y)^2 over the window and the window, over its area squared."""
+    noise = library(2, kind)
+    radius, per_radius, across = noise.description["kernel"]["radius"], 6, 32
+    squares = np.stack([library(2, kind, seed, poisson).lattice(0, radius / per_radius, [across * per_radius] * 2) for seed in range(seeds)]) ** 2.0
+    result = []
+    for side in (1, 2, 4, 8, 16):
+        far = min(2.0, side) * radius
+        d = np.linspace(-far, far, 121)
+        shares = 1 - np.abs(d) / (side * radius)
+        covariance = noise.covariance(np.stack(np.meshgrid(d, d, indexing="ij"), -1))
+        gaussian = 2 * (covariance**2 * np.outer(shares, shares)).sum() * (d[1] - d[0]) ** 2 / (side * radius) ** 2
+        windows = squares.reshape(seeds, across // side, side * per_radius, across // side, side * per_radius).mean((2, 4))
+        # About the mean that is known, 1: of few windows their own would hide a part.
+        spread = ((windows - 1) ** 2).mean((1, 2)) / gaussian
+        result.append((side, *mean_of(spread.reshape(-1, BATCHES).mean(0))))
+    return result
+
+
+def windows():
+    rows = [[kind, poisson, library(2, kind).description["impulses_per_kernel"], *row]
+            for kind in (0, 1) for poisson in (False, True) for row in measure_windows(kind, poisson)]
+    return {"strata_windows": columns(("kind", "poisson", "impulses", "side", "spread", "spread_error"), rows)}
+
+
+def drafts():
+    """How far noises of larger errors are from the one of error 0.002: root mean square and correlation, 16 seeds."""
+    rows = []
+    for n, across in zip(range(1, 5), (1024, 64, 24, 10)):
+        for kind in (0, 1):
+            def values(error):
+                return np.stack([library(n, kind, seed, error=error).lattice(0, 0.31, [across] * n) for seed in range(16)]).astype(float)
+            final = values(0.002)
+            for error in (0.2, 0.1, 0.05, 0.02):
+                draft = values(error)
+                power = np.mean(final**2)
+                rows.append([n, kind, error, np.sqrt(np.mean((draft - final) ** 2) / power),
+                             np.mean(draft * final) / np.sqrt(np.mean(draft**2) * power)])
+    return {"strata_drafts": columns(("n", "kind", "error", "difference", "correlation"), rows)}
+
+
+ITEMS = {"strata_sides": sides, "strata_ensembles": ensembles, "strata_places": places, "strata_windows": windows, "strata_drafts": drafts}
