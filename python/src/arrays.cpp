@@ -85,6 +85,14 @@ std::vector<double> numbers_of(py::handle object, const std::string& name) {
   return {dense.data(), dense.data() + dense.size()};
 }
 
+std::vector<Vec<3>> vectors_of(py::handle object, const std::string& name) {
+  const Rows rows(object, name, 3);
+  std::vector<Vec<3>> vectors;
+  vectors.reserve(rows.count());
+  for (std::size_t i = 0; i < rows.count(); ++i) vectors.push_back(rows.vector<3>(i));
+  return vectors;
+}
+
 Values make_values(const std::vector<py::ssize_t>& shape, int channels) {
   py::array_t<float> array(memory_shape(shape, channels));
   const std::span memory(array.mutable_data(), static_cast<std::size_t>(array.size()));

@@ -64,6 +64,9 @@ Vec<Dim> vector_of(py::handle object, const std::string& name) {
   return result;
 }
 
+// Those of an array (n, 3). Throws as Rows does.
+std::vector<Vec<3>> vectors_of(py::handle object, const std::string& name);
+
 // Float32 values of `channels` numbers at each place of a shape, in memory of one channel after the other;
 // the array has the channels as its last axis if there are several.
 struct Values {

@@ -1,10 +1,38 @@
 #pragma once
 
+#include <optional>
 #include <pybind11/pybind11.h>
+#include <string>
+#include <vector>
+
+#include "solidnoise/analysis/exemplar/exemplar.h"
+#include "solidnoise/core/image.h"
+#include "solidnoise/noise/gabor/gabor_spectrum.h"
 
 namespace solidnoise::python {
 
-// fit(), and the models of noise by example with their edits.
-void add_exemplar(pybind11::module_& module);
+namespace py = pybind11;
+
+using ModelClass = py::class_<ExemplarModel>;
+
+// A picture as callers have it: an array or a path. It is read without the interpreter's lock.
+struct Picture {
+  std::string name;
+  std::optional<Image> image;  // none: the file of the name
+
+  Exemplar<2> read(const ExemplarReading& reading) const {
+    return image ? exemplar_of_image(*image, reading, name) : read_exemplar(name, reading);
+  }
+};
+
+Picture picture_of_object(py::handle object, const std::string& name);
+
+// The names of the groups of all channels.
+std::vector<std::string> groups_of(const ExemplarModel& model);
+
+// The models of noise by example, with their edits, and fit().
+void add_model(py::module_& module);
+void add_edits(ModelClass& of);
+void add_exemplar(py::module_& module);
 
 }  // namespace solidnoise::python

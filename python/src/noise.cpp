@@ -3,21 +3,14 @@
 #include <functional>
 #include <pybind11/stl.h>
 #include <string>
-#include <type_traits>
-#include <utility>
-#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <tbb/parallel_for.h>
 
 #include "documentation.h"
-#include "evaluation.h"
 #include "json.h"
 #include "solidnoise/core/check.h"
-#include "solidnoise/noise/error_budget.h"
-#include "solidnoise/noise/interpolation/interpolated_noise.h"
 #include "solidnoise/noise/noise_views.h"
 #include "solidnoise/noise/registry/noise_entries.h"
 #include "solidnoise/recipe/exemplar_model_json.h"
@@ -26,12 +19,6 @@
 
 namespace solidnoise::python {
 namespace {
-
-// Of a pointer to a noise.
-template <typename Pointer>
-inline constexpr int kDimOf = 0;
-template <int Dim>
-inline constexpr int kDimOf<std::shared_ptr<const Noise<Dim>>> = Dim;
 
 template <int Dim>
 std::shared_ptr<const Noise<Dim>> make(const NoiseRecipe& recipe, std::optional<double> time) {
@@ -119,207 +106,11 @@ std::string represent(const NoiseObject& noise) {
   return text + ")";
 }
 
-// A number for each vector of an array.
-template <int Dim, typename Function>
-py::object map_vectors(py::handle vectors, const std::string& name, const Function& function) {
-  const Rows rows(vectors, name, Dim);
-  std::vector<double> results(rows.count());
-  run({std::nullopt, py::none()}, [&](Progress& progress) {
-    tbb::parallel_for(std::size_t{0}, results.size(), [&](std::size_t i) {
-      throw_if_cancelled(&progress);
-      results[i] = function(rows.vector<Dim>(i));
-    });
-  });
-  return array_of(std::move(results), rows.shape());
-}
-
-py::object evaluate(const NoiseObject& noise, py::handle points, bool gradient, py::object out,
-                    std::optional<int> threads, py::object progress) {
-  const Call call(threads, std::move(progress));
-  return noise.visit([&]<typename Pointer>(const Pointer& field) {
-    return evaluate_points<kDimOf<Pointer>>(*field, points, {std::move(out), gradient}, call);
-  });
-}
-
-template <int Dim>
-py::object evaluate_on_lattice(const std::shared_ptr<const Noise<Dim>>& noise, const Lattice<Dim>& lattice,
-                               double error, const Wanted& wanted, const Call& call) {
-  if (error == 0.0) return evaluate_lattice<Dim>(*noise, lattice, wanted, call);
-  if constexpr (Dim == 2 || Dim == 3) {
-    std::shared_ptr<const Noise<Dim>> quick;
-    run_at_once([&] { quick = interpolate<Dim>(noise, {lattice.origin, lattice.step}, error); });
-    return evaluate_lattice<Dim>(*quick, lattice, wanted, call);
-  } else {
-    throw std::invalid_argument("interpolate is True; it needs a noise of 2 or 3 dimensions");
-  }
-}
-
-py::object evaluate_lattice_of(const NoiseObject& noise, const LatticePlace& place, const Wanted& wanted,
-                               bool interpolated, const Call& call) {
-  const double error = interpolated ? error_of(noise.recipe()) : 0.0;
-  return noise.visit([&]<typename Pointer>(const Pointer& field) {
-    return evaluate_on_lattice<kDimOf<Pointer>>(field, lattice_of<kDimOf<Pointer>>(place), error, wanted,
-                                                call);
-  });
-}
-
-// The class of noises, and what it documents.
-using NoiseClass = py::class_<NoiseObject, std::shared_ptr<NoiseObject>>;
-
-void add_evaluation(NoiseClass& of) {
-  using namespace py::literals;
-  of.def("__call__", &evaluate, "points"_a, py::kw_only(), "gradient"_a = false, "out"_a = py::none(),
-         "threads"_a = py::none(), "progress"_a = py::none(),
-         R"(__call__(self, points, *, gradient=False, out=None, threads=None, progress=None)
---
-
-The noise at points, one value each.
-
-points : array (..., dims), world units
-    Of any layout, float64 or float32; positions are taken in double precision. Between -1e9 and 1e9.
-gradient : bool
-    Whether the derivative along each axis, per world unit, is wanted too.
-out : array of float32, contiguous, of the shape of the values
-    Where values go, instead of an array of their own.
-threads : int, 1 to 4096
-    At most so many; left out, all.
-progress : function
-    Called with the fraction that is done, some 20 times a second.
-
-Returns an array (...) of float32, or with the gradient a tuple of it and an array (..., dims). A value depends on the noise and
-on the point alone: not on the other points, nor on threads. Ctrl-C stops the call.
-
-Raises ValueError for points of another shape, or that are not finite.)");
-  of.def(
-      "lattice",
-      [](const NoiseObject& noise, py::object origin, py::object step, py::object shape, py::object out,
-         bool gradient, py::object first, bool interpolated, std::optional<int> threads,
-         py::object progress) {
-        return evaluate_lattice_of(noise,
-                                   {std::move(origin), std::move(step), std::move(shape), std::move(first)},
-                                   {std::move(out), gradient}, interpolated, {threads, std::move(progress)});
-      },
-      "origin"_a, "step"_a, "shape"_a, "out"_a = py::none(), "gradient"_a = false, py::kw_only(),
-      "first"_a = 0, "interpolate"_a = false, "threads"_a = py::none(), "progress"_a = py::none(),
-      R"(lattice(self, origin, step, shape, out=None, gradient=False, *, first=0, interpolate=False, threads=None, progress=None)
---
-
-The noise on a regular lattice: far quicker than at as many points.
-
-origin : dims floats, or one for all axes, world units
-    Where sample 0 is.
-step : dims floats or one, above 0, world units
-    Between samples.
-shape : dims ints or one
-    Samples along each axis: of 3 dimensions (x, y, z). The array that is returned is indexed in this order, as voxels of
-    OpenVDB are: values[i, j, k] is at origin + step * (i, j, k), and the last axis is the fastest in memory.
-out, gradient, threads, progress
-    As for points; the derivatives are an array (x, y, z, dims).
-first : dims ints or one
-    The index of the first sample: parts of one lattice, of one origin and step, agree to the last bit.
-interpolate : bool
-    Whether waves that the lattice resolves well may be interpolated from fewer samples, within the noise's `error`, as
-    volumes do: several times quicker. Values then depend on origin and step, too.
-
-Returns an array of float32 of the shape, C-contiguous, or with the gradient a tuple of it and of the derivatives.)");
-}
-
-template <typename Function>
-py::object numbers_at(const NoiseObject& noise, py::handle vectors, const std::string& name,
-                      const Function& function) {
-  return noise.visit([&]<typename Pointer>(const Pointer& field) {
-    return map_vectors<kDimOf<Pointer>>(vectors, name,
-                                        [&](const auto& vector) { return function(*field, vector); });
-  });
-}
-
-void add_closed_forms(NoiseClass& of) {
-  using namespace py::literals;
-  of.def(
-      "power_spectrum",
-      [](const NoiseObject& noise, py::handle frequency) {
-        return numbers_at(noise, frequency, "frequency",
-                          [](const auto& of_noise, const auto& f) { return of_noise.power_spectrum(f); });
-      },
-      "frequency"_a, py::pos_only(),
-      R"(power_spectrum(self, frequency, /)
---
-
-The two-sided power spectral density, in closed form, at frequencies, an array (..., dims), cycles per world unit. Its integral
-over all frequencies is the variance. Returns float64 (...).)");
-  of.def(
-      "covariance",
-      [](const NoiseObject& noise, py::handle displacement) {
-        return numbers_at(noise, displacement, "displacement",
-                          [](const auto& of_noise, const auto& x) { return of_noise.covariance(x); });
-      },
-      "displacement"_a, py::pos_only(),
-      R"(covariance(self, displacement, /)
---
-
-The covariance of values so far apart, an array (..., dims), world units: the transform of the power spectrum. Returns float64 (...). Noises that are not stationary (kensler) have none, and give 0.)");
-  const auto number = [&](const char* name, auto get, const char* text) {
-    of.def_property_readonly(
-        name,
-        [get](const NoiseObject& noise) {
-          return noise.visit([&](const auto& field) { return get(*field); });
-        },
-        text);
-  };
-  number(
-      "variance", [](const auto& noise) { return noise.variance(); },
-      "The variance of values over all seeds, in closed form; the mean is 0.");
-  number(
-      "excess_kurtosis", [](const auto& noise) { return noise.excess_kurtosis(); },
-      "E[n^4] / E[n^2]^2 - 3, in closed form: 0 for a Gaussian field.");
-  number(
-      "band", [](const auto& noise) { return std::pair(noise.band().lower, noise.band().upper); },
-      "The lowest and the highest frequency of the interval that holds all but a thousandth of the variance, "
-      "cycles per world unit.");
-  number(
-      "gradient_variance",
-      [](const auto& noise) {
-        const auto variance = noise.gradient_variance();
-        std::vector<double> axes;
-        for (int axis = 0; axis < variance.length(); ++axis) axes.push_back(variance[axis]);
-        return array_of(std::move(axes));
-      },
-      "The variance of each component of the gradient, per world unit squared, in closed form: float64 "
-      "(dims,).");
-}
-
-// What describe() says of the kernel and of its impulses, in any dimensions.
-Json description_of(const NoiseObject& noise) {
-  Json json;
-  const auto of_kernel = [&](const char* key, const auto& value) { json["kernel"][key] = value; };
-  const auto of_noise = [&](const char* key, const auto& value) { json[key] = value; };
-  const auto describe = [&]<typename Options>(const Options& whole) {
-    using Entry = NoiseEntry<Options>;
-    const Options options = with_truncation_share(whole);
-    const auto in = [&]<int Dim>(std::integral_constant<int, Dim>) {
-      if constexpr (Entry::kLeastDimensions <= Dim && Dim <= Entry::kMostDimensions) {
-        if (noise.made_dims() == Dim) Entry::template describe<Dim>(options, of_kernel, of_noise);
-      }
-    };
-    [&]<int... Less>(std::integer_sequence<int, Less...>) {
-      (in(std::integral_constant<int, Less + 1>()), ...);
-    }
-    (std::make_integer_sequence<int, 4>());
-  };
-  std::visit(describe, noise.recipe().noise);
-  return json;
-}
-
 void add_state(NoiseClass& of) {
   using namespace py::literals;
   of.def_property_readonly(
       "recipe", [](const NoiseObject& noise) { return object_of(to_json(noise.recipe())); },
       "What the noise is made of, as a new dict: what recipes of volumes have under \"noise\".");
-  of.def_property_readonly(
-      "description", [](const NoiseObject& noise) { return object_of(description_of(noise)); },
-      "What is known of the kernel (\"kernel\": its radius and the like, world units) and of the impulses, "
-      "of the first octave, "
-      "as a new dict: what describe() has of a volume's noise.");
   of.def_property_readonly("dims", &NoiseObject::dims, "Dimensions of its positions, 1 to 4.");
   of.def_property_readonly("time", &NoiseObject::time,
                            "The time that it is looked at; None if none was given.");

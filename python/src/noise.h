@@ -46,6 +46,18 @@ class NoiseObject {
   std::variant<NoisePtr<1>, NoisePtr<2>, NoisePtr<3>, NoisePtr<4>> noise_;
 };
 
+// Of a pointer to a noise.
+template <typename Pointer>
+inline constexpr int kDimOf = 0;
+template <int Dim>
+inline constexpr int kDimOf<std::shared_ptr<const Noise<Dim>>> = Dim;
+
+// The class of noises, and what it documents.
+using NoiseClass = py::class_<NoiseObject, std::shared_ptr<NoiseObject>>;
+
+// Noises, and a function for each kind. The class has what evaluates noises, and what is known of them.
 void add_noise(py::module_& module);
+void add_evaluation(NoiseClass& of);
+void add_closed_forms(NoiseClass& of);
 
 }  // namespace solidnoise::python

@@ -2,10 +2,12 @@
 
 #include <memory>
 #include <optional>
+#include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <string>
 #include <vector>
 
+#include "solidnoise/core/image.h"
 #include "solidnoise/core/moments.h"
 #include "solidnoise/volume/volume.h"
 #include "solidnoise/volume/volume_recipe.h"
@@ -32,7 +34,24 @@ struct VolumeObject {
   std::vector<GridObject> grids() const;
 };
 
-// Grids, volumes, and the functions that make and measure them.
+// A volume's recipe, as use_recipe() has it. Files may be volumes, too, which carry theirs; a dict need not
+// say of which version it is.
+VolumeRecipe volume_recipe_of(py::handle recipe, const py::dict& keywords);
+
+// The grid of a name, or the first one.
+GridObject find_grid(const VolumeObject& volume, const std::optional<std::string>& name);
+
+// The voxels of a box, two corners, or of that of the active ones.
+py::array to_numpy(const GridObject& of, const py::object& bounds);
+
+// (rows, columns) or (rows, columns, channels).
+py::array array_of_image(Image&& image);
+
+// Grids, volumes, and the functions that make and measure them: all of the below.
 void add_volume(py::module_& module);
+void add_grid(py::module_& module);
+void add_makers(py::module_& module);
+void add_measures(py::module_& module);
+void add_pictures(py::module_& module);
 
 }  // namespace solidnoise::python

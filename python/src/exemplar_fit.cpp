@@ -1,0 +1,151 @@
+#include <algorithm>
+#include <optional>
+#include <pybind11/stl.h>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "arrays.h"
+#include "call.h"
+#include "documentation.h"
+#include "exemplar.h"
+#include "json.h"
+#include "solidnoise/analysis/exemplar/fit_fields.h"
+#include "solidnoise/analysis/exemplar/prepare_exemplars.h"
+#include "solidnoise/analysis/exemplar/solid_spectrum.h"
+#include "solidnoise/core/check.h"
+#include "solidnoise/recipe/field_json.h"
+
+namespace solidnoise::python {
+namespace {
+
+// What a stored number of an integer type is 1 at.
+double full_scale(const py::dtype& type) {
+  if (type.kind() != 'u') return 1.0;
+  return type.itemsize() == 1 ? 255.0 : 65535.0;
+}
+
+Image image_of(const py::array& array, const std::string& name) {
+  if (array.ndim() != 2 && array.ndim() != 3) {
+    throw std::invalid_argument(name + " must have the shape (rows, columns) or (rows, columns, channels)");
+  }
+  const std::vector<double> numbers = numbers_of(array, name);
+  // As OpenImageIO does it: the same picture from a file has the same values.
+  const float scale = static_cast<float>(1.0 / full_scale(array.dtype()));
+  Image image(static_cast<int>(array.shape(1)), static_cast<int>(array.shape(0)),
+              array.ndim() == 3 ? static_cast<int>(array.shape(2)) : 1);
+  std::transform(numbers.begin(), numbers.end(), image.pixels.begin(),
+                 [&](double number) { return static_cast<float>(number) * scale; });
+  return image;
+}
+
+}  // namespace
+
+Picture picture_of_object(py::handle object, const std::string& name) {
+  if (is_path(object)) return {path_of(object).string(), std::nullopt};
+  const py::array array = py::array::ensure(object);
+  if (!array) throw py::error_already_set();
+  return {name, image_of(array, name)};
+}
+
+namespace {
+
+std::vector<Picture> pictures_of(const py::object& object) {
+  if (!py::isinstance<py::list>(object) && !py::isinstance<py::tuple>(object)) {
+    return {picture_of_object(object, "pictures")};
+  }
+  std::vector<Picture> pictures;
+  for (const py::handle item : object) {
+    pictures.push_back(picture_of_object(item, fmt::format("pictures[{}]", pictures.size())));
+  }
+  if (pictures.empty()) throw std::invalid_argument("pictures is empty; there must be one at least");
+  return pictures;
+}
+
+struct FitKind {
+  bool grey;
+  bool solid;
+  bool paper;
+  int patch;
+};
+
+ExemplarModel fit(const py::object& object, const FitKind& kind, const Call& call,
+                  const py::kwargs& keywords) {
+  const std::vector<Picture> pictures = pictures_of(object);
+  ExemplarReading reading;
+  ExemplarFitOptions options;
+  options.patch = kind.patch;
+  if (kind.paper) {
+    options.spectrum = SpectrumFitOptions::of_paper();
+    options.weigh_channels = false;
+  }
+  const Json json = json_of(keywords);
+  JsonReader reader(json);
+  read_fields(reader, reading);
+  read_fields(reader, options.spectrum);
+  read_fields(reader, options);
+  reader.finish();
+  options.raw_values = reading.raw_values;
+  options.validate();
+  require_fields(reading);
+
+  ExemplarModel model;
+  run(call, [&](Progress& told) {
+    std::vector<Exemplar<2>> exemplars;
+    for (const Picture& picture : pictures) {
+      exemplars.push_back(picture.read(reading));
+      if (kind.grey) make_grey(exemplars.back());
+    }
+    agree_on_channels(exemplars);
+    if (kind.solid) {
+      model = fit_solid_exemplar(exemplars, options.axes, options.spectrum.kappa, options.patch).model;
+      model.raw_values = reading.raw_values;
+    } else {
+      model = fit_exemplar<2>(exemplars, options, &told).model;
+    }
+    throw_if_cancelled(&told);
+  });
+  return model;
+}
+
+}  // namespace
+
+void add_exemplar(py::module_& module) {
+  using namespace py::literals;
+  add_model(module);
+  const std::string options = describe_options(schema_of<ExemplarReading>()) +
+                              describe_options(schema_of<SpectrumFitOptions>()) +
+                              describe_options(schema_of<ExemplarFitOptions>());
+  module.def(
+      "fit",
+      [](const py::object& pictures, bool grey, bool solid, bool paper, int patch, std::optional<int> threads,
+         py::object progress, const py::kwargs& keywords) {
+        return fit(pictures, {grey, solid, paper, patch}, {threads, std::move(progress)}, keywords);
+      },
+      "pictures"_a, py::kw_only(), "grey"_a = false, "solid"_a = false, "paper"_a = false, "patch"_a = 0,
+      "threads"_a = py::none(), "progress"_a = py::none(),
+      document("fit(pictures, *, grey=False, solid=False, paper=False, patch=0, threads=None, progress=None, "
+               "**options)",
+               R"(Learns a noise from pictures of a texture: the same model, to the last bit, as noisefit.
+
+pictures : array (rows, columns) or (rows, columns, channels), path, or a list of these, which are averaged
+    Arrays of uint8 and uint16 are scaled to 0 to 1, floats are as they are: sRGB-encoded, unless raw_values.
+grey : bool
+    Learn the brightness alone.
+solid : bool
+    An isotropic noise in 3D whose slices look like the exemplar.
+paper : bool
+    The paper's parameters: the narrowest band, one kappa for all channels.
+patch : int, pixels
+    Average over patches of this size; 0: as large as can be.
+)" + options +
+                   "\nReturns an ExemplarModel. Raises ValueError for pictures that there is nothing to "
+                   "learn from, OSError for files.")
+          .c_str());
+}
+
+}  // namespace solidnoise::python

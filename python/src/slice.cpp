@@ -1,0 +1,156 @@
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <pybind11/stl.h>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "arrays.h"
+#include "call.h"
+#include "json.h"
+#include "solidnoise/core/check.h"
+#include "solidnoise/image/image_file.h"
+#include "solidnoise/volume/slice/slice_image.h"
+#include "solidnoise/volume/slice/slice_view.h"
+#include "volume.h"
+
+namespace solidnoise::python {
+
+namespace {
+
+std::optional<Vec<3>> optional_vector(const py::object& object, const std::string& name) {
+  if (object.is_none()) return std::nullopt;
+  return vector_of<3>(object, name);
+}
+
+// The words for SliceRecipe::Component.
+SliceRecipe::Component component_of(const std::string& word) {
+  const std::string words[] = {"x", "y", "z", "length"};
+  for (std::size_t i = 0; i < std::size(words); ++i) {
+    if (words[i] == word) return SliceRecipe::Component(i);
+  }
+  throw std::invalid_argument(
+      fmt::format("component is {}; it must be one of {}", word, fmt::join(words, ", ")));
+}
+
+struct SliceArguments {
+  py::object origin;
+  py::object normal;
+  py::object up;
+  std::optional<double> width;
+  py::object resolution;
+  std::optional<std::string> grid;
+  std::optional<std::string> component;
+  bool color;
+};
+
+py::array slice_object(py::handle recipe, const SliceArguments& arguments, const Call& call,
+                       const py::kwargs& keywords) {
+  constexpr int kMostPixels = 16384;
+  SliceRecipe slice;
+  if (is_path(recipe) && path_of(recipe).extension() == ".vdb") {
+    slice.file = path_of(recipe).string();
+    slice.grid = arguments.grid.value_or("");
+  } else {
+    slice.recipe = volume_recipe_of(recipe, keywords);
+    if (!std::holds_alternative<RawShaping>(slice.recipe.shaping) || !slice.recipe.grids.empty()) {
+      throw std::invalid_argument(
+          "the recipe shapes its noise, or has several grids; slice the volume that it makes");
+    }
+  }
+  if (arguments.component) slice.component = component_of(*arguments.component);
+  slice.color = arguments.color;
+  const std::vector<double> sides = numbers_of(arguments.resolution, "resolution");
+  if (sides.empty() || sides.size() > 2)
+    throw std::invalid_argument("resolution must be columns, or columns and rows");
+  for (const double side : sides) require_in_range("resolution", side, 1, kMostPixels, "pixels");
+  slice.plane.columns = static_cast<int>(sides.front());
+  slice.plane.rows = static_cast<int>(sides.back());
+  if (arguments.width) require_positive("width", *arguments.width, "world units");
+  const SliceView view{optional_vector(arguments.origin, "origin"),
+                       optional_vector(arguments.normal, "normal"), optional_vector(arguments.up, "up"),
+                       arguments.width};
+  Image image;
+  run(call, [&](Progress& told) {
+    place_plane(view, slice);
+    const std::vector<SliceField> fields = make_slice_fields(slice);
+    if (fields.front().bounds) fit_plane(view, *fields.front().bounds, slice.plane);
+    std::vector<DenseField<2>> channels;
+    for (const SliceField& field : fields)
+      channels.push_back(sample_slice(*field.source, slice.plane, &told));
+    image = fields.size() > 1 ? color_image(slice, channels, {0.0, 1.0}, PixelForm::values)
+                              : slice_image(slice, channels.front(), {0.0, 1.0}, PixelForm::values);
+  });
+  return array_of_image(std::move(image));
+}
+
+void write_picture(py::handle path, py::handle pixels, bool force) {
+  const auto array = py::array_t<float, py::array::c_style | py::array::forcecast>::ensure(pixels);
+  if (!array) throw py::error_already_set();
+  if (array.ndim() != 2 && array.ndim() != 3) {
+    throw std::invalid_argument("pixels must have the shape (rows, columns) or (rows, columns, channels)");
+  }
+  Image image(static_cast<int>(array.shape(1)), static_cast<int>(array.shape(0)),
+              array.ndim() == 3 ? static_cast<int>(array.shape(2)) : 1);
+  std::copy_n(array.data(), image.pixels.size(), image.pixels.begin());
+  const std::filesystem::path target = path_of(path);
+  run({std::nullopt, py::none()}, [&](Progress&) {
+    write_image(target, image, {.existing = force ? Existing::replace : Existing::refuse});
+  });
+}
+
+}  // namespace
+
+py::array array_of_image(Image&& image) {
+  std::vector<py::ssize_t> shape{image.height, image.width};
+  if (image.channels > 1) shape.push_back(image.channels);
+  return array_of(std::move(image.pixels), shape);
+}
+
+void add_pictures(py::module_& module) {
+  using namespace py::literals;
+  module.def(
+      "slice",
+      [](py::handle recipe, py::object origin, py::object normal, py::object up, std::optional<double> width,
+         py::object resolution, std::optional<std::string> grid, std::optional<std::string> component,
+         bool color, std::optional<int> threads, py::object progress, const py::kwargs& keywords) {
+        return slice_object(recipe,
+                            {std::move(origin), std::move(normal), std::move(up), width,
+                             std::move(resolution), std::move(grid), std::move(component), color},
+                            {threads, std::move(progress)}, keywords);
+      },
+      "recipe"_a, py::kw_only(), "origin"_a = py::none(), "normal"_a = py::none(), "up"_a = py::none(),
+      "width"_a = py::none(), "resolution"_a = 512, "grid"_a = py::none(), "component"_a = py::none(),
+      "color"_a = false, "threads"_a = py::none(), "progress"_a = py::none(),
+      R"(slice(recipe, *, origin=None, normal=None, up=None, width=None, resolution=512, grid=None, component=None, color=False, threads=None, progress=None, **keys)
+--
+
+The values on a plane, at the centres of square pixels.
+
+recipe : as of make_volume(), of raw noise; or the path of a .vdb
+    Whose noise, or whose grid, is sliced.
+origin : 3 floats, world units
+    The middle; left out, 0, or the middle of the grid.
+normal, up : 3 floats
+    Towards the viewer, along z by default, and what is up.
+width : float, world units
+    Of the picture; left out, 2, the noise's period, or that of the grid.
+resolution : int, or columns and rows
+grid, component : str
+    Of a .vdb: the grid; of vectors x, y, z or length alone.
+color : bool
+    Three channels: an exemplar's own colours, in linear light, or three independent noises.
+
+Returns an array (rows, columns), or (rows, columns, 3), of float32, row 0 at the top.)");
+  module.def("write_image", &write_picture, "path"_a, "pixels"_a, py::kw_only(), "force"_a = false,
+             R"(write_image(path, pixels, *, force=False)
+--
+
+Writes an array (rows, columns) or (rows, columns, channels) as a picture: .png, .jpg and .tif take 0 to 1, sRGB-encoded; .exr any
+values. All or nothing. Raises OSError, FileExistsError.)");
+}
+
+}  // namespace solidnoise::python
