@@ -48,6 +48,20 @@ def look_at(scene, volume):
     scene.camera = camera
 
 
+def render(scene, out, size):
+    scene.render.engine = "CYCLES"
+    scene.cycles.device = "CPU"
+    scene.cycles.samples = 48
+    scene.cycles.use_denoising = False
+    scene.cycles.volume_bounces = 4
+    scene.cycles.volume_step_rate = 1.5
+    scene.render.resolution_x = scene.render.resolution_y = size
+    scene.render.filepath = os.path.abspath(out)
+    scene.render.image_settings.file_format = "PNG"
+    scene.render.image_settings.color_mode = "RGB"
+    bpy.ops.render.render(write_still=True)
+
+
 def main():
     vdb, out, *size = sys.argv[sys.argv.index("--") + 1:]
     bpy.ops.wm.read_factory_settings(use_empty=True)
@@ -61,17 +75,8 @@ def main():
     volume.data.materials.append(principled_volume(glows))
     light(scene, glows)
     look_at(scene, volume)
-    scene.render.engine = "CYCLES"
-    scene.cycles.device = "CPU"
-    scene.cycles.samples = 48
-    scene.cycles.use_denoising = False
-    scene.cycles.volume_bounces = 4
-    scene.cycles.volume_step_rate = 1.5
-    scene.render.resolution_x = scene.render.resolution_y = int(size[0]) if size else 480
-    scene.render.filepath = os.path.abspath(out)
-    scene.render.image_settings.file_format = "PNG"
-    scene.render.image_settings.color_mode = "RGB"
-    bpy.ops.render.render(write_still=True)
+    render(scene, out, int(size[0]) if size else 480)
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -4,6 +4,6 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-scripts/setup.sh blender openimageio-tools
+scripts/setup.sh blender xvfb xauth openimageio-tools
 scripts/build.sh release:vdbnoise,meshnoise,noisefit,solidnoise_python,solidnoise_image_io -DSOLIDNOISE_BUILD_TESTS=OFF
 /usr/bin/python3 tests/docs/pictures.py build/release/tools . --write "$@"

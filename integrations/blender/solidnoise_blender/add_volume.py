@@ -4,9 +4,8 @@ import json
 
 import bpy
 
-from . import materials, volumes
+from . import files, materials, recipes, volumes
 from .errors import Refused, reported, require_object
-from .files import tidy
 from .settings import VolumeSettings
 
 
@@ -33,13 +32,13 @@ class OBJECT_OT_solidnoise_volume_add(VolumeSettings, bpy.types.Operator):
 
     @classmethod
     def description(cls, context, properties) -> str:
-        from . import recipes
         return dict(recipes.presets(recipes.VOLUME))[properties.preset]
 
     @reported
     def execute(self, context):
         if context.mode != "OBJECT":
             raise Refused(f"{context.object.name} is in {context.object.mode.lower()} mode; leave it first")
+        volumes.require_collection(context)
         recipe = self.recipe()
         path, job = volumes.request(self.preset, recipe)
         self.size = self.size or volumes.longest_side(recipe)
@@ -49,9 +48,9 @@ class OBJECT_OT_solidnoise_volume_add(VolumeSettings, bpy.types.Operator):
         obj[volumes.RECIPE] = json.dumps(recipe)
         copy(self, obj.solidnoise_volume)
         obj.data.materials.append(materials.of_volume(obj.name, recipe, scale))
-        absolute = volumes.files.absolute(path)
+        absolute = files.absolute(path)
         volumes.show(obj.data, path, job, lambda _: [volumes.remove_object(user) for user in volumes.users_of(absolute)])
-        tidy()
+        files.tidy()
         return {"FINISHED"}
 
     def draw(self, context):
@@ -72,7 +71,7 @@ class OBJECT_OT_solidnoise_volume_remake(bpy.types.Operator):
         if volumes.RECIPE not in obj:
             raise Refused(f"{obj.name} has no recipe; it was not made here")
         volumes.remake(obj, obj.solidnoise_volume.recipe())
-        tidy()
+        files.tidy()
         return {"FINISHED"}
 
 

@@ -51,7 +51,7 @@ class SolidnoiseMeshSettings(MeshSettings, bpy.types.PropertyGroup):
 def _work(obj, settings):
     """What is to be done, from the scene's data as they are now. Called later, on a thread, it returns what was made and its recipe."""
     meshes.require_room(obj.data)
-    recipe = settings.recipe()
+    recipe = {**settings.recipe(), "up": meshes.up_of(obj)}
     vertices, faces = meshes.read(obj)
     attributes = {}
     by = recipe.get("by", {})
@@ -63,7 +63,7 @@ def _work(obj, settings):
     source = options = None
     if settings.task == "EXAMPLE":
         source = examples.picture(settings.file, settings.image, settings.width)
-        options = {"patch": settings.patch, "solid": settings.solid, "seed": settings.surface_seed}
+        options = {"patch": settings.patch, "solid": settings.solid, "seed": settings.surface_seed, "up": recipe["up"]}
 
     def work(tell):
         made = examples.recipe(source, options, tell) if source else recipe

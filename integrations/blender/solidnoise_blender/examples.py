@@ -48,7 +48,7 @@ def recipe(source: tuple, options: dict, tell) -> dict:
     model = solidnoise.fit(pixels, patch=options["patch"], solid=options["solid"], progress=lambda fraction: tell(fraction / 2), **reading)
     result = {"solidnoise": 2, "description": f"By example, {model.components} components",
               "surface": {"noise": "spectrum", "exemplar": model.recipe["exemplar"], "seed": options["seed"]},
-              "ramp": "exemplar", "up": "z"}
+              "ramp": "exemplar", "up": options["up"]}
     if reading["pixel_size"] != 1.0:
         result["frequency"] = model.principal_frequency
     return result

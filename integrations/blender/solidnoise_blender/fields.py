@@ -8,6 +8,7 @@ import bpy
 import numpy as np
 
 _MOST = 2**31 - 1
+_TITLES = {"dim": "Voxels"}  # of keys whose names say little
 _LEAST_ABOVE = 1e-6  # of what must be above a number, in a slider
 
 
@@ -51,8 +52,8 @@ def property_of(field: Field):
     """What a class of Blender has as its annotation."""
     schema, kind = field.schema, _kind(field.schema)
     number = schema["oneOf"][0] if kind == "range" else schema.get("items", schema)
-    told = {"name": field.path[-1].replace("_", " ").capitalize(), "description": schema.get("description", ""),
-            "default": _default(field), "options": {"SKIP_SAVE"}}
+    title = _TITLES.get(field.path[-1]) or field.path[-1].replace("_", " ").capitalize()
+    told = {"name": title, "description": schema.get("description", ""), "default": _default(field), "options": {"SKIP_SAVE"}}
     if kind == "range":
         told["description"] += ". From, to; equal: the same everywhere; 0 and 0: left out"
     if kind == "enum":
@@ -113,7 +114,7 @@ def value_in(recipe: dict, field: Field) -> Any:
 
 def is_of(recipe: dict, field: Field) -> bool:
     """Whether what the recipe is made of has such a key."""
-    if isinstance(field.path[0], str) and len(field.path) > 1 and isinstance(field.path[1], int) and _walk(recipe, field.path[:-1]) is None:
+    if any(isinstance(key, int) for key in field.path) and _walk(recipe, field.path[:-1]) is None:
         return False
     return field.types is None or (_walk(recipe, field.path[:-1]) or {}).get("type") in field.types
 
@@ -166,3 +167,12 @@ def draw(layout, holder, fields: list[Field], recipe: dict) -> None:
     for field in fields:
         if is_of(recipe, field):
             layout.prop(holder, field.name)
+
+
+def draw_fold(layout, holder) -> bool:
+    """What opens and closes all other options; whether it is open."""
+    row = layout.row()
+    row.use_property_split = False
+    row.alignment = "LEFT"
+    row.prop(holder, "advanced", icon="TRIA_DOWN" if holder.advanced else "TRIA_RIGHT", emboss=False)
+    return holder.advanced

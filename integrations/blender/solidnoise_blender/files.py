@@ -2,6 +2,7 @@
 more, after an undo or a change, goes to a bin in the temporary folder, from which a redo takes it back."""
 
 import os
+import re
 import shutil
 
 import bpy
@@ -18,8 +19,9 @@ def absolute(path: str, library=None) -> str:
     return os.path.normpath(bpy.path.abspath(path, library=library))
 
 
-def path_for(label: str, digest: str, ending: str = ".vdb") -> str:
-    """Of a file to be, as a data-block has it; its folder is there."""
+def path_for(name: str, digest: str, ending: str = ".vdb") -> str:
+    """Of a file to be, after an object's name, as a data-block has it; its folder is there."""
+    label = re.sub(r"\W+", "_", re.sub(r"\.\d+$", "", name.lower()))
     folder = f"//{_FOLDER}/" if bpy.data.filepath else os.path.join(bpy.app.tempdir, _FOLDER, "")
     os.makedirs(absolute(folder), exist_ok=True)
     return f"{folder}{label}-{digest}{ending}"
@@ -102,6 +104,7 @@ def _after_save(*_) -> None:
             volume[SOURCES] = "\n".join(map(_beside_blend, sources.split("\n")))
     if any(volume.filepath != path for volume, (path, _) in before.items()):
         bpy.ops.wm.save_mainfile()
+    restore()  # what was still being made for the other folder
 
 
 def _beside_blend(path: str) -> str:

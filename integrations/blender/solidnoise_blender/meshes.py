@@ -17,6 +17,12 @@ def scale_of(obj) -> np.ndarray:
     return scale
 
 
+def up_of(obj) -> str:
+    """The axis of the mesh that is up in the scene, or down: y of what was imported from a file that has y up."""
+    upwards = obj.matrix_world.to_3x3()[2]
+    return "y" if abs(upwards[1]) > abs(upwards[2]) else "z"
+
+
 def read(obj) -> tuple[np.ndarray, np.ndarray]:
     """Vertices, at the size they have in the world, and faces: of equal numbers of corners, else triangles."""
     mesh = obj.data

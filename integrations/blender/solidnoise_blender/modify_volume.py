@@ -40,8 +40,7 @@ class ModifySettings:
             return
         main = settings.named(settings.OF_MODIFY, "modify_amount", "noise_seed", "noise_frequency", "noise_octaves")
         fields.draw(layout, self, main, recipe)
-        layout.prop(self, "advanced", icon="TRIA_DOWN" if self.advanced else "TRIA_RIGHT", emboss=False)
-        if self.advanced:
+        if fields.draw_fold(layout, self):
             fields.draw(layout, self, [field for field in settings.OF_MODIFY if field not in main], recipe)
 
 
@@ -92,7 +91,7 @@ def modify(context, obj, chosen, source: str, sources: list) -> None:
         raise Refused("no mask is chosen; it must be a mesh of the scene")
     mask = {"feather": chosen.feather, "is_inside": chosen.outside == (chosen.preset == "mask")}
     shape = hashlib.sha256(b"".join(part.tobytes() for part in mesh)).hexdigest() if mesh else ""
-    path, job = volumes.request(obj.name.split(".")[0].lower(), recipe, lambda recipe, path: _making(recipe, path, mesh, mask),
+    path, job = volumes.request(obj.name, recipe, lambda recipe, path: _making(recipe, path, mesh, mask),
                                 key={**recipe, "mask": [shape, mask]})
     before = obj.data.filepath, obj.data.get(files.SOURCES, ""), obj.get(volumes.RECIPE, "")
     name = obj.name

@@ -48,7 +48,8 @@ class VIEW3D_PT_solidnoise(bpy.types.Panel):
         if obj is None or volumes.RECIPE not in obj:
             layout.label(text="Nothing of Solidnoise is selected")
             return
-        box = layout.box()
+        box = layout.box().column(align=True)
+        box.scale_y = 0.75
         for line in recipes.words(json.loads(obj[volumes.RECIPE])):
             box.label(text=line)
         if obj.type == "VOLUME" and obj.data.get(files.SOURCES):

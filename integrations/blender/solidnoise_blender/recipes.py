@@ -3,12 +3,14 @@
 import functools
 import hashlib
 import json
+import textwrap
 
 import solidnoise
 
 from . import fields
 
 VOLUME, BAKE, MODIFY = "volume", "bake", "modify"
+_WIDTH = 32  # letters of a line of the side panel
 _DIM = solidnoise.schema(VOLUME)["properties"]["domain"]["properties"]["dim"]["default"]
 _DETAIL = {"type": "gabor", "bandwidth": 1, "octaves": 3, "lacunarity": 2, "gain": 0.5}
 _MODIFICATIONS = {
@@ -64,13 +66,10 @@ def digest(recipe: dict) -> str:
 
 
 def words(recipe: dict) -> list[str]:
-    """What a recipe is, in lines for people."""
+    """What a recipe is, in short lines."""
     noise = recipe.get("noise") or recipe.get("surface") or {}
-    lines = [recipe["description"]] if "description" in recipe else []
     kind = noise.get("type") or noise.get("noise")
-    if kind:
-        lines.append(f"{kind}, {noise.get('octaves', 1)} octaves, seed {noise.get('seed', 0)}")
-    domain = recipe.get("domain", {})
-    if "dim" in domain or "voxel" in domain:
-        lines.append(f"{domain['dim']} voxels along the longest side" if "dim" in domain else f"voxels of {domain['voxel']:g}")
-    return lines + [grid["name"] for grid in recipe.get("grids", []) if "name" in grid]
+    grids = [grid["name"] for grid in recipe.get("grids", []) if "name" in grid]
+    lines = [recipe.get("description", ""), f"{kind}, {noise.get('octaves', 1)} octaves" if kind else "",
+             f"Grids: {', '.join(grids)}" if grids else ""]
+    return [part for line in lines for part in textwrap.wrap(line, _WIDTH)]

@@ -82,7 +82,7 @@ class OBJECT_OT_solidnoise_sequence(bpy.types.Operator):
         self._frames = range(scene.frame_start, scene.frame_end + 1)
         self._recipe = moving(obj.solidnoise_volume.recipe(), plain(self.evolve), len(self._frames) / fps if self.loops else 0.0)
         key = {**self._recipe, "frames": [scene.frame_start, scene.frame_end, fps]}
-        self._folder = files.path_for(obj.name.split(".")[0].lower(), recipes.digest(key), "")
+        self._folder = files.path_for(obj.name, recipes.digest(key), "")
         self._name = obj.name
         self._job = worker.Job(self._folder, making(self._recipe, files.absolute(self._folder), self._frames, fps))
         if bpy.app.background:
@@ -106,6 +106,10 @@ class OBJECT_OT_solidnoise_sequence(bpy.types.Operator):
         context.window_manager.progress_end()
         context.workspace.status_text_set(None)
         return reported(type(self)._finish)(self, context)
+
+    def cancel(self, context):
+        """Blender ends, or opens another file."""
+        self._job.stops = True
 
     def _finish(self, context):
         """Shows the sequence, or raises what went wrong; then nothing is left of it."""

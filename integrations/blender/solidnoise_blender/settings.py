@@ -100,9 +100,9 @@ class VolumeSettings:
         fields.draw(layout, self, main[1:2], recipe)
         if "scale" in recipe["grids"][0]:
             fields.draw(layout, self, main[2:], recipe)
-        layout.prop(self, "advanced", icon="TRIA_DOWN" if self.advanced else "TRIA_RIGHT", emboss=False)
-        for title, group in (("Noise", [TYPE, *NOISE]), ("Shaping", SHAPING), ("Volume", REST)) if self.advanced else ():
-            column = layout.column(heading=title)
+        is_open = fields.draw_fold(layout, self)
+        for title, group in (("Noise", [TYPE, *NOISE]), ("Shaping", SHAPING), ("Volume", REST)) if is_open else ():
+            column = layout.column()
             column.label(text=title)
             fields.draw(column, self, [field for field in group if field not in main], recipe)
 
@@ -113,7 +113,7 @@ class BakeSettings:
 
     def recipe(self) -> dict:
         prepare(self, BAKE)
-        return {**fields.applied(self, OF_BAKE, recipes.preset(BAKE, self.preset)), "up": "z"}
+        return fields.applied(self, OF_BAKE, recipes.preset(BAKE, self.preset))
 
     def draw_settings(self, layout, *others) -> None:
         recipe = recipes.preset(BAKE, self.preset)
@@ -123,6 +123,5 @@ class BakeSettings:
             layout.prop(self, name)
         main = named(OF_BAKE, "surface_seed", "surface_octaves", "bake_feature_size", "bake_detail", "bake_bias", "by_source")
         fields.draw(layout, self, main, recipe)
-        layout.prop(self, "advanced", icon="TRIA_DOWN" if self.advanced else "TRIA_RIGHT", emboss=False)
-        if self.advanced:
+        if fields.draw_fold(layout, self):
             fields.draw(layout.column(), self, [field for field in OF_BAKE if field not in main], recipe)

@@ -9,6 +9,7 @@ import bpy
 import solidnoise
 
 from . import files, recipes, worker
+from .errors import Refused
 
 RECIPE = "solidnoise_recipe"  # the custom property of an object that keeps its recipe, JSON
 
@@ -22,17 +23,22 @@ def making(recipe: dict, path: str) -> Callable:
     return work
 
 
-def request(label: str, recipe: dict, work_for: Callable = making, key: Optional[dict] = None) -> tuple[str, Optional[worker.Job]]:
-    """The path of a recipe's file, and the job that still makes it, if any. `key`: what it is the file of, if not of the recipe alone.
+def _start(work: Callable, path: str) -> worker.Job:
+    """Work on a file, which stops when no volume shows it any more."""
+    return worker.Job(path, work, done=lambda _: arrived(path), wanted=lambda: files.is_shown(path))
+
+
+def request(name: str, recipe: dict, work_for: Callable = making, key: Optional[dict] = None) -> tuple[str, Optional[worker.Job]]:
+    """The path of a recipe's file, after a name, and the job that still makes it, if any. `key`: what it is the file of, if not of the recipe alone.
     Raises what the library does of a recipe."""
-    path = files.path_for(label, recipes.digest(key or recipe))
+    path = files.path_for(name, recipes.digest(key or recipe))
     absolute = files.absolute(path)
     if files.take_back(absolute):
         return path, None
     job = worker.at_work(absolute)
     if job:
         return path, job
-    job = worker.Job(absolute, work_for(recipe, absolute), done=lambda _: arrived(absolute), wanted=lambda: files.is_shown(absolute))
+    job = _start(work_for(recipe, absolute), absolute)
     if worker.wait_a_little(job):
         job.settle()
         files.made(absolute)
@@ -67,12 +73,18 @@ def longest_side(recipe: dict) -> float:
     return max(box[axis + 3] - box[axis] for axis in range(3))
 
 
+def require_collection(context) -> None:
+    """That there may be another object."""
+    if context.collection.library:
+        raise Refused(f"the active collection, {context.collection.name}, is linked; choose one of this file")
+
+
 def add_object(context, name: str):
     """A volume at the cursor, upright, and the only one selected."""
     obj = bpy.data.objects.new(name, bpy.data.volumes.new(name))
     obj.location = context.scene.cursor.location
     obj.rotation_euler = (math.pi / 2, 0, 0)  # up is y in a file, and z in Blender
-    (context.collection or context.scene.collection).objects.link(obj)
+    context.collection.objects.link(obj)
     for other in context.selected_objects:
         other.select_set(False)
     obj.select_set(True)
@@ -95,7 +107,7 @@ def users_of(path: str) -> list:
 
 def remake(obj, recipe: dict) -> None:
     """Gives an object of a preset another recipe."""
-    path, job = request(obj.name.split(".")[0].lower(), recipe)
+    path, job = request(obj.name, recipe)
     before = obj.data.filepath, obj.get(RECIPE)
     obj[RECIPE] = json.dumps(recipe)
     absolute = files.absolute(path)
@@ -121,7 +133,7 @@ def restore() -> None:
         if "on" in recipe or obj.data.is_sequence:
             continue
         os.makedirs(os.path.dirname(path), exist_ok=True)
-        job = worker.Job(path, making(recipe, path), done=lambda _, path=path: arrived(path), wanted=lambda path=path: files.is_shown(path))
+        job = _start(making(recipe, path), path)
         if not worker.wait_a_little(job):
             worker.go_on(job)
         elif job.error is None:

@@ -116,6 +116,19 @@ def test_it_is_refused_in_edit_mode(blocks) -> None:
     assert blocks() == before
 
 
+def test_a_linked_collection_is_refused(tmp_path, blocks) -> None:
+    library = str(tmp_path / "library.blend")
+    bpy.data.libraries.write(library, {bpy.data.collections.new("Set")}, fake_user=True)
+    with bpy.data.libraries.load(library, link=True) as (there, here):
+        here.collections = list(there.collections)
+    bpy.context.scene.collection.children.link(here.collections[0])
+    bpy.context.view_layer.active_layer_collection = bpy.context.view_layer.layer_collection.children[0]
+    before = blocks()
+    with pytest.raises(RuntimeError, match="the active collection, Set, is linked; choose one of this file"):
+        bpy.ops.object.solidnoise_volume_add(domain_dim=16)
+    assert blocks() == before and folder() == []
+
+
 def test_a_folder_that_cannot_be_written_is_reported(tmp_path, blocks) -> None:
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "scene.blend"))
     (tmp_path / "solidnoise").write_text("not a folder")

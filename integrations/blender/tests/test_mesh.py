@@ -57,6 +57,14 @@ def test_parameters_follow_the_curvature_or_a_number_of_the_vertices(torus) -> N
         bpy.ops.object.solidnoise_bake(preset="stone", by_attribute="missing")
 
 
+def test_up_is_what_is_up_in_the_scene(torus) -> None:
+    torus.rotation_euler = (np.pi / 2, 0, 0)
+    bpy.context.view_layer.update()
+    bpy.ops.object.solidnoise_bake(preset="bark")
+    expected = solidnoise.bake(*arrays(torus.data), solidnoise.preset("bark"), up="y")
+    np.testing.assert_array_equal(values(torus.data, "noise"), expected["noise"])
+
+
 def test_a_scaled_object_has_the_noise_of_its_size_in_the_world(torus) -> None:
     torus.scale = (-1, 3, 0.5)
     bpy.context.view_layer.update()
