@@ -31,11 +31,9 @@ TEST(SurfaceSmoothing, DiffusesAsTheHeatEquationDoes) {
     for (std::size_t p = 0; p < shapes.size(); ++p) shapes[p].mean = before(p);
     smoothing.diffuse(shapes, radius);
     const double factor = std::pow(1.0 + kPi * kPi * radius * radius / 8.0, -2.0);
-    // Squares of side h make pi^2 a share of (pi h)^2 / 12 = 1e-3 smaller. Over 10 edges and more, clusters
-    // of irregular shapes make the radius up to a quarter longer, of which the factor of 0.2 is 0.12.
-    const double tolerance = radius > 10.0 / 30.0 ? 0.085 : 1e-3;
+    // Squares of side h make pi^2 a share of (pi h)^2 / 12 = 1e-3 smaller.
     for (std::size_t p = 0; p < shapes.size(); ++p)
-      EXPECT_NEAR(shapes[p].mean, factor * before(p), tolerance);
+      EXPECT_NEAR(shapes[p].mean, factor * before(p), 1e-3);
   }
 }
 

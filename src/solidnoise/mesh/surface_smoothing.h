@@ -23,18 +23,16 @@ class SurfaceSmoothing {
 
   // Spreads the values as heat does until the root mean square of the way is `radius` (world units, along the
   // surface): on a plane, the convolution with a bell of that radius, however fine the mesh. Two implicit
-  // steps of the heat equation, on the points or, where the radius is many edges, on clusters of them
-  // (SmoothingLevel), and then a little more from level to level down to the points: the time does not grow
-  // with the radius, which is met within a quarter there. Linear systems are solved by conjugate gradients to
-  // a relative residual of 1e-4. No value leaves the range of the others. Throws std::invalid_argument if the
-  // radius is not at least 0.
+  // steps of the heat equation, each to 1e-4 of the values' root mean square, in a time that does not grow
+  // with the radius (HeatSolver). No value leaves the range of the others by more than that. Throws
+  // std::invalid_argument if the radius is not at least 0.
   void diffuse(std::vector<ShapeOperator>& shapes, double radius);
   void diffuse(std::vector<std::complex<double>>& lines, double radius);
   void diffuse(std::vector<Vec<3>>& vectors, double radius);  // of space: they are not carried
 
  private:
   template <typename Value>
-  void spread(std::size_t level, std::vector<Value>& values, double radius);
+  void spread(std::vector<Value>& values, double radius);
 
   SmoothingLevel points_;
   std::vector<CoarserLevel> coarser_;  // made when first needed
