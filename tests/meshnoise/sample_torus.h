@@ -14,11 +14,11 @@
 
 namespace solidnoise {
 
-// An irregular torus around the y axis, of radii 1 and 0.4, whose positions any format can hold.
-inline PolygonMesh sample_torus(int n = 14) {
+// An irregular torus around the y axis, of radii 1 and 0.4, whose positions are multiples of a step: those of
+// 2^-14 any format can hold, and those of 2^-7, of 7 decimals, mean the same double as text, too.
+inline PolygonMesh sample_torus(int n = 14, double step = 0x1p-14) {
   PolygonMesh mesh = torus_mesh(1.0, 0.4, {.n = n, .jitter = 0.3});
-  constexpr double kStep = 0x1p-14;  // of multiples that a float holds
-  for (Vec<3>& p : mesh.positions) p = kStep * glm::round(p / kStep);
+  for (Vec<3>& p : mesh.positions) p = step * glm::round(p / step);
   return mesh;
 }
 
