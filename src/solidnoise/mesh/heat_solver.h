@@ -75,6 +75,7 @@ class HeatMatrix {
 
   std::size_t size() const { return diagonal_.size(); }
   double mass(std::size_t p) const { return masses_[p]; }
+  bool is_isolated(std::size_t p) const { return masses_[p] == diagonal_[p]; }
 
   Value row(const std::vector<Value>& x, std::size_t p) const {
     Value sum = diagonal_[p] * x[p];
@@ -130,9 +131,9 @@ class HeatSolver {
     const auto sum = [count](const auto& term) { return ordered_sum(count, term); };
     std::vector<Value> residual(count);
     std::vector<Value> image(count);
-    each([&](std::size_t i) { residual[i] = matrix.mass(i) * x[i] - matrix.row(x, i); });
-    const double wanted =
-        kError * kError * sum([&](std::size_t i) { return matrix.mass(i) * product(x[i], x[i]); });
+    each([&](std::size_t i) { residual[i] = matrix.mass(i) * x[i]; });
+    const double wanted = kError * kError * sum([&](std::size_t i) { return product(residual[i], x[i]); });
+    each([&](std::size_t i) { (matrix.is_isolated(i) ? residual[i] : x[i]) = Value(); });
     cycle(0, residual);
     std::vector<Value> direction = levels_.front().solution;
     const auto error = [&] {

@@ -45,24 +45,27 @@ std::vector<float> cotangent_weights(const SurfaceMesh& surface) {
   return all;
 }
 
-// The turns between neighbours, and the mean of their distances.
-void measure_edges(SmoothingLevel& level) {
-  const TangentFrames frames(level.normals);
-  level.turns.resize(level.neighbours.items.size());
-  tbb::parallel_for(std::size_t{0}, level.size(), [&](std::size_t p) {
+std::vector<std::complex<float>> turns_between_points(const SurfaceMesh& surface) {
+  const Adjacency& neighbours = surface.neighbours();
+  const TangentFrames frames(surface.normals());
+  std::vector<std::complex<float>> turns(neighbours.items.size());
+  tbb::parallel_for(std::size_t{0}, surface.point_count(), [&](std::size_t p) {
     const TangentFrame frame = frames[p];
-    for (std::size_t k = level.neighbours.starts[p]; k < level.neighbours.starts[p + 1]; ++k) {
-      const std::uint32_t q = level.neighbours.items[k];
-      level.turns[k] = std::complex<float>(line_at(transport(frames[q], frame)));
+    for (std::size_t k = neighbours.starts[p]; k < neighbours.starts[p + 1]; ++k) {
+      turns[k] = std::complex<float>(line_at(transport(frames[neighbours.items[k]], frame)));
     }
   });
+  return turns;
+}
+
+double mean_edge_of(const SmoothingLevel& level) {
   double sum = 0.0;
   for (std::size_t p = 0; p < level.size(); ++p) {
     for (const std::uint32_t q : level.neighbours[p])
       sum += glm::distance(level.positions[p], level.positions[q]);
   }
   const std::size_t count = level.neighbours.items.size();
-  level.mean_edge = count > 0 ? sum / static_cast<double>(count) : 0.0;
+  return count > 0 ? sum / static_cast<double>(count) : 0.0;
 }
 
 // Greedily, in the order of the places; returns the clusters' first places.
@@ -104,7 +107,8 @@ SmoothingLevel level_of_points(const SurfaceMesh& surface) {
   level.positions = surface.positions();
   level.normals = surface.normals();
   level.weights = cotangent_weights(surface);
-  measure_edges(level);
+  level.turns = turns_between_points(surface);
+  level.mean_edge = mean_edge_of(level);
   return level;
 }
 
@@ -112,11 +116,23 @@ CoarserLevel make_coarser(const SmoothingLevel& fine) {
   CoarserLevel result;
   SmoothingLevel& coarse = result.level;
   const std::vector<std::uint32_t> seeds = make_clusters(fine, result.cluster_of);
+  for (const std::uint32_t seed : seeds) coarse.normals.push_back(fine.normals[seed]);
+  const TangentFrames frames(fine.normals);
+  result.turns.resize(fine.size());
+  tbb::parallel_for(std::size_t{0}, fine.size(), [&](std::size_t p) {
+    const TangentFrame of_cluster = frames[seeds[result.cluster_of[p]]];
+    result.turns[p] = std::complex<float>(line_at(transport(of_cluster, frames[p])));
+  });
+
+  struct Edge {
+    std::uint32_t other;
+    float weight;
+    std::complex<float> turn;
+  };
+  std::vector<std::vector<Edge>> edges(seeds.size());
+  std::vector<std::uint32_t> counts(seeds.size(), 0);
   coarse.areas.assign(seeds.size(), 0.0);
   coarse.positions.assign(seeds.size(), Vec<3>(0.0));
-  for (const std::uint32_t seed : seeds) coarse.normals.push_back(fine.normals[seed]);
-  std::vector<std::uint32_t> counts(seeds.size(), 0);
-  std::vector<std::vector<std::pair<std::uint32_t, Vec<3>>>> borders(seeds.size());
   for (std::size_t p = 0; p < fine.size(); ++p) {
     const std::uint32_t cluster = result.cluster_of[p];
     coarse.areas[cluster] += fine.areas[p];
@@ -125,40 +141,31 @@ CoarserLevel make_coarser(const SmoothingLevel& fine) {
     for (std::size_t k = fine.neighbours.starts[p]; k < fine.neighbours.starts[p + 1]; ++k) {
       const std::uint32_t q = fine.neighbours.items[k];
       const std::uint32_t other = result.cluster_of[q];
-      // A normal of the border between the two places, of its length.
-      if (other != cluster) {
-        borders[cluster].emplace_back(
-            other, static_cast<double>(fine.weights[k]) * (fine.positions[q] - fine.positions[p]));
-      }
+      if (other == cluster) continue;
+      edges[cluster].push_back(
+          {other, fine.weights[k], std::conj(result.turns[p]) * fine.turns[k] * result.turns[q]});
     }
   }
   for (std::size_t c = 0; c < seeds.size(); ++c) coarse.positions[c] /= counts[c];
 
-  for (std::size_t c = 0; c < seeds.size(); ++c) {
-    auto& all = borders[c];
-    std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (std::vector<Edge>& all : edges) {
+    std::ranges::stable_sort(all, {}, &Edge::other);
     for (std::size_t i = 0; i < all.size();) {
-      const std::uint32_t other = all[i].first;
-      Vec<3> border(0.0);
-      for (; i < all.size() && all[i].first == other; ++i) border += all[i].second;
-      // What flows through it if the value is linear from centre to centre.
-      const Vec<3> way = coarse.positions[other] - coarse.positions[c];
-      const double square = glm::dot(way, way);
-      const double flow = square > 0.0 ? glm::dot(border, way) / square : 0.0;
+      const std::uint32_t other = all[i].other;
+      float weight = 0.0f;
+      std::complex<float> turn = 0.0f;
+      for (; i < all.size() && all[i].other == other; ++i) {
+        weight += all[i].weight;
+        turn += all[i].weight * all[i].turn;
+      }
       coarse.neighbours.items.push_back(other);
-      coarse.weights.push_back(static_cast<float>(std::max(flow, 0.0)));
+      coarse.weights.push_back(weight);
+      coarse.turns.push_back(weight > 0.0f ? turn / weight : 0.0f);
     }
     coarse.neighbours.starts.push_back(static_cast<std::uint32_t>(coarse.neighbours.items.size()));
     all = {};
   }
-  measure_edges(coarse);
-
-  const TangentFrames frames(fine.normals);
-  result.turns.resize(fine.size());
-  tbb::parallel_for(std::size_t{0}, fine.size(), [&](std::size_t p) {
-    const TangentFrame of_cluster = frames[seeds[result.cluster_of[p]]];
-    result.turns[p] = std::complex<float>(line_at(transport(of_cluster, frames[p])));
-  });
+  coarse.mean_edge = mean_edge_of(coarse);
   return result;
 }
 

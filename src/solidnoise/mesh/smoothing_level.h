@@ -15,8 +15,8 @@ struct SmoothingLevel {
   std::vector<double> areas;
   std::vector<Vec<3>> positions;
   std::vector<Vec<3>> normals;
-  // For each neighbour, in the order of the adjacency: what its line is to be multiplied with (transport()),
-  // and what flows per difference.
+  // For each neighbour, in the order of the adjacency: what its line is to be multiplied with (transport();
+  // of modulus 1 or, between clusters, less), and what flows per difference.
   std::vector<std::complex<float>> turns;
   std::vector<float> weights;
   double mean_edge = 0.0;  // world units; 0 without neighbours
@@ -35,8 +35,8 @@ struct CoarserLevel {
   std::vector<std::complex<float>> turns;  // what the cluster's line is multiplied with at the place
 };
 
-// Heat flows from cluster to cluster through the borders of the finer level's places between them, as if the
-// value were linear from centre to centre (finite volumes).
+// Heat flows from cluster to cluster as between those of the finer level's places that are neighbours across
+// the border (Galerkin), and lines turn as they do on the mean of these ways: shorter where these disagree.
 CoarserLevel make_coarser(const SmoothingLevel& fine);
 
 }  // namespace solidnoise
