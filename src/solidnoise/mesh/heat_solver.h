@@ -75,7 +75,6 @@ class HeatMatrix {
 
   std::size_t size() const { return diagonal_.size(); }
   double mass(std::size_t p) const { return masses_[p]; }
-  bool is_isolated(std::size_t p) const { return masses_[p] == diagonal_[p]; }
 
   Value row(const std::vector<Value>& x, std::size_t p) const {
     Value sum = diagonal_[p] * x[p];
@@ -129,11 +128,13 @@ class HeatSolver {
     const std::size_t count = matrix.size();
     const auto each = [count](const auto& body) { tbb::parallel_for(std::size_t{0}, count, body); };
     const auto sum = [count](const auto& term) { return ordered_sum(count, term); };
-    std::vector<Value> residual(count);
     std::vector<Value> image(count);
+    std::vector<Value> residual(count);
     each([&](std::size_t i) { residual[i] = matrix.mass(i) * x[i]; });
     const double wanted = kError * kError * sum([&](std::size_t i) { return product(residual[i], x[i]); });
-    each([&](std::size_t i) { (matrix.is_isolated(i) ? residual[i] : x[i]) = Value(); });
+    // From x itself, which constants and isolated values are the solution of, without its finest detail.
+    for (int round = 0; round < kFirstRounds; ++round) matrix.relax(residual, x, image);
+    each([&](std::size_t i) { residual[i] -= matrix.row(x, i); });
     cycle(0, residual);
     std::vector<Value> direction = levels_.front().solution;
     const auto error = [&] {
@@ -159,6 +160,7 @@ class HeatSolver {
  private:
   static constexpr double kError = 1e-4;
   static constexpr int kMostIterations = 2000;
+  static constexpr int kFirstRounds = 3;
   static constexpr int kCoarsestRounds = 4;
 
   struct Level {
