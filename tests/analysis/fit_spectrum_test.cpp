@@ -66,7 +66,7 @@ TEST(FitSpectrum, ComesCloserToTheTrueSpectrumThanThePeriodogram) {
   EXPECT_LT(one.components, 150);
   const SpectrumFit many = fit_realisations(truth, 16, options);
   EXPECT_LT(error_against(many.spectrum, truth), 0.15);
-  EXPECT_LT(many.components, 90);
+  EXPECT_LT(many.components, 60);
   EXPECT_NEAR(many.kept_variance, 1.0, 0.1);
 }
 

@@ -13,8 +13,9 @@
 namespace solidnoise {
 namespace {
 
-constexpr int kRounds = 40;
-constexpr double kFewestShare = 0.03;  // of the spectrum around a Gaussian that stays
+constexpr int kRounds = 10;
+constexpr int kPrunings = 4;       // each after so many rounds
+constexpr double kEvidence = 1.0;  // that a Gaussian must bring (Akaike 1974)
 
 // A Gaussian on the periodic grid of frequencies, along one axis: from `first` on.
 struct Row {
@@ -137,7 +138,7 @@ void fill_spectrum(GaborSpectrum& spectrum, const PowerSpectrum<2>& periodogram)
       }
     }
   };
-  for (int round = 0; round < kRounds; ++round) {
+  const auto improve = [&] {
     synthesize();
     for (std::size_t i = 0; i < density.size(); ++i) density[i] = periodogram.density[i] / density[i];
     tbb::parallel_for(std::size_t{0}, atoms.size(), [&](std::size_t k) {
@@ -145,17 +146,30 @@ void fill_spectrum(GaborSpectrum& spectrum, const PowerSpectrum<2>& periodogram)
       for_each_under(atoms[k], count, false, [&](std::size_t i, double g) { ratio += g * density[i]; });
       atoms[k].component.variance *= std::max(ratio, 0.0);
     });
+  };
+  // By how much the likelihood's logarithm falls without an atom, to second order.
+  const auto evidence = [&](const Atom& atom) {
+    const double scale = 0.5 * atom.component.variance / cell;
+    double sum = 0.0;
+    for_each_under(atom, count, false, [&](std::size_t i, double g) {
+      const double share = scale * g / density[i];
+      sum += 0.5 * share * share;
+    });
+    return sum;
+  };
+  for (int pruning = 1; pruning <= kPrunings; ++pruning) {
+    for (int round = 0; round < kRounds; ++round) improve();
+    synthesize();
+    // Little by little, as those that stay take over what the others had.
+    const double least = kEvidence * pruning / kPrunings;
+    std::erase_if(atoms, [&](const Atom& atom) { return evidence(atom) < least; });
   }
+  for (int round = 0; round < kRounds; ++round) improve();
 
-  synthesize();
   const int group = group_for(spectrum);
   for (Atom& atom : atoms) {
-    const double scale = 0.5 * atom.component.variance / cell;
-    double share = 0.0;
-    for_each_under(atom, count, false, [&](std::size_t i, double g) { share += g * scale * g / density[i]; });
-    // Its own share under itself would be 1 if it were alone.
     atom.component.group = group;
-    if (share > kFewestShare) add(spectrum, atom.a, atom.component);
+    add(spectrum, atom.a, atom.component);
   }
 }
 

@@ -11,7 +11,8 @@ namespace solidnoise {
 // on a grid in each octave, get the variances v that maximise the likelihood of the periodogram P as counts,
 //   v_k <- v_k sum of D_k P / M over the frequencies,   M = the spectrum + sum of v_k D_k,   sum of D_k = 1
 // (Richardson 1972, Lucy 1974): then P / M is 1 on average under each of them, in every octave alike.
-// What adds little to the spectrum around it is left out. Frequencies are those that the bands of `a` can
+// Those that the periodogram's own likelihood (Whittle 1953) hardly misses are left out, by the criterion of
+// Akaike 1974, little by little, as the others take over. Frequencies are those that the bands of `a` can
 // tell apart: down to two steps of the periodogram.
 void fill_spectrum(GaborSpectrum& spectrum, const PowerSpectrum<2>& periodogram);
 
