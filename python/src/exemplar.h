@@ -23,6 +23,7 @@ struct Picture {
   Exemplar<2> read(const ExemplarReading& reading) const {
     return image ? exemplar_of_image(*image, reading, name) : read_exemplar(name, reading);
   }
+  bool has_linear_light() const { return !image && holds_linear_light(name); }
 };
 
 Picture picture_of_object(py::handle object, const std::string& name);

@@ -89,21 +89,25 @@ ExemplarModel fit(const py::object& object, const FitKind& kind, const Call& cal
   read_fields(reader, options.spectrum);
   read_fields(reader, options);
   reader.finish();
-  options.raw_values = reading.raw_values;
+  const bool chooses_values = !json.contains("raw_values");
+  if (chooses_values) reading.raw_values = true;
   options.validate();
   require_fields(reading);
 
   ExemplarModel model;
   run(call, [&](Progress& told) {
     std::vector<Exemplar<2>> exemplars;
+    std::vector<bool> linear;
     for (const Picture& picture : pictures) {
       exemplars.push_back(picture.read(reading));
-      if (kind.grey) make_grey(exemplars.back());
+      linear.push_back(picture.has_linear_light());
     }
+    options.raw_values = chooses_values ? choose_values(exemplars, linear).raw_values : reading.raw_values;
+    if (kind.grey) std::ranges::for_each(exemplars, make_grey);
     agree_on_channels(exemplars);
     if (kind.solid) {
       model = fit_solid_exemplar(exemplars, options.axes, options.spectrum.kappa, options.patch).model;
-      model.raw_values = reading.raw_values;
+      model.raw_values = options.raw_values;
     } else {
       model = fit_exemplar<2>(exemplars, options, &told).model;
     }
@@ -134,6 +138,8 @@ void add_exemplar(py::module_& module) {
 
 pictures : array (rows, columns) or (rows, columns, channels), path, or a list of these, which are averaged
     Arrays of uint8 and uint16 are scaled to 0 to 1, floats are as they are: sRGB-encoded, unless raw_values.
+    Without raw_values the values are taken as they are stored or become linear light, whichever noise suits
+    better: that of which less is clipped, and which is less lopsided. The model's recipe says which.
 grey : bool
     Learn the brightness alone.
 solid : bool

@@ -26,9 +26,14 @@ def model() -> solidnoise.ExemplarModel:
 
 def test_models_are_those_of_noisefit(tool: Tool, tmp_path: Path) -> None:
     solidnoise.write_image(tmp_path / "in.png", texture())
-    tool("noisefit", "in.png", "--linear-light", "--kappa", "0.02", "--out", "out.json", "--quiet")
+    tool("noisefit", "in.png", "--linear-light", "--kappa", "0.02", "--out", "linear.json", "--quiet")
+    linear = solidnoise.fit(tmp_path / "in.png", kappa=0.02, raw_values=False)
+    assert linear.recipe == json.loads((tmp_path / "linear.json").read_text())
+    # Without a word both choose, here what is stored: a Gaussian texture is lopsided in linear light.
+    tool("noisefit", "in.png", "--kappa", "0.02", "--out", "out.json", "--quiet")
     by_tool = json.loads((tmp_path / "out.json").read_text())
     by_path = solidnoise.fit(tmp_path / "in.png", kappa=0.02)
+    assert by_tool["raw_values"] and by_path != linear
     assert by_path.recipe == by_tool
     assert solidnoise.ExemplarModel(tmp_path / "out.json") == by_path
     # The same picture as an array of bytes.

@@ -82,31 +82,12 @@ void require_fit_cost(const FitCommand& command, const std::vector<Exemplar<2>>&
   require_fit_cost(command, size);
 }
 
-// Values as they are stored, or in linear light, as noise suits them; returns what to say of it.
-std::string choose_values(FitCommand& command, std::vector<Exemplar<2>>& exemplars) {
-  std::vector<Exemplar<2>> linear;
-  ValueFit of_stored;
-  ValueFit of_linear;
-  for (std::size_t i = 0; i < exemplars.size(); ++i) {
-    const bool is_linear = holds_linear_light(command.inputs[i]);
-    linear.push_back(is_linear ? exemplars[i] : to_linear_light(exemplars[i]));
-    const auto add = [&](const ValueFit& one, ValueFit& all) {
-      all.clipped += one.clipped / static_cast<double>(exemplars.size());
-      all.skewness += one.skewness / static_cast<double>(exemplars.size());
-    };
-    add(fit_of_values(exemplars[i]), of_stored);
-    add(fit_of_values(linear.back()), of_linear);
-    // Values above 1 are no stored ones.
-    if (is_linear) of_stored.clipped = 1e9;
-  }
-  command.reading.raw_values = prefers_stored(of_stored, of_linear);
-  if (!command.reading.raw_values) exemplars = std::move(linear);
-  const ValueFit& chosen = command.reading.raw_values ? of_stored : of_linear;
+std::string describe_choice(const ValueChoice& choice) {
   return fmt::format(
       "values: {} ({:.2g} % of the noise is clipped, skewness {:.2g}); --raw-values and --linear-light "
       "choose\n",
-      command.reading.raw_values ? "as they are stored" : "linear light", 100.0 * chosen.clipped,
-      chosen.skewness);
+      choice.raw_values ? "as they are stored" : "linear light", 100.0 * choice.fit.clipped,
+      choice.fit.skewness);
 }
 
 void warn_of_structure(const std::vector<Exemplar<2>>& exemplars, const std::vector<std::string>& names) {
@@ -172,7 +153,14 @@ int run_fit(const std::vector<std::string>& arguments) {
   for (const std::string& input : command.inputs) {
     exemplars.push_back(read_exemplar(input, command.reading));
   }
-  const std::string choice = command.chooses_values ? choose_values(command, exemplars) : std::string();
+  std::string choice;
+  if (command.chooses_values) {
+    std::vector<bool> linear;
+    for (const std::string& input : command.inputs) linear.push_back(holds_linear_light(input));
+    const ValueChoice values = choose_values(exemplars, linear);
+    command.reading.raw_values = values.raw_values;
+    choice = describe_choice(values);
+  }
   command.fit.raw_values = command.reading.raw_values;
   for (Exemplar<2>& exemplar : exemplars) {
     if (command.grey) make_grey(exemplar);

@@ -55,36 +55,6 @@ bool holds_linear_light(const std::filesystem::path& path) {
   return extension == ".exr" || extension == ".hdr";
 }
 
-ValueFit fit_of_values(const Exemplar<2>& exemplar) {
-  ValueFit fit;
-  for (const DenseField<2>& channel : exemplar.channels) {
-    const Moments moments = Moments::of(channel.values);
-    // The share of a normal distribution below 0, and above 1.
-    const auto beyond = [&](double distance) {
-      return 0.5 * std::erfc(distance / (std::sqrt(2.0) * moments.sigma()));
-    };
-    if (moments.sigma() > 0.0) {
-      fit.clipped += (beyond(moments.mean()) + beyond(1.0 - moments.mean())) /
-                     static_cast<double>(exemplar.channels.size());
-    }
-    if (std::abs(moments.skewness()) > std::abs(fit.skewness)) fit.skewness = moments.skewness();
-  }
-  return fit;
-}
-
-bool prefers_stored(const ValueFit& stored, const ValueFit& linear) {
-  constexpr double kClipped = 0.005;  // as bad as a skewness of 1
-  const auto cost = [](const ValueFit& fit) { return fit.clipped / kClipped + std::abs(fit.skewness); };
-  return cost(stored) <= cost(linear);
-}
-
-Exemplar<2> to_linear_light(Exemplar<2> stored) {
-  for (DenseField<2>& channel : stored.channels) {
-    for (float& value : channel.values) value = linear_from_srgb(value);
-  }
-  return stored;
-}
-
 template <int Dim>
 void Exemplar<Dim>::validate(const std::string& name) const {
   if (channels.size() != 1 && channels.size() != 3) {

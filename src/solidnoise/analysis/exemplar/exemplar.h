@@ -41,20 +41,6 @@ Exemplar<2> read_exemplar(const std::filesystem::path& path, const ExemplarReadi
 // Whether a file holds linear light already, by its name.
 bool holds_linear_light(const std::filesystem::path& path);
 
-// What noise of an exemplar's means and deviations is like.
-struct ValueFit {
-  double clipped = 0.0;   // share of its values that are below 0 or above 1, the mean of the channels
-  double skewness = 0.0;  // of the exemplar, the largest of its channels', which noise does not have
-};
-ValueFit fit_of_values(const Exemplar<2>& exemplar);
-
-// Whether noise of the values as they are stored is the better one, of less clipping and skewness, than that
-// of linear light: less of clipped / 0.005 + |skewness|.
-bool prefers_stored(const ValueFit& stored, const ValueFit& linear);
-
-// A stored exemplar in linear light.
-Exemplar<2> to_linear_light(Exemplar<2> stored);
-
 // The samples in the middle of a volume's third axis, looked at along it.
 Exemplar<2> middle_slice(const Exemplar<3>& volume);
 

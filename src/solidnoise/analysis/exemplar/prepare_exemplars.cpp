@@ -1,7 +1,13 @@
 #include "solidnoise/analysis/exemplar/prepare_exemplars.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <utility>
+
+#include "solidnoise/core/moments.h"
+#include "solidnoise/image/color.h"
 
 namespace solidnoise {
 
@@ -22,6 +28,45 @@ void agree_on_channels(std::vector<Exemplar<2>>& exemplars) {
   for (const Exemplar<2>& exemplar : exemplars) color = color || exemplar.channels.size() == 3;
   if (!color) return;
   for (Exemplar<2>& exemplar : exemplars) exemplar.channels.resize(3, exemplar.channels.front());
+}
+
+ValueFit fit_of_values(std::span<const Exemplar<2>> exemplars) {
+  ValueFit mean;
+  for (const Exemplar<2>& exemplar : exemplars) {
+    double clipped = 0.0;
+    double skewness = 0.0;
+    for (const DenseField<2>& channel : exemplar.channels) {
+      const Moments moments = Moments::of(channel.values);
+      // The share of a normal distribution below 0, and above 1.
+      const auto beyond = [&](double distance) {
+        return 0.5 * std::erfc(distance / (std::sqrt(2.0) * moments.sigma()));
+      };
+      if (moments.sigma() > 0.0) clipped += beyond(moments.mean()) + beyond(1.0 - moments.mean());
+      if (std::abs(moments.skewness()) > std::abs(skewness)) skewness = moments.skewness();
+    }
+    const auto count = static_cast<double>(exemplars.size());
+    mean.clipped += clipped / (count * static_cast<double>(exemplar.channels.size()));
+    mean.skewness += skewness / count;
+  }
+  return mean;
+}
+
+ValueChoice choose_values(std::vector<Exemplar<2>>& exemplars, const std::vector<bool>& hold_linear_light) {
+  constexpr double kClipped = 0.005;  // as bad as a skewness of 1
+  const auto cost = [](const ValueFit& fit) { return fit.clipped / kClipped + std::abs(fit.skewness); };
+  std::vector<Exemplar<2>> linear = exemplars;
+  for (std::size_t i = 0; i < linear.size(); ++i) {
+    if (hold_linear_light[i]) continue;
+    for (DenseField<2>& channel : linear[i].channels) {
+      for (float& value : channel.values) value = linear_from_srgb(value);
+    }
+  }
+  const ValueFit of_stored = fit_of_values(exemplars);
+  const ValueFit of_linear = fit_of_values(linear);
+  const bool any_linear = std::ranges::find(hold_linear_light, true) != hold_linear_light.end();
+  if (!any_linear && cost(of_stored) <= cost(of_linear)) return {true, of_stored};
+  exemplars = std::move(linear);
+  return {false, of_linear};
 }
 
 }  // namespace solidnoise

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "solidnoise/analysis/exemplar/exemplar.h"
@@ -11,5 +12,22 @@ void make_grey(Exemplar<2>& exemplar);
 
 // Gives all exemplars as many channels: one picture in colour makes all of them so.
 void agree_on_channels(std::vector<Exemplar<2>>& exemplars);
+
+// What noise of exemplars' means and deviations is like, the mean over the exemplars.
+struct ValueFit {
+  double clipped = 0.0;   // share of its values that are below 0 or above 1, the mean of the channels
+  double skewness = 0.0;  // of the exemplar, the largest of its channels', which noise does not have
+};
+ValueFit fit_of_values(std::span<const Exemplar<2>> exemplars);
+
+struct ValueChoice {
+  bool raw_values = false;  // as they are stored; otherwise linear light
+  ValueFit fit;             // of those chosen
+};
+
+// Chooses between the values as they are stored, which `exemplars` hold, and linear light, into which they
+// are then made: that of less clipped / 0.005 + |skewness|. If one of them holds linear light already
+// (`hold_linear_light`, one of each), all are made so.
+ValueChoice choose_values(std::vector<Exemplar<2>>& exemplars, const std::vector<bool>& hold_linear_light);
 
 }  // namespace solidnoise

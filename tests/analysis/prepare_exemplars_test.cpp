@@ -1,0 +1,59 @@
+#include "solidnoise/analysis/exemplar/prepare_exemplars.h"
+
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "solidnoise/image/color.h"
+
+namespace solidnoise {
+namespace {
+
+// Independent normal values.
+Exemplar<2> normal_values(double mean, double sigma) {
+  std::mt19937 engine(7);
+  std::normal_distribution<double> values(mean, sigma);
+  DenseField<2> field(glm::ivec2(64), Vec<2>(1.0));
+  for (float& value : field.values) value = static_cast<float>(values(engine));
+  return {{field}};
+}
+
+Exemplar<2> encoded(Exemplar<2> linear) {
+  for (float& value : linear.channels.front().values) value = srgb_from_linear(value);
+  return linear;
+}
+
+// 4096 values: the skewness of normal ones scatters by sqrt(6 / 4096) = .04.
+TEST(ChooseValues, TakesThoseThatAreNormal) {
+  const Exemplar<2> normal = normal_values(0.5, 0.12);
+  std::vector<Exemplar<2>> stored{normal};
+  const ValueChoice raw = choose_values(stored, {false});
+  EXPECT_TRUE(raw.raw_values);
+  EXPECT_EQ(stored.front().channels.front().values, normal.channels.front().values);
+  EXPECT_NEAR(raw.fit.skewness, 0.0, 0.2);
+  EXPECT_NEAR(raw.fit.clipped, std::erfc(0.5 / (0.12 * std::sqrt(2.0))), 2e-5);
+
+  std::vector<Exemplar<2>> photograph{encoded(normal)};
+  const ValueChoice linear = choose_values(photograph, {false});
+  EXPECT_FALSE(linear.raw_values);
+  EXPECT_NEAR(linear.fit.skewness, 0.0, 0.2);
+  for (std::size_t i = 0; i < normal.shape().size(); ++i) {
+    ASSERT_NEAR(photograph.front().channels.front().values[i], normal.channels.front().values[i], 1e-5);
+  }
+}
+
+TEST(ChooseValues, TakesLinearLightWhereOneHoldsItAlready) {
+  const Exemplar<2> normal = normal_values(0.5, 0.12);
+  std::vector<Exemplar<2>> both{normal, encoded(normal)};
+  EXPECT_FALSE(choose_values(both, {true, false}).raw_values);
+  EXPECT_EQ(both.front().channels.front().values, normal.channels.front().values);
+  for (std::size_t i = 0; i < normal.shape().size(); ++i) {
+    ASSERT_NEAR(both.back().channels.front().values[i], normal.channels.front().values[i], 1e-5);
+  }
+}
+
+}  // namespace
+}  // namespace solidnoise
