@@ -33,7 +33,7 @@ def test_models_are_those_of_noisefit(tool: Tool, tmp_path: Path) -> None:
     tool("noisefit", "in.png", "--kappa", "0.02", "--out", "out.json", "--quiet")
     by_tool = json.loads((tmp_path / "out.json").read_text())
     by_path = solidnoise.fit(tmp_path / "in.png", kappa=0.02)
-    assert by_tool["raw_values"] and by_path != linear
+    assert by_tool["exemplar"]["raw_values"] and by_path != linear
     assert by_path.recipe == by_tool
     assert solidnoise.ExemplarModel(tmp_path / "out.json") == by_path
     # The same picture as an array of bytes.
