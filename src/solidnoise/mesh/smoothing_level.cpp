@@ -149,7 +149,7 @@ CoarserLevel make_coarser(const SmoothingLevel& fine) {
   for (std::size_t c = 0; c < seeds.size(); ++c) coarse.positions[c] /= counts[c];
 
   for (std::vector<Edge>& all : edges) {
-    std::ranges::stable_sort(all, {}, &Edge::other);
+    std::stable_sort(all.begin(), all.end(), [](const Edge& a, const Edge& b) { return a.other < b.other; });
     for (std::size_t i = 0; i < all.size();) {
       const std::uint32_t other = all[i].other;
       float weight = 0.0f;

@@ -63,7 +63,8 @@ ValueChoice choose_values(std::vector<Exemplar<2>>& exemplars, const std::vector
   }
   const ValueFit of_stored = fit_of_values(exemplars);
   const ValueFit of_linear = fit_of_values(linear);
-  const bool any_linear = std::ranges::find(hold_linear_light, true) != hold_linear_light.end();
+  const bool any_linear =
+      std::find(hold_linear_light.begin(), hold_linear_light.end(), true) != hold_linear_light.end();
   if (!any_linear && cost(of_stored) <= cost(of_linear)) return {true, of_stored};
   exemplars = std::move(linear);
   return {false, of_linear};
