@@ -8,7 +8,7 @@ from papers.data import centred, columns, image, mean_of
 from papers.gabor import AMPLITUDE, ERROR, FREQUENCY, GAUSSIAN, Isotropic, Oriented, impulses_for, mean_cosine, nodes
 from papers.gradients import perlin
 from papers.impulses import procedure, quickest
-from papers.noise_sample import compare_slices, library_noise, sample_noise, tilted_plane
+from papers.noise_sample import compare_slices, library_noise, sample_noise, slices, tilted_plane
 from papers.spectra import expected, periodogram
 from papers.transition import KINDS, Hierarchy, grid_weights, measured_variance, strip, variance
 from papers.truncation import truncate
@@ -82,7 +82,7 @@ def noise(n):
     _, paper = sample_noise(n, side, seeds if n == 1 else 32, PAPER)
     result = {f"noise{n}d_{name}": field for name, field in fields.items()} | {f"noise{n}d": {"ours": ours, "paper": paper}}
     if n > 2:
-        result[f"noise{n}d_block"] = compare_slices(n, 3, 96, 12, BLOCK)[2]
+        result[f"noise{n}d_block"] = compare_slices(n, 3, slices(n, 3, 96, 12, BLOCK), BLOCK)[2]
     return result
 
 

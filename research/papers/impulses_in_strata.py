@@ -60,15 +60,14 @@ class Overlap:
         count = max(1, round(density * balanced**self.n))
         return (count / density) ** (1 / self.n), count
 
-    def kurtosis(self, density, side):
-        return self.share(side) * self.kernel.fourth / (density * self.kernel.energy**2)
-
 
 def sides():
-    side = np.arange(0.05, 2.01, 0.05)
-    return {"strata_sides": {"side": side} | {
-        f"{name}{n}": np.array([Overlap(n, kind).share(s / a_of(1.0)) for s in side])
-        for kind, name in enumerate(("isotropic", "directions")) for n in range(1, 5)}}
+    table = {"side": np.arange(0.05, 2.01, 0.05)}
+    for kind, name in enumerate(("isotropic", "directions")):
+        for n in range(1, 5):
+            overlap = Overlap(n, kind)
+            table[f"{name}{n}"] = np.array([overlap.share(side / a_of(1.0)) for side in table["side"]])
+    return {"strata_sides": table}
 
 
 def measure_ensemble(n, kind, poisson, seeds=SEEDS):

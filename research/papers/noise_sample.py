@@ -14,11 +14,11 @@ def library_noise(n, seed=0, **options):
 
 def slices(n, axes, side, seeds, options):
     """Blocks of the first axes of the noise."""
-    return (library_noise(n, seed, **options).lattice(0, 1, [side] * axes + [1] * (n - axes)).reshape([side] * axes)
-            for seed in range(seeds))
+    shape = [side] * axes + [1] * (n - axes)
+    return np.stack([library_noise(n, seed, **options).lattice(0, 1, shape).reshape([side] * axes) for seed in range(seeds)])
 
 
-def compare_slices(n, axes, side, seeds, options):
+def compare_slices(n, axes, blocks, options):
     """The spectrum of slices with the closed form's. What makes the power of all frequencies scatter together are the impulses that a
     slice sees: those within about half a radius of it."""
     noise = library_noise(n, **options)
@@ -26,7 +26,7 @@ def compare_slices(n, axes, side, seeds, options):
     about = noise.description
     fourth = 9 / 5 if noise.recipe["weights"] == "uniform" else 1  # E[w^4] / E[w^2]^2
     seen = about["impulse_density"] * about["kernel"]["radius"] ** (n - axes) / fourth
-    measured = periodogram(slices(n, axes, side, seeds, options))
+    measured = periodogram(blocks)
     model = expected(kernel.correlation, measured)
     return measured, model, *compare(measured, model, seen, noise.recipe["error"])
 
@@ -34,8 +34,8 @@ def compare_slices(n, axes, side, seeds, options):
 def sample_noise(n, side, seeds, options):
     """What is measured of a noise on a plane, or a line, and what the closed forms say."""
     axes = min(n, 2)
-    measured, model, rings, record = compare_slices(n, axes, side, seeds, options)
-    blocks = np.stack(list(slices(n, axes, side, seeds, options))).astype(float)
+    blocks = slices(n, axes, side, seeds, options).astype(float)
+    measured, model, rings, record = compare_slices(n, axes, blocks, options)
     noise = library_noise(n, **options)
     record |= {"impulses": noise.description["impulses_per_kernel"], "expected_excess_kurtosis": noise.excess_kurtosis,
                "variance": blocks.var(), "variance_error": mean_of((blocks**2).reshape(seeds, -1).mean(1))[1],
@@ -46,7 +46,8 @@ def sample_noise(n, side, seeds, options):
     fields = {"picture": image(blocks[0].reshape(side, -1)), "histogram": histogram, "radial": rings}
     if axes == 2:
         magnitude = np.sqrt(periodogram([blocks[0]]).density)
-        fields |= {"transform": centred(np.log1p(200 * magnitude / magnitude.max()) / np.log(201)), "estimated": centred(measured.density), "expected": centred(model.density)}
+        fields |= {"transform": centred(np.log1p(200 * magnitude / magnitude.max()) / np.log(201)),
+                   "estimated": centred(measured.density), "expected": centred(model.density)}
     return fields, record
 
 
