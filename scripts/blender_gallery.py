@@ -59,8 +59,8 @@ def moss():
 def displaced():
     bpy.ops.mesh.primitive_ico_sphere_add(subdivisions=7)
     mesh = bpy.context.object
-    bpy.ops.object.solidnoise_displace(preset="stone", height=0.06, bake_feature_size=0.6)
-    bpy.ops.object.solidnoise_bake(preset="stone", bake_feature_size=0.6)
+    bpy.ops.object.solidnoise_displace(preset="stone", height=0.035, surface_gain=0.45, bake_feature_size=1)
+    bpy.ops.object.solidnoise_bake(preset="stone", surface_gain=0.45, bake_feature_size=1)
     bpy.ops.object.shade_smooth()
     return mesh
 
@@ -78,9 +78,10 @@ def main():
         obj.data.grids.load()
     look.light(scene, glows)
     if obj.type == "MESH":
-        bpy.data.lights["sun"].energy = 4
+        bpy.data.lights["sun"].energy = 2.5
         scene.view_settings.view_transform = "Standard"
     look.look_at(scene, obj)
+    scene.camera.data.lens = 36 if name == "marble" else 50  # a whole box is wider than what is in one
     look.render(scene, out, int(size[0]) if size else 320)
 
 

@@ -61,7 +61,7 @@ def of_volume(name: str, recipe: dict, scale: float):
         peak = recipe["grids"][0].get("scale", {}).get("optical_depth", 1.0)
         links.new(_scaled(nodes, links, density.outputs["Fac"], 0.5 / peak, 1), glow.inputs["Fac"])
         links.new(glow.outputs["Color"], inputs["Emission Color"])
-        links.new(_scaled(nodes, links, density.outputs["Fac"], 0.5 / scale, 2), inputs["Emission Strength"])
+        links.new(_scaled(nodes, links, density.outputs["Fac"], 0.2 / scale, 2), inputs["Emission Strength"])
         inputs["Density"].default_value = 0.3 / scale
     elif len(grids) > 1:
         veins = _ramp(nodes, [(0.0, (0.9, 0.88, 0.85)), (1.0, (0.05, 0.06, 0.08))], 0)
