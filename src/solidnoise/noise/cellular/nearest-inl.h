@@ -90,22 +90,6 @@ class NearestTerms {
   V to_second_[kRoles];
 };
 
-// Of another list, all that reaches the box.
-struct WholeList {
-  std::size_t size() const { return list.size(); }
-  const float* attribute(int channel) const { return list.attribute(channel); }
-  template <class D>
-  HWY_INLINE hn::Vec<D> position(D d, int role, std::size_t i) const {
-    return hn::LoadU(d, list.position(role) + i);
-  }
-  template <class D, class M>
-  HWY_INLINE M narrow(D, M keep, std::size_t) const {
-    return keep;
-  }
-
-  const ImpulseList& list;
-};
-
 // The second smallest squared distance, in radii, of impulses from the middle of a box; 1 at most.
 inline float SecondSquare(const NearestDistance& nearest, const ImpulseList& list, const CullBox& box) {
   const PointTag d;
@@ -150,7 +134,7 @@ inline void CullToNearest(const NearestDistance& nearest, const ImpulseList& lis
   }
   const float most = std::sqrt(SecondSquare(nearest, list, box)) + std::sqrt(square);
   for (std::size_t role = 0; role < kRoles; ++role) box.scale[role] = nearest.scale[role] / most;
-  Cull(WholeList{list}, box, kept);
+  Cull(ListSource{list}, box, kept);
 }
 
 template <Derivatives kDerivatives>

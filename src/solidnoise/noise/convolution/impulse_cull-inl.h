@@ -98,7 +98,7 @@ struct RunSource {
   const ImpulseRun& run;
 };
 
-// Of another list.
+// Of another list, all that reaches the box.
 struct ListSource {
   std::size_t size() const { return list.size(); }
   const float* attribute(int channel) const { return list.attribute(channel); }
@@ -106,6 +106,16 @@ struct ListSource {
   HWY_INLINE hn::Vec<D> position(D d, int role, std::size_t i) const {
     return hn::LoadU(d, list.position(role) + i);
   }
+  template <class D, class M>
+  HWY_INLINE M narrow(D, M keep, std::size_t) const {
+    return keep;
+  }
+
+  const ImpulseList& list;
+};
+
+// What of it also counts at a point.
+struct PointSource : ListSource {
   template <class D, class M>
   HWY_INLINE M narrow(D d, M keep, std::size_t i) const {
     auto along = hn::Mul(position(d, kX, i), hn::Set(d, cull.normal[0]));
@@ -118,7 +128,6 @@ struct ListSource {
         keep, hn::And(hn::Ge(turn, hn::Set(d, cull.least_turn)), hn::Le(turn, hn::Set(d, cull.most_turn))));
   }
 
-  const ImpulseList& list;
   const PointCull& cull;
 };
 
@@ -127,7 +136,7 @@ inline void CullRun(const ImpulseRun& run, const CullBox& box, ImpulseList& list
 }
 
 inline void CullList(const ImpulseList& impulses, const PointCull& cull, ImpulseList& list) {
-  Cull(ListSource{impulses, cull}, cull, list);
+  Cull(PointSource{{impulses}, cull}, cull, list);
 }
 
 }  // namespace HWY_NAMESPACE
