@@ -50,6 +50,7 @@ TEST(RoundTrip, PointsAreBakedAsPoints) {
   const ToolResult result =
       run_in(folder, {"bake", "in.ply", "--noise", "solid", "--frequency", "3", "--out", "out.ply"});
   ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(result.err.find("  0\n"), std::string::npos) << "a histogram of nothing: " << result.err;
   write_sample(folder, "mesh.ply", sample_torus());
   ASSERT_EQ(run_in(folder, {"bake", "mesh.ply", "--noise", "solid", "--frequency", "3", "--bias", "0",
                             "--out", "b.ply"})

@@ -140,11 +140,11 @@ void warn_of_aliasing(const BakePlan& plan, RefineRecipe::Mode refine) {
 
 void print_plan(const BakePlan& plan, const std::string& steered_by, RefineRecipe::Mode refine) {
   constexpr std::size_t kBarWidth = 50;
+  const SteeringWeights& steering = plan.guides.steering;
   if (!plan.guides.numbers.empty()) {
     std::cerr << fmt::format("{}: {:.4g} to {:.4g}, ranges from {:.4g} to {:.4g}\n", steered_by,
-                             plan.guides.steering.least, plan.guides.steering.most, plan.guides.steering.low,
-                             plan.guides.steering.high)
-              << draw_histogram(plan.guides.steering, kBarWidth);
+                             steering.least, steering.most, steering.low, steering.high);
+    if (steering.low < steering.high) std::cerr << draw_histogram(steering, kBarWidth);
   }
   warn_of_aliasing(plan, refine);
 }
