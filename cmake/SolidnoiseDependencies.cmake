@@ -23,6 +23,8 @@ if(SOLIDNOISE_BUILD_VOLUME)
   set(_shared ${BUILD_SHARED_LIBS})
   find_package(OpenVDB 10 REQUIRED COMPONENTS openvdb)
   set(BUILD_SHARED_LIBS ${_shared})
+  # Headers alone.
+  find_path(NANOVDB_INCLUDE_FOLDER nanovdb/NanoVDB.h REQUIRED)
 endif()
 
 # Casts the rays of meshes' previews; without it there are none.

@@ -61,7 +61,7 @@ int run_analyze(const std::vector<std::string>& arguments) {
   std::string plot;
   RunOptions options;
   FlagSet flags("vdbnoise analyze", kAnalyzeDescription);
-  flags.argument("FILE", "The .vdb", file);
+  flags.argument("FILE", "The .vdb or .nvdb", file);
   flags.keep("--grid", "NAME", "The grid to measure (default: the first one of floats)", grid_name);
   flags.keep("--plot", "FILE.png",
              "A picture: noise, kernel, the Fourier transform of each, and the spectrum", plot);

@@ -55,8 +55,9 @@ void print_grid(const GridSummary& grid) {
 
 int run_info(const std::vector<std::string>& arguments) {
   std::string file;
-  FlagSet flags("vdbnoise info", "Prints the grids of an OpenVDB file, and the recipes they carry.");
-  flags.argument("FILE", "The .vdb", file);
+  FlagSet flags("vdbnoise info",
+                "Prints the grids of an OpenVDB or NanoVDB file, and the recipes they carry.");
+  flags.argument("FILE", "The .vdb or .nvdb", file);
   flags.parse(arguments);
   flags.apply();
 

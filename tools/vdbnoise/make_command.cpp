@@ -24,6 +24,7 @@
 #include "vdbnoise/commands.h"
 #include "vdbnoise/grid_flags.h"
 #include "vdbnoise/make_options.h"
+#include "vdbnoise/nvdb_output.h"
 #include "vdbnoise/volume_flags.h"
 #include "vdbnoise/volume_output.h"
 
@@ -50,7 +51,7 @@ void check_outputs(const MakeOptions& options) {
   if (options.out.empty() && options.preview.empty() && options.write_recipe.empty()) {
     throw UsageError("--out is missing; say where the grid goes: --out cloud.vdb");
   }
-  check_output_names(options.out, options.preview);
+  check_output_names(is_nvdb(options) ? std::string() : options.out, options.preview);
   const auto unless_kept = [&](const std::string& path) {
     return options.skip_existing && std::filesystem::exists(path) ? std::string() : path;
   };
@@ -63,14 +64,15 @@ void check_outputs(const MakeOptions& options) {
 
 Target target_of(const MakeOptions& options) {
   if (!options.preview.empty()) return Target::picture;
-  return options.out == "-" ? Target::pipe : Target::file;
+  return options.out == "-" || is_nvdb(options) ? Target::pipe : Target::file;
 }
 
 // Before work: what it would take against what there is, or is allowed. Says how the volume is to be made.
 Making check_cost(const MakeOptions& options, const VolumeRecipe& recipe, const VolumePlan& plan) {
   const int threads = max_threads();
-  const auto [making, cost] =
+  auto [making, cost] =
       plan_making(recipe, plan, threads, static_cast<double>(options.memory_limit()), target_of(options));
+  if (is_nvdb(options)) cost.bytes += nvdb_bytes(recipe, plan);
   const openvdb::Coord voxels = plan.voxels.dim();
   options.require_cost(fmt::format("{} x {} x {} voxels", voxels.x(), voxels.y(), voxels.z()),
                        {cost.bytes, cost.seconds / threads},
@@ -134,8 +136,14 @@ Volume make_in_memory(const MakeOptions& options, const VolumePlan& plan,
   OutputGroup outputs;
   if (preview) write_image(options.preview, *preview, {.existing = options.existing(), .group = &outputs});
   write_recipe(options, plan, &outputs);
-  if (!options.out.empty()) write_volume(options.out, volume, write_options(options, &progress, &outputs));
+  std::vector<double> errors;
+  if (is_nvdb(options)) {
+    errors = write_nvdb(options.out, volume, {options.nvdb_values, options.existing(), &progress, &outputs});
+  } else if (!options.out.empty()) {
+    write_volume(options.out, volume, write_options(options, &progress, &outputs));
+  }
   outputs.appear();
+  if (is_nvdb(options) && !options.quiet) print_nvdb_errors(options, volume, errors);
   return volume;
 }
 
@@ -304,6 +312,7 @@ int run_make(const std::vector<std::string>& arguments) {
       };
     }
     check_sequence(flags, options);
+    check_format(flags, options);
     if (!flags.given("--describe")) return make(options);
     std::cout << format_json(describe_volume(
         options.recipe, {options.part, static_cast<double>(options.memory_limit()), target_of(options)}));

@@ -40,7 +40,10 @@ void change_grids(VolumeRecipe& recipe, const Change& change) {
 
 void declare_output(FlagSet& flags, MakeOptions& options) {
   flags.group("Output");
-  flags.keep("--out", "FILE.vdb", "Where the grid goes; - for the standard output", options.out);
+  flags.keep("--out", "FILE.vdb",
+             "Where the grid goes; - for the standard output; FILE.nvdb: as NanoVDB, which has no place for "
+             "the recipe",
+             options.out);
   flags.keep("--preview", "FILE.png",
              "A picture of the volume; of vectors, colours and phases one of a slice", options.preview);
   declare_fields(flags, options.recipe, {"look"});
@@ -61,6 +64,10 @@ void declare_output(FlagSet& flags, MakeOptions& options) {
     change_grids(recipe, [half](GridRecipe& each) { each.half = half; });
   });
   declare_fields(flags, recipe, {"codec"});
+  flags.choice("--nvdb-bits", {"32", "16", "8", "4"},
+               "Of a .nvdb's values, 32 being floats; fewer are steps between the least and the greatest of "
+               "each 8 x 8 x 8 voxels. Vectors stay floats (default 32)",
+               [&](std::size_t index) { options.nvdb_values = NvdbValues(index); });
 }
 
 void declare_density(FlagSet& flags, VolumeRecipe& recipe) {

@@ -8,6 +8,7 @@
 #include "common/flag_set.h"
 #include "common/run_options.h"
 #include "solidnoise/volume/topology/volume_part.h"
+#include "solidnoise/volume/vdb/nvdb_write.h"
 #include "solidnoise/volume/vdb/vdb_write.h"
 #include "solidnoise/volume/volume_recipe.h"
 
@@ -16,7 +17,8 @@ namespace solidnoise {
 // What the command line of `vdbnoise --out FILE` says, beside the recipe.
 struct MakeOptions : RunOptions {
   VolumeRecipe recipe;
-  std::string out;                             // .vdb, "-" for the standard output; empty: none
+  std::string out;   // .vdb or .nvdb, "-" for the standard output; empty: none
+  NvdbValues nvdb_values = NvdbValues::floats;
   std::string preview;                         // .png; empty: none
   std::optional<GridFile> frame_source;        // by whose voxels previews are framed; none: by their own
   openvdb::FloatGrid::ConstPtr preview_frame;  // as it is read

@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "solidnoise/volume/vdb/nvdb_reader.h"
 #include "solidnoise/volume/vdb/vdb_reader.h"
 
 namespace solidnoise {
@@ -39,6 +40,10 @@ std::string printable(std::string text) {
   return text;
 }
 
+const char* kind_of(const std::filesystem::path& path) {
+  return path.extension() == ".nvdb" ? ".nvdb" : ".vdb";
+}
+
 // Runs `read`; what it throws becomes an error that names the path.
 template <typename Read>
 auto guarded(const std::filesystem::path& path, const Read& read) {
@@ -47,10 +52,11 @@ auto guarded(const std::filesystem::path& path, const Read& read) {
   } catch (const std::bad_alloc&) {
     throw std::runtime_error(fmt::format("{}: is damaged, or too large for the memory", path.string()));
   } catch (const std::ios_base::failure&) {
-    throw std::runtime_error(fmt::format("{}: is not a .vdb, or damaged: it ends too early", path.string()));
-  } catch (const std::exception& error) {
     throw std::runtime_error(
-        fmt::format("{}: is not a .vdb, or damaged: {}", path.string(), printable(error.what())));
+        fmt::format("{}: is not a {}, or damaged: it ends too early", path.string(), kind_of(path)));
+  } catch (const std::exception& error) {
+    throw std::runtime_error(fmt::format("{}: is not a {}, or damaged: {}", path.string(), kind_of(path),
+                                         printable(error.what())));
   }
 }
 
@@ -97,11 +103,14 @@ std::filesystem::path standard_input() {
   return fmt::format("/proc/self/fd/{}", fileno(file.get()));
 }
 
-// Opens a .vdb that has grids.
-std::unique_ptr<VdbReader> open_vdb(const std::filesystem::path& path) {
+// Opens a .vdb, or a .nvdb, that has grids.
+std::unique_ptr<GridSource> open_vdb(const std::filesystem::path& path) {
   const std::filesystem::path file = path == "-" ? standard_input() : path;
   require_readable(file);
-  auto reader = guarded(path, [&] { return std::make_unique<VdbReader>(file); });
+  auto reader = guarded(path, [&]() -> std::unique_ptr<GridSource> {
+    if (path.extension() == ".nvdb") return std::make_unique<NvdbReader>(file);
+    return std::make_unique<VdbReader>(file);
+  });
   if (reader->grid_count() == 0) throw std::runtime_error(fmt::format("{}: holds no grids", path.string()));
   return reader;
 }
@@ -115,7 +124,7 @@ std::map<std::string, std::string> to_text(const openvdb::MetaMap& metadata) {
 }
 
 // Active voxels and their box: as the file's statistics say, or, if it has none, by reading the grid.
-void summarize_voxels(VdbReader& reader, std::size_t index, const openvdb::GridBase& header,
+void summarize_voxels(GridSource& reader, std::size_t index, const openvdb::GridBase& header,
                       GridSummary& summary) {
   const auto count = header.getMetadata<openvdb::Int64Metadata>(openvdb::GridBase::META_FILE_VOXEL_COUNT);
   const auto lower = header.getMetadata<openvdb::Vec3IMetadata>(openvdb::GridBase::META_FILE_BBOX_MIN);
@@ -133,7 +142,7 @@ void summarize_voxels(VdbReader& reader, std::size_t index, const openvdb::GridB
   summary.voxel_bounds = full->evalActiveVoxelBoundingBox();
 }
 
-GridSummary summarize(VdbReader& reader, std::size_t index) {
+GridSummary summarize(GridSource& reader, std::size_t index) {
   const openvdb::GridBase::Ptr grid = reader.read_header(index);
   GridSummary summary;
   summary.name = reader.grid_name(index);
@@ -169,7 +178,7 @@ constexpr char kGridOfFloats[] = "grid of floats";
 template <typename Suits>
 openvdb::GridBase::Ptr read_matching(const std::filesystem::path& path, const std::string& name,
                                      const char* kind, const Suits& suits) {
-  const std::unique_ptr<VdbReader> reader = open_vdb(path);
+  const std::unique_ptr<GridSource> reader = open_vdb(path);
   std::vector<std::string> others;
   for (std::size_t i = 0; i < reader->grid_count(); ++i) {
     const openvdb::GridBase::Ptr header = guarded(path, [&] { return reader->read_header(i); });
@@ -191,7 +200,7 @@ bool has_vectors(const openvdb::GridBase& grid) {
 }
 
 VdbSummary read_vdb_summary(const std::filesystem::path& path) {
-  const std::unique_ptr<VdbReader> reader = open_vdb(path);
+  const std::unique_ptr<GridSource> reader = open_vdb(path);
   return guarded(path, [&] {
     VdbSummary summary;
     summary.metadata = to_text(reader->metadata());
@@ -218,7 +227,7 @@ openvdb::GridBase::Ptr read_float_or_vector_grid(const std::filesystem::path& pa
 }
 
 VdbFile read_grids(const std::filesystem::path& path) {
-  const std::unique_ptr<VdbReader> reader = open_vdb(path);
+  const std::unique_ptr<GridSource> reader = open_vdb(path);
   VdbFile file = guarded(path, [&] { return VdbFile{reader->metadata(), reader->read_grids()}; });
   for (const openvdb::GridBase::Ptr& grid : file.grids) {
     guarded(path, [&] { return require_near(grid); });

@@ -34,9 +34,9 @@ struct VdbSummary {
 bool has_floats(const openvdb::GridBase& grid);
 bool has_vectors(const openvdb::GridBase& grid);
 
-// A path of "-" is the standard input. Each function throws std::runtime_error naming the path if the file
-// cannot be read, is no .vdb, is damaged as far as that shows (values have no checksums), has voxels of
-// indices beyond +-2^30, or holds no grids.
+// Of .vdb, and of .nvdb (nvdb_reader.h). A path of "-" is the standard input. Each function throws
+// std::runtime_error naming the path if the file cannot be read, is no .vdb, is damaged as far as that shows
+// (values have no checksums), has voxels of indices beyond +-2^30, or holds no grids.
 
 VdbSummary read_vdb_summary(const std::filesystem::path& path);
 

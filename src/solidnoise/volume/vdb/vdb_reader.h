@@ -9,7 +9,7 @@
 #include <openvdb/io/GridDescriptor.h>
 #include <openvdb/io/io.h>
 
-#include "solidnoise/volume/vdb/openvdb.h"
+#include "solidnoise/volume/vdb/grid_source.h"
 #include "solidnoise/volume/vdb/vdb_header.h"
 
 namespace solidnoise {
@@ -19,22 +19,16 @@ namespace solidnoise {
 // values that is cut short for a whole one, and allocates whatever size it finds.) Never loads lazily.
 //
 // Throws std::exception of any kind where the file is damaged.
-class VdbReader final : public openvdb::io::Archive {
+class VdbReader final : public openvdb::io::Archive, public GridSource {
  public:
   explicit VdbReader(const std::filesystem::path& path);
 
-  const openvdb::MetaMap& metadata() const { return metadata_; }
-
-  // In the file's order.
-  std::size_t grid_count() const { return entries_.size(); }
-  std::string grid_name(std::size_t index) const;
-
-  // The grid with its name, type, metadata and transform; its tree is empty.
-  openvdb::GridBase::Ptr read_header(std::size_t index);
-  // All of the grid.
-  openvdb::GridBase::Ptr read_grid(std::size_t index);
-  // All of all grids. Those that share a tree in the file share it here.
-  openvdb::GridPtrVec read_grids();
+  const openvdb::MetaMap& metadata() const override { return metadata_; }
+  std::size_t grid_count() const override { return entries_.size(); }
+  std::string grid_name(std::size_t index) const override;
+  openvdb::GridBase::Ptr read_header(std::size_t index) override;
+  openvdb::GridBase::Ptr read_grid(std::size_t index) override;
+  openvdb::GridPtrVec read_grids() override;
 
  private:
   struct Entry {
