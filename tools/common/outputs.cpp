@@ -50,6 +50,16 @@ void require_outputs(const std::vector<OutputPath>& outputs, Existing existing,
   }
 }
 
+std::string usd_path(const std::string& out) {
+  return std::filesystem::path(out).replace_extension(".usda").string();
+}
+
+void require_usd(const std::string& out) {
+  if (!out.empty() && out != "-" && std::filesystem::path(out).extension() != ".usda") return;
+  throw UsageError(fmt::format("--usd puts a .usda beside the file of --out, which is {}",
+                               out.empty() ? "missing" : printable(out)));
+}
+
 void require_extension(const std::string& flag, const std::string& path,
                        std::initializer_list<std::string_view> extensions, StandardOutput standard_output) {
   const bool may_be_standard = standard_output == StandardOutput::allowed;

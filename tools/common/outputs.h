@@ -34,6 +34,10 @@ enum class StandardOutput { allowed, refused };
 void require_extension(const std::string& flag, const std::string& path,
                        std::initializer_list<std::string_view> extensions, StandardOutput standard_output);
 
+// The .usda beside an output, and a refusal of outputs that can have none: UsageError.
+std::string usd_path(const std::string& out);
+void require_usd(const std::string& out);
+
 // Throws UsageError if an output is "-" and the standard output is a terminal.
 void require_no_terminal(const std::string& flag, const std::string& path);
 

@@ -108,7 +108,8 @@ void check_outputs(const FlagSet& flags, const std::string& in, const BakeOption
   const bool displaces = options.recipe.displace != 0.0;
   if (!options.out.empty()) require_mesh_name(options.out, displaces ? Shows::shape : Shows::colors);
   if (!options.keep.empty() && !holds_numbers(options.out)) {
-    throw UsageError("--keep has no effect where --out is no .ply or .om, which alone hold such numbers");
+    throw UsageError(
+        "--keep has no effect where --out is no .ply, .om, .glb or .usda, which alone hold such numbers");
   }
   if (!options.preview.empty()) require_preview(options.preview);
   if (options.preview.empty()) {
@@ -118,8 +119,12 @@ void check_outputs(const FlagSet& flags, const std::string& in, const BakeOption
   require_extension("--write-recipe", options.write_recipe, {".json"}, StandardOutput::allowed);
   const std::string recipe = flags.value_of("--recipe").value_or("");
   const std::string noise = flags.value_of("--noise").value_or("");
-  require_outputs({{options.out, in}, options.preview, {options.write_recipe, recipe}}, options.existing(),
-                  {in, recipe, noise, options.rest});
+  if (options.usd) require_usd(options.out);
+  require_outputs({{options.out, in},
+                   options.usd ? usd_path(options.out) : std::string(),
+                   options.preview,
+                   {options.write_recipe, recipe}},
+                  options.existing(), {in, recipe, noise, options.rest});
 }
 
 // And what showing all of the noise would cost.
@@ -176,7 +181,9 @@ void write_baked(const BakedMesh& baked, const BakeOptions& options, std::vector
   write.existing = options.existing();
   write.progress = progress;
   write.group = group;
+  write.up = options.recipe.up;
   write_output_mesh(options.out, baked.mesh, write, source);
+  if (options.usd) write_mesh(usd_path(options.out), baked.mesh, write);
 }
 
 // Those of an earlier bake are replaced by ours.

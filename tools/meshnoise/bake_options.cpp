@@ -94,17 +94,18 @@ std::vector<std::string> parse_names(const std::string& flag, const std::string&
 
 void declare_output(FlagSet& flags, BakeOptions& options) {
   flags.group("Output");
-  flags.keep(
-      "--out", "FILE",
-      "Where the mesh goes: .ply, .obj, .off or .om, with --displace also .stl; - for a .ply on the standard "
-      "output",
-      options.out);
+  flags.keep("--out", "FILE",
+             "Where the mesh goes: .ply, .obj, .off or .om, with --displace also .stl, for scenes .glb or "
+             ".usda; - for "
+             "a .ply on the standard output",
+             options.out);
+  flags.toggle("--usd", "Write the mesh as USD too: a .usda beside --out", [&] { options.usd = true; });
   flags.keep("--preview", "FILE.png", "A picture of the mesh in its colours, rendered by Embree",
              options.preview);
   declare_fields(flags, options.view);
   declare_fields<RunOptions>(flags, options, {"force"});
   flags.text("--keep", "NAMES",
-             fmt::format("Numbers to put into a .ply or .om, with commas between: {}",
+             fmt::format("Numbers to put into a .ply, .om, .glb or .usda, with commas between: {}",
                          fmt::join(keepable_names(), ", ")),
              [&](const std::string& text) { options.keep = parse_names("--keep", text); });
 }

@@ -13,7 +13,8 @@ namespace solidnoise {
 // What the command line of `meshnoise bake` says, beside the recipe.
 struct BakeOptions : RunOptions {
   BakeRecipe recipe;
-  std::string out;      // .ply, .obj, .off, .stl or .om; "-" for a .ply on the standard output; empty: none
+  std::string out;      // of any MeshFormat; "-" for a .ply on the standard output; empty: none
+  bool usd = false;     // and as a .usda beside it
   std::string preview;  // .png; empty: none
   PreviewOptions view;
   std::string write_recipe;       // .json, "-" for the standard output; empty: none

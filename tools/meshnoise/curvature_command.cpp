@@ -36,7 +36,9 @@ int run_curvature(const std::vector<std::string>& arguments) {
   FlagSet flags("meshnoise curvature", kCurvatureDescription);
   flags.argument("IN", "The mesh: .ply, .obj, .off, .stl or .om", in);
   flags.keep("--out", "FILE",
-             "Where the mesh goes: .ply, .obj, .off or .om; - for a .ply on the standard output", out);
+             "Where the mesh goes: .ply, .obj, .off or .om, for scenes .glb or .usda; - for a .ply on the "
+             "standard output",
+             out);
   flags.keep("--preview", "FILE.png", "A picture of the mesh in its colours, rendered by Embree", preview);
   declare_fields(flags, view);
   declare_field(flags, recipe.by, "source", {"--by"},

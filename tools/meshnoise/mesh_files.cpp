@@ -45,17 +45,22 @@ void require_mesh_name(const std::string& out, Shows shows) {
   require_no_terminal("--out", out);
   if (out == "-") return;
   if (!is_mesh_path(out)) {
-    throw UsageError(fmt::format(
-        "--out is {}; it must end in .ply, .obj, .off or .om, or be - for the standard output", out));
+    throw UsageError(
+        fmt::format("--out is {}; it must end in .ply, .obj, .off or .om, for scenes in .glb or .usda, or be "
+                    "- for the standard output",
+                    out));
   }
   if (shows == Shows::colors && mesh_format(out) == MeshFormat::stl) {
-    throw UsageError(fmt::format("--out is {}; .stl holds no colours: use .ply, .obj, .off or .om", out));
+    throw UsageError(
+        fmt::format("--out is {}; .stl holds no colours: use .ply, .obj, .off or .om, .glb or .usda", out));
   }
 }
 
 bool holds_numbers(const std::string& out) {
   if (out == "-") return true;
-  return is_mesh_path(out) && (mesh_format(out) == MeshFormat::ply || mesh_format(out) == MeshFormat::om);
+  if (!is_mesh_path(out)) return false;
+  const MeshFormat format = mesh_format(out);
+  return format != MeshFormat::obj && format != MeshFormat::off && format != MeshFormat::stl;
 }
 
 void write_output_mesh(const std::string& out, const PolygonMesh& mesh, const MeshWriteOptions& options,

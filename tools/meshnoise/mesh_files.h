@@ -38,7 +38,8 @@ enum class Shows { colors, shape };
 // "-" and the standard output is a terminal.
 void require_mesh_name(const std::string& out, Shows shows);
 
-// Whether the file of this name holds all numbers of the vertices: a .ply and an .om do, and "-" is a .ply.
+// Whether the file of this name holds all numbers of the vertices: all but .obj, .off and
+// .stl do, and "-" is a .ply.
 bool holds_numbers(const std::string& out);
 
 // Writes a mesh as write_mesh does; "-" is a .ply on the standard output. `source` names the file whose rest

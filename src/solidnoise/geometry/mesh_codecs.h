@@ -25,6 +25,8 @@ void write_obj(std::ostream& stream, const PolygonMesh& mesh, const MeshWriteOpt
 void write_off(std::ostream& stream, const PolygonMesh& mesh, const MeshWriteOptions& options);
 void write_stl(std::ostream& stream, const PolygonMesh& mesh);
 void write_om(std::ostream& stream, const PolygonMesh& mesh);
+void write_glb(std::ostream& stream, const PolygonMesh& mesh, const MeshWriteOptions& options);
+void write_usda(std::ostream& stream, const PolygonMesh& mesh, const MeshWriteOptions& options);
 
 // Parts of them: a PLY's head, up to its elements; what it says of vertices, and these; a line of an OBJ.
 void write_ply_start(NumberWriter& out, const MeshWriteOptions& options);

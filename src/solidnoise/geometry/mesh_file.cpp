@@ -21,11 +21,13 @@
 namespace solidnoise {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, MeshFormat>, 5> kExtensions{{{".ply", MeshFormat::ply},
+constexpr std::array<std::pair<std::string_view, MeshFormat>, 7> kExtensions{{{".ply", MeshFormat::ply},
                                                                               {".obj", MeshFormat::obj},
                                                                               {".off", MeshFormat::off},
                                                                               {".stl", MeshFormat::stl},
-                                                                              {".om", MeshFormat::om}}};
+                                                                              {".om", MeshFormat::om},
+                                                                              {".glb", MeshFormat::glb},
+                                                                              {".usda", MeshFormat::usda}}};
 
 std::optional<MeshFormat> find_format(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
@@ -42,8 +44,10 @@ std::optional<MeshFormat> find_format(const std::filesystem::path& path) {
 MeshFormat mesh_format(const std::filesystem::path& path) {
   const std::optional<MeshFormat> format = find_format(path);
   if (!format) {
-    throw std::runtime_error(fmt::format(
-        "{}: is not a mesh by its name; .ply, .obj, .off, .stl and .om are known", path.string()));
+    throw std::runtime_error(
+        fmt::format("{}: is not a mesh by its name; .ply, .obj, .off, .stl and .om are known, and .glb and "
+                    ".usda to write",
+                    path.string()));
   }
   return *format;
 }
@@ -68,6 +72,10 @@ MeshReading read_format(std::string_view bytes, MeshFormat format, const std::st
       return read_stl(bytes, name);
     case MeshFormat::om:
       return read_om(bytes, name);
+    case MeshFormat::glb:
+    case MeshFormat::usda:
+      throw std::runtime_error(fmt::format(
+          "{}: is of a format that is written only; .ply, .obj, .off, .stl and .om are read", name));
   }
   throw std::invalid_argument("unknown mesh format");
 }
@@ -144,6 +152,10 @@ void write_mesh(std::ostream& stream, MeshFormat format, const PolygonMesh& mesh
       return write_stl(stream, mesh);
     case MeshFormat::om:
       return write_om(stream, mesh);
+    case MeshFormat::glb:
+      return write_glb(stream, mesh, options);
+    case MeshFormat::usda:
+      return write_usda(stream, mesh, options);
   }
 }
 

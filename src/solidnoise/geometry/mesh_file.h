@@ -6,13 +6,16 @@
 #include <string_view>
 #include <vector>
 
+#include "solidnoise/core/choices.h"
 #include "solidnoise/core/output_file.h"
 #include "solidnoise/geometry/polygon_mesh.h"
 
 namespace solidnoise {
 
-// The files of meshes: Stanford PLY, Wavefront OBJ, Geomview OFF, stereolithography STL and OpenMesh's OM.
-enum class MeshFormat { ply, obj, off, stl, om };
+// The files of meshes: Stanford PLY, Wavefront OBJ, Geomview OFF, stereolithography STL and OpenMesh's OM;
+// and those of scenes, which are written only: Khronos' glTF as .glb, and Universal Scene Description as
+// .usda.
+enum class MeshFormat { ply, obj, off, stl, om, glb, usda };
 
 // The format that the path's extension names, in any case. Throws std::runtime_error naming the path if it
 // names none.
@@ -61,6 +64,7 @@ MeshReading read_mesh(std::string_view bytes, MeshFormat format, const std::stri
 struct MeshWriteOptions {
   PlyEncoding ply = PlyEncoding::binary_little_endian;
   std::vector<std::string> comments = {};  // PLY, OBJ: at the head, OFF: at the end; a line each
+  UpAxis up = UpAxis::y;                   // GLB, USDA: which way is up in the mesh's positions
   Existing existing = Existing::refuse;
   Progress* progress = nullptr;  // asked for cancellation while writing
   OutputGroup* group = nullptr;  // with which the file appears
@@ -74,15 +78,21 @@ struct MeshWriteOptions {
 //   .stl  the faces, cut into triangles, in single precision; binary
 //   .om   positions of position_type; nx ny nz; red green blue in 8 bits; all others by name and type.
 //         OpenMesh's version 2.2
-// Formats but PLY and OM leave out other properties. PLY and OBJ, which are ours, have the shortest decimals
-// that read back as the same number; OFF, which OpenMesh writes as STL and OM, has nine digits, and its
-// comments at the end. Texts have 0 for values that are not finite, but PLY, and so have the normals of OM.
-// Values that their type cannot hold are clamped; integers are rounded.
+//   .glb  glTF 2: triangles, positions as float32, turned where z is up; colours in linear light, 16 bits;
+//         nx ny nz, or smooth normals, of length 1; s t; all others as float32, with a _ before the name in
+//         capitals. Comments are asset.extras.comments
+//   .usda faces, positions as float32; metres, the up axis; primvars:displayColor in linear light, and one
+//         of each other number, as float32. Comments are customLayerData
+// Formats but these two, PLY and OM leave out other properties. PLY and OBJ, which are ours, have the
+// shortest decimals that read back as the same number; OFF, which OpenMesh writes as STL and OM, has nine
+// digits, and its comments at the end. Texts have 0 for values that are not finite, but PLY, and so have the
+// normals of OM, and .glb. Values that their type cannot hold are clamped; integers are rounded.
 //
 // Throws std::runtime_error naming the path (also for an unknown extension), OutputExists, Cancelled;
 // std::invalid_argument for a property whose count is not that of the vertices, or that has a name which is
-// empty, has blanks, or is that of another or of a coordinate; in OFF and STL for a position beyond float32;
-// in OM for a face without vertices, and for so few edges that its integers cannot number the vertices.
+// empty, has blanks, or is that of another or of a coordinate; in OFF, STL, GLB and USDA for a position
+// beyond float32; in the last two for names of properties that are one in the file, and a .glb of more than 4
+// GiB; in OM for a face without vertices, and for so few edges that its integers cannot number the vertices.
 void write_mesh(const std::filesystem::path& path, const PolygonMesh& mesh,
                 const MeshWriteOptions& options = {});
 

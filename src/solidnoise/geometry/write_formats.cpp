@@ -21,6 +21,7 @@
 #include "solidnoise/geometry/openmesh_session.h"
 #include "solidnoise/geometry/ply_header.h"
 #include "solidnoise/geometry/polygon_mesh.h"
+#include "solidnoise/geometry/scene_values.h"
 
 namespace solidnoise {
 namespace {
@@ -186,21 +187,13 @@ void write_by_openmesh(std::ostream& stream, const OpenMesh::IO::BaseWriter& wri
   stream.copyfmt(before);
 }
 
-// Those of a type that OpenMesh writes as floats only.
-void require_float_positions(const PolygonMesh& mesh) {
-  constexpr double kLargest = std::numeric_limits<float>::max();
-  for (const Vec<3>& p : mesh.positions) {
-    if (std::abs(p.x) <= kLargest && std::abs(p.y) <= kLargest && std::abs(p.z) <= kLargest) continue;
-    throw std::invalid_argument(fmt::format(
-        "a vertex is at ({}, {}, {}), beyond the numbers of OFF and STL; PLY holds it", p.x, p.y, p.z));
-  }
-}
+constexpr char kOffAndStl[] = "OFF and STL";  // whose positions OpenMesh writes as floats only
 
 }  // namespace
 
 // Comments come last: at the head OpenMesh's reader would take them for numbers.
 void write_off(std::ostream& stream, const PolygonMesh& mesh, const MeshWriteOptions& options) {
-  require_float_positions(mesh);
+  require_float_positions(mesh, kOffAndStl);
   MeshExporter exporter(mesh);
   Options wanted = exporter.options();
   if (wanted.vertex_has_color()) wanted += Options::ColorAlpha;
@@ -211,7 +204,7 @@ void write_off(std::ostream& stream, const PolygonMesh& mesh, const MeshWriteOpt
 }
 
 void write_stl(std::ostream& stream, const PolygonMesh& mesh) {
-  require_float_positions(mesh);
+  require_float_positions(mesh, kOffAndStl);
   PolygonMesh triangles;
   triangles.positions = mesh.positions;
   for (const Triangle& triangle : triangulate(mesh)) triangles.add_face(triangle);
