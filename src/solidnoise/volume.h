@@ -15,6 +15,7 @@
 #include "solidnoise/volume/stored_recipe.h"
 #include "solidnoise/volume/stream_volume.h"
 #include "solidnoise/volume/topology/mesh_level_set.h"
+#include "solidnoise/volume/usd_scene.h"
 #include "solidnoise/volume/vdb/nvdb_write.h"
 #include "solidnoise/volume/vdb/vdb_read.h"
 #include "solidnoise/volume/vdb/vdb_write.h"

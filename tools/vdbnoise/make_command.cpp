@@ -25,6 +25,7 @@
 #include "vdbnoise/grid_flags.h"
 #include "vdbnoise/make_options.h"
 #include "vdbnoise/nvdb_output.h"
+#include "vdbnoise/usd_output.h"
 #include "vdbnoise/volume_flags.h"
 #include "vdbnoise/volume_output.h"
 
@@ -58,7 +59,9 @@ void check_outputs(const MakeOptions& options) {
   if (options.skip_existing && options.out.empty()) {
     throw UsageError("--skip-existing keeps volumes; it needs --out FILE.vdb");
   }
-  require_outputs({unless_kept(options.out), unless_kept(options.preview), options.write_recipe},
+  const bool has_scene = options.usd && !options.frame;
+  const std::string scene = has_scene ? usd_scene_path(options.out) : std::string();
+  require_outputs({unless_kept(options.out), unless_kept(options.preview), options.write_recipe, scene},
                   options.existing());
 }
 
@@ -116,6 +119,14 @@ VdbWriteOptions write_options(const MakeOptions& options, Progress* progress, Ou
   return write;
 }
 
+// Of one volume; a sequence's is written at its end.
+void write_scene_of(const MakeOptions& options, const Volume& volume, OutputGroup* group) {
+  if (!options.usd || options.frame) return;
+  UsdScene scene;
+  add_to_scene(scene, options, volume);
+  write_scene(scene, options, group);
+}
+
 // Makes a volume, and its files; until these are begun, an interruption ends the process.
 Volume make_in_memory(const MakeOptions& options, const VolumePlan& plan,
                       std::unique_ptr<EndsAtOnce> ends_at_once) {
@@ -142,6 +153,7 @@ Volume make_in_memory(const MakeOptions& options, const VolumePlan& plan,
   } else if (!options.out.empty()) {
     write_volume(options.out, volume, write_options(options, &progress, &outputs));
   }
+  write_scene_of(options, volume, &outputs);
   outputs.appear();
   if (is_nvdb(options) && !options.quiet) print_nvdb_errors(options, volume, errors);
   return volume;
@@ -158,12 +170,13 @@ Volume stream_to_files(const MakeOptions& options, const VolumePlan& plan,
   write_recipe(options, plan, &outputs);
   Volume volume =
       stream_volume(options.out, options.recipe, plan, write_options(options, &progress, &outputs));
+  write_scene_of(options, volume, &outputs);
   outputs.appear();
   return volume;
 }
 
-// Makes one volume.
-void make_volume_files(const MakeOptions& options) {
+// Makes one volume; adds it to the scene of a sequence, if there is one.
+void make_volume_files(const MakeOptions& options, UsdScene* scene = nullptr) {
   auto ends_at_once = std::make_unique<EndsAtOnce>();
   options.times->begin("plan");
   const VolumePlan plan = plan_volume(options.recipe, options.part);
@@ -180,6 +193,7 @@ void make_volume_files(const MakeOptions& options) {
   const Volume volume = making == Making::streamed ? stream_to_files(options, plan, std::move(ends_at_once))
                                                    : make_in_memory(options, plan, std::move(ends_at_once));
   options.times->begin("end");
+  if (scene) add_to_scene(*scene, options, volume);
   if (!is_checked) warn();
   const bool empty = std::ranges::all_of(
       volume.grids, [](const MeasuredGrid& measured) { return measured.moments.front().count() == 0; });
@@ -221,8 +235,10 @@ void make_sequence(MakeOptions options) {
   for (std::size_t i = 0; makes_volumes && i < options.frames.size(); ++i) {
     check_outputs(options_of_frame(options, i));
   }
+  if (options.usd) require_outputs({usd_scene_path(options.out)}, options.existing());
   MakeOptions recipe_only = options;
   recipe_only.out.clear();
+  recipe_only.usd = false;
   recipe_only.preview.clear();
   if (!options.write_recipe.empty()) check_outputs(recipe_only);
   if (scales_each_frame(options) && !options.quiet) {
@@ -242,13 +258,14 @@ void make_sequence(MakeOptions options) {
     if (!makes_volumes) return;
   }
   std::size_t failed = 0;
+  UsdScene scene;
   for (std::size_t i = 0; i < options.frames.size(); ++i) {
     try {
       if (i > failed) {
         set_what_is_left(
             fmt::format("nothing is written of frame {}; frames before it are", options.frames[i]));
       }
-      make_volume_files(options_of_frame(options, i));
+      make_volume_files(options_of_frame(options, i), options.usd ? &scene : nullptr);
     } catch (const Cancelled&) {
       throw;
     } catch (const std::runtime_error& error) {
@@ -256,6 +273,7 @@ void make_sequence(MakeOptions options) {
       std::cerr << fmt::format("vdbnoise: frame {}: {}\n", options.frames[i], error.what());
     }
   }
+  if (failed == 0 && options.usd) write_scene(scene, options, nullptr);
   if (failed == 0) return;
   throw std::runtime_error(fmt::format("{} of {} frames failed", failed, options.frames.size()));
 }
@@ -313,6 +331,7 @@ int run_make(const std::vector<std::string>& arguments) {
     }
     check_sequence(flags, options);
     check_format(flags, options);
+    check_usd(flags, options);
     if (!flags.given("--describe")) return make(options);
     std::cout << format_json(describe_volume(
         options.recipe, {options.part, static_cast<double>(options.memory_limit()), target_of(options)}));

@@ -44,6 +44,8 @@ void declare_output(FlagSet& flags, MakeOptions& options) {
              "Where the grid goes; - for the standard output; FILE.nvdb: as NanoVDB, which has no place for "
              "the recipe",
              options.out);
+  flags.toggle("--usd", "Write a scene in USD too, which shows the volume: a .usda beside --out",
+               [&] { options.usd = true; });
   flags.keep("--preview", "FILE.png",
              "A picture of the volume; of vectors, colours and phases one of a slice", options.preview);
   declare_fields(flags, options.recipe, {"look"});

@@ -18,6 +18,7 @@ namespace solidnoise {
 struct MakeOptions : RunOptions {
   VolumeRecipe recipe;
   std::string out;   // .vdb or .nvdb, "-" for the standard output; empty: none
+  bool usd = false;  // and a scene beside it
   NvdbValues nvdb_values = NvdbValues::floats;
   std::string preview;                         // .png; empty: none
   std::optional<GridFile> frame_source;        // by whose voxels previews are framed; none: by their own

@@ -53,13 +53,15 @@ void GridFile::validate() const {
 std::optional<GridFile> parse_grid_file(std::string_view text) {
   if (text == "-") return GridFile{"-"};
   if (text.starts_with("-:") && text.size() > 2) return GridFile{"-", std::string(text.substr(2))};
-  constexpr std::string_view kExtension = ".vdb";
-  if (text.size() > kExtension.size() && text.ends_with(kExtension)) return GridFile{std::string(text)};
-  const std::size_t extension = text.rfind(".vdb:");
-  if (extension == std::string_view::npos || extension == 0) return std::nullopt;
-  const std::size_t colon = extension + kExtension.size();
-  if (colon + 1 == text.size()) return std::nullopt;
-  return GridFile{std::string(text.substr(0, colon)), std::string(text.substr(colon + 1))};
+  for (const std::string_view kind : {".vdb", ".nvdb"}) {
+    if (text.size() > kind.size() && text.ends_with(kind)) return GridFile{std::string(text)};
+    const std::size_t extension = text.rfind(std::string(kind) + ':');
+    if (extension == std::string_view::npos || extension == 0) continue;
+    const std::size_t colon = extension + kind.size();
+    if (colon + 1 == text.size()) return std::nullopt;
+    return GridFile{std::string(text.substr(0, colon)), std::string(text.substr(colon + 1))};
+  }
+  return std::nullopt;
 }
 
 void note_digest(const std::string& file, const std::string& flag, std::string& digest) {

@@ -47,8 +47,8 @@ constexpr auto fields_of(std::type_identity<GridFile>) {
 // be within +-2^30.
 GridFile grid_in_memory(openvdb::GridBase::ConstPtr grid);
 
-// Parses "FILE.vdb" or "FILE.vdb:GRID", split at the last ".vdb:", or "-" or "-:GRID", the standard input;
-// nothing if the text is none of these.
+// Parses "FILE.vdb" or "FILE.vdb:GRID", split at the last ".vdb:", the same of .nvdb, or "-" or "-:GRID", the
+// standard input; nothing if the text is none of these.
 std::optional<GridFile> parse_grid_file(std::string_view text);
 
 // Puts the file's digest into `digest`, or, if there is one already, refuses a file of another:
