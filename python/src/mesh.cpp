@@ -132,6 +132,7 @@ py::dict bake_arrays(py::handle vertices, py::handle faces, py::handle recipe, c
   result["normals"] = array_of(baked.normals);
   result["colors"] = colors_of(baked.colors);
   result["noise"] = property_of(baked.mesh, "noise");
+  for (const auto& [name, layer] : read.properties) result[py::str(name)] = property_of(baked.mesh, name);
   for (const std::string& name : keep) {
     if (name != "direction") {
       result[py::str(name)] = property_of(baked.mesh, name);
@@ -199,7 +200,8 @@ The keys of a recipe, where a range is two numbers:
 
 )" + describe_options(bake_recipe_schema()) +
                           R"(
-Returns a dict of arrays: vertices (n, 3), faces, normals (n, 3), colors (n, 3), in linear light, noise (n,), and those that keep names.
+Returns a dict of arrays: vertices (n, 3), faces, normals (n, 3), colors (n, 3), in linear light, noise (n,), the recipe's properties, such
+as roughness and height, and those that keep names.
 A recipe that refines the mesh has more vertices than there were: those come first, in their order. Raises ValueError.)")
                  .c_str());
   module.def("curvature", &measure, "vertices"_a, "faces"_a, py::kw_only(), "smooth"_a = 2,

@@ -212,5 +212,44 @@ TEST(BakeMesh, EveryFiniteVertexGetsAValue) {
   }
 }
 
+// Of a torus in space, of which layers and noise are of the same size, whatever its own: all lengths change
+// by a power of 2.
+TEST(BakeMesh, LayersInFeaturesAreOfTheMeshesSize) {
+  BakeRecipe recipe;
+  recipe.layers = {{},
+                   {.noise = NoiseRecipe{GaborNoiseOptions{.frequency = 0.7}, {}},
+                    .warp = Warp{0.3, NoiseRecipe{GaborNoiseOptions{.frequency = 1.0}, {}}}}};
+  recipe.layer_unit = LayerUnit::feature;
+  recipe.smooth_radius = 0.0;
+  PolygonMesh mesh = test_mesh();
+  const auto small = bake_all(mesh, recipe).mesh.property("noise")->values;
+  for (Vec<3>& position : mesh.positions) position *= 8.0;
+  EXPECT_EQ(bake_all(mesh, recipe).mesh.property("noise")->values, small);
+  recipe.layer_unit = LayerUnit::world;
+  EXPECT_NE(bake_all(mesh, recipe).mesh.property("noise")->values, small);
+}
+
+TEST(BakeMesh, HasTheRecipesPropertiesAndIsDisplacedByTheHeight) {
+  BakeRecipe recipe;
+  recipe.magnitude = {0.5, 0.5};
+  recipe.bias = {0.25, 0.25};
+  recipe.properties = {{"roughness", {.use = "value", .weight = 0.1, .bias = 0.5}},
+                       {"height", {.use = "value", .ramp = {{0.0, 1.0}, {0.5, 3.0}}}},
+                       {"wear", {.place = Layer::Place::weight}}};
+  recipe.displace = 0.125;
+  const BakePlan plan = plan_bake(test_mesh(), recipe);
+  const BakedMesh baked = bake(plan, recipe);
+  for (std::size_t i = 0; i < plan.mesh.positions.size(); ++i) {
+    const auto number = [&](const char* name) { return baked.mesh.property(name)->values[i]; };
+    const double value = number("noise");
+    EXPECT_FLOAT_EQ(static_cast<float>(number("roughness")), static_cast<float>(0.1 * value + 0.5));
+    EXPECT_FLOAT_EQ(static_cast<float>(number("height")),
+                    static_cast<float>(1.0 + 4.0 * std::clamp(value, 0.0, 0.5)));
+    EXPECT_EQ(number("wear"), plan.guides.steering.weights[i]);
+    const Vec<3> moved = plan.mesh.positions[i] + 0.125 * number("height") * plan.guides.normals[i];
+    EXPECT_LT(glm::length(baked.mesh.positions[i] - moved), 1e-6);
+  }
+}
+
 }  // namespace
 }  // namespace solidnoise

@@ -14,6 +14,11 @@
 namespace solidnoise {
 namespace {
 
+BakeRecipe plain_recipe() {
+  BakeRecipe recipe;
+  return recipe;
+}
+
 BakeRecipe unusual_recipe() {
   BakeRecipe recipe;
   recipe.description = "A test";
@@ -44,6 +49,17 @@ BakeRecipe unusual_recipe() {
   return recipe;
 }
 
+BakeRecipe layered_recipe() {
+  BakeRecipe recipe;
+  recipe.noise.kind = SurfaceNoiseKind::oriented;
+  recipe.layers = {{.turn = 30.0}, {.use = "thorns"}};
+  recipe.fields = {{"thorns", {.fold = Layer::Fold::crest}}};
+  recipe.properties = {{"height", {.use = "value", .weight = 0.5}},
+                       {"wear", {.place = Layer::Place::weight}}};
+  recipe.layer_unit = LayerUnit::feature;
+  return recipe;
+}
+
 BakeRecipe recipe_by_example() {
   BakeRecipe recipe;
   recipe.noise.kind = SurfaceNoiseKind::spectrum;
@@ -65,13 +81,14 @@ TEST(BakeRecipe, OnlyANoiseByExampleHasItsColors) {
 }
 
 TEST(BakeRecipe, ComesBackFromJsonAsItWas) {
-  for (const BakeRecipe& recipe : {BakeRecipe{}, unusual_recipe(), recipe_by_example()}) {
+  for (const auto make : {&plain_recipe, &unusual_recipe, &layered_recipe, &recipe_by_example}) {
+    const BakeRecipe recipe = make();
     EXPECT_EQ(bake_recipe_from_json(parse_json(format_json(to_json(recipe)))), recipe);
   }
 }
 
 TEST(BakeRecipe, WhatIsLeftOutHasItsDefault) {
-  EXPECT_EQ(bake_recipe_from_json(parse_json(R"({"solidnoise": 1})")), BakeRecipe{});
+  EXPECT_EQ(bake_recipe_from_json(parse_json(R"({"solidnoise": 1})")), plain_recipe());
   const BakeRecipe recipe = bake_recipe_from_json(parse_json(R"({"solidnoise": 1, "frequency": 3})"));
   EXPECT_EQ(recipe.frequency, (ParameterRange{3.0, 3.0}));
 }
@@ -123,6 +140,42 @@ TEST(BakeRecipe, FrequenciesAreOfTheBoxOrOfTheFeaturesSize) {
   recipe.detail = {};
   EXPECT_EQ(message_of<std::invalid_argument>([&] { recipe.validate(); }),
             "feature_size has no effect where there is a frequency; leave one of them out");
+}
+
+TEST(BakeRecipe, PropertiesHaveNamesOfTheirOwn) {
+  BakeRecipe recipe;
+  recipe.properties = {{"red", {}}};
+  EXPECT_EQ(message_of<std::invalid_argument>([&] { recipe.validate(); }),
+            "properties has red; a name is letters, digits and underscores, and none of x, y, z, nx, ny, nz, "
+            "red, green, blue, alpha, noise");
+  recipe.properties = {{"rough ness", {}}};
+  EXPECT_THROW(recipe.validate(), std::invalid_argument);
+  recipe.properties = {{"height", {.use = "bumps"}}};
+  EXPECT_EQ(message_of<std::invalid_argument>([&] { recipe.validate(); }),
+            "properties.height: layers[0].use is bumps; there is no field of that name");
+  recipe.fields = {{"value", {}}};
+  EXPECT_EQ(message_of<std::invalid_argument>([&] { recipe.validate(); }),
+            "fields has value; that is the name of what is baked");
+}
+
+TEST(BakeRecipe, SteersWhereALayerFollowsTheWeight) {
+  BakeRecipe recipe;
+  EXPECT_FALSE(recipe.steers());
+  recipe.fields = {{"wear", {.place = Layer::Place::weight}}};
+  EXPECT_FALSE(recipe.steers());
+  recipe.properties = {{"roughness", {.use = "wear"}}};
+  EXPECT_TRUE(recipe.steers());
+}
+
+// The middle of a range in octaves.
+TEST(BakeRecipe, AFeatureIsACycleOfTheFrequency) {
+  BakeRecipe recipe;
+  EXPECT_EQ(feature_size_of(recipe, 48.0), 2.0);
+  recipe.feature_size = 0.5;
+  EXPECT_EQ(feature_size_of(recipe, 48.0), 0.5);
+  recipe.feature_size.reset();
+  recipe.frequency = ParameterRange{4.0, 16.0};
+  EXPECT_EQ(feature_size_of(recipe, 48.0), 1.0 / 8.0);
 }
 
 }  // namespace

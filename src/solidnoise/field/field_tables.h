@@ -22,11 +22,12 @@ inline constexpr Choices<RemapShaping::Fold, 3> kFoldChoices{{
     {RemapShaping::Fold::billow, "billow"},
 }};
 
-inline constexpr Choices<Layer::Fold, 4> kLayerFoldChoices{{
+inline constexpr Choices<Layer::Fold, 5> kLayerFoldChoices{{
     {Layer::Fold::none, "none"},
     {Layer::Fold::ridged, "ridged"},
     {Layer::Fold::billow, "billow"},
     {Layer::Fold::turbulence, "turbulence"},
+    {Layer::Fold::crest, "crest"},
 }};
 
 inline constexpr Choices<Layer::Histogram, 2> kHistogramChoices{{
@@ -42,7 +43,7 @@ inline constexpr Choices<Layer::Combine, 5> kLayerCombineChoices{{
     {Layer::Combine::mix, "mix"},
 }};
 
-inline constexpr Choices<Layer::Place, 7> kPlaceChoices{{
+inline constexpr Choices<Layer::Place, 8> kPlaceChoices{{
     {Layer::Place::none, "none"},
     {Layer::Place::x, "x"},
     {Layer::Place::y, "y"},
@@ -50,6 +51,7 @@ inline constexpr Choices<Layer::Place, 7> kPlaceChoices{{
     {Layer::Place::height, "height"},
     {Layer::Place::radius, "radius"},
     {Layer::Place::distance, "distance"},
+    {Layer::Place::weight, "weight"},
 }};
 
 constexpr auto fields_of(std::type_identity<RawShaping>) {
@@ -109,7 +111,7 @@ constexpr auto fields_of(std::type_identity<Layer>) {
       field("noise", &Layer::noise, "Left out, the recipe's").written_if(is_noise),
       field("fold", &Layer::fold, kLayerFoldChoices,
             "The noise's octaves |n| turned to ridges, or added up as turbulence; billow: |noise|; mean 0, "
-            "variance 1")
+            "variance 1; crest: waves from -1 to 1, all of the same height")
           .written_if(is_noise),
       field("histogram", &Layer::histogram, kHistogramChoices,
             "Values as they are, or uniform on 0 to 1 by the error function")
@@ -117,9 +119,13 @@ constexpr auto fields_of(std::type_identity<Layer>) {
       field("stretch", &Layer::stretch, kPositive, "",
             "How much longer the noise's features are along each axis")
           .written_if([](const Layer& layer) { return layer.stretch != Vec<3>(1.0); }),
+      field("turn", &Layer::turn, between(-360.0, 360.0), "degrees",
+            "Of a surface's oriented noise: how far its waves turn in the tangent plane")
+          .written_if([](const Layer& layer) { return layer.turn != 0.0; }),
       field("use", &Layer::use, "In place of a noise: a field that the recipe has a name for")
           .written_if([](const Layer& layer) { return !layer.use.empty(); }),
-      field("place", &Layer::place, kPlaceChoices, "In place of a noise: where it is in the box")
+      field("place", &Layer::place, kPlaceChoices,
+            "In place of a noise: where it is in the box; weight: of what steers a surface, 0 to 1")
           .written_if([](const Layer& layer) { return layer.place != Layer::Place::none; }),
       field("combine", &Layer::combine, kLayerCombineChoices, "What becomes of the layers")
           .written_if(combines),

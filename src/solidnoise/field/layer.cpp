@@ -64,7 +64,8 @@ void validate_ramp(const std::string& path, const std::vector<Vec<2>>& ramp) {
 
 class Validation {
  public:
-  Validation(const NoiseRecipe& own, const NamedLayers& named) : own_(own), named_(named) {}
+  Validation(const NoiseRecipe& own, const NamedLayers& named, LayerSpace space)
+      : own_(own), named_(named), space_(space) {}
 
   void visit_all(const std::string& path, const std::vector<Layer>& layers, int depth) {
     for (std::size_t i = 0; i < layers.size(); ++i) visit(fmt::format("{}[{}]", path, i), layers[i], depth);
@@ -94,6 +95,13 @@ class Validation {
   void validate_leaf(const std::string& path, const Layer& layer, int depth) {
     refuse_without_effect(path, "combine", layer.combine != Layer::Combine::sum, "without layers");
     for (int axis = 0; axis < 3; ++axis) require_positive(path + ".stretch", layer.stretch[axis]);
+    require_in_range(path + ".turn", layer.turn, -360.0, 360.0, "degrees");
+    if (layer.noise || space_ == LayerSpace::volume) {
+      refuse_without_effect(path, "turn", layer.turn != 0.0, "but on a surface's oriented noise");
+    }
+    if (space_ == LayerSpace::volume && layer.place == Layer::Place::weight) {
+      throw std::invalid_argument(path + ".place is weight; only the noise of a surface is steered");
+    }
     if (layer.use.empty() && layer.place == Layer::Place::none) return validate_noise_leaf(path, layer);
     const char* const where = layer.use.empty() ? "on a place" : "on a named field";
     refuse_without_effect(path, "place", !layer.use.empty() && layer.place != Layer::Place::none, where);
@@ -112,11 +120,12 @@ class Validation {
     refuse_without_effect(path, "fold", layer.fold != Layer::Fold::none, where);
     refuse_without_effect(path, "histogram", layer.histogram != Layer::Histogram::gaussian, where);
     refuse_without_effect(path, "stretch", layer.stretch != Vec<3>(1.0), where);
+    refuse_without_effect(path, "turn", layer.turn != 0.0, where);
   }
 
   void validate_noise_leaf(const std::string& path, const Layer& layer) const {
     validate_noise(path, layer.noise, own_);
-    const bool sums = layer.fold == Layer::Fold::ridged || layer.fold == Layer::Fold::turbulence;
+    const bool sums = layer.fold != Layer::Fold::none && layer.fold != Layer::Fold::billow;
     const int octaves = layer.noise.value_or(own_).fractal.octaves;
     if (layer.histogram == Layer::Histogram::uniform && sums && octaves > 1) {
       throw std::invalid_argument(fmt::format(
@@ -139,25 +148,49 @@ class Validation {
 
   const NoiseRecipe& own_;
   const NamedLayers& named_;
+  LayerSpace space_;
   int count_ = 0;
 };
+
+bool is_noise(const Layer& layer) {
+  return layer.layers.empty() && layer.use.empty() && layer.place == Layer::Place::none;
+}
+
+// Calls visit(layer) with every layer, in order, those of named fields where they are used.
+template <typename Visit>
+void for_each_layer(const std::vector<Layer>& layers, const NamedLayers& named, const Visit& visit) {
+  for (const Layer& layer : layers) {
+    const auto used = named.find(layer.use);
+    if (used != named.end()) for_each_layer({used->second}, named, visit);
+    visit(layer);
+    for_each_layer(layer.layers, named, visit);
+  }
+}
 
 // Calls visit(noise) with the noise of every leaf and warp, in order.
 template <typename Visit>
 void for_each_noise(const std::vector<Layer>& layers, const NamedLayers& named, const Visit& visit) {
-  for (const Layer& layer : layers) {
-    const bool is_noise = layer.layers.empty() && layer.use.empty() && layer.place == Layer::Place::none;
-    if (is_noise) visit(layer.noise);
-    if (!layer.use.empty()) for_each_noise({named.at(layer.use)}, named, visit);
+  for_each_layer(layers, named, [&](const Layer& layer) {
+    if (is_noise(layer)) visit(layer.noise);
     if (layer.warp) visit(layer.warp->noise);
-    for_each_noise(layer.layers, named, visit);
-  }
+  });
+}
+
+void scale(std::optional<NoiseRecipe>& noise, double unit) {
+  if (!noise) return;
+  std::visit(
+      [&](auto& options) {
+        options.frequency /= unit;
+        for (int axis = 0; axis < 3; ++axis) options.period[axis] *= unit;
+      },
+      noise->noise);
 }
 
 }  // namespace
 
-void validate_layers(const std::vector<Layer>& layers, const NoiseRecipe& own, const NamedLayers& named) {
-  Validation(own, named).visit_all("layers", layers, 1);
+void validate_layers(const std::vector<Layer>& layers, const NoiseRecipe& own, const NamedLayers& named,
+                     LayerSpace space) {
+  Validation(own, named, space).visit_all("layers", layers, 1);
 }
 
 NoiseRecipe noise_of_layer(const std::optional<NoiseRecipe>& noise, const NoiseRecipe& own) {
@@ -181,6 +214,24 @@ bool use_own_noise(const std::vector<Layer>& layers, const NamedLayers& named) {
   bool used = false;
   for_each_noise(layers, named, [&](const std::optional<NoiseRecipe>& noise) { used = used || !noise; });
   return used;
+}
+
+bool use_place(const std::vector<Layer>& layers, Layer::Place place, const NamedLayers& named) {
+  bool used = false;
+  for_each_layer(layers, named, [&](const Layer& layer) { used = used || layer.place == place; });
+  return used;
+}
+
+std::vector<Layer> in_units(std::vector<Layer> layers, double unit) {
+  for (Layer& layer : layers) {
+    scale(layer.noise, unit);
+    if (layer.warp) {
+      layer.warp->amount *= unit;
+      scale(layer.warp->noise, unit);
+    }
+    layer.layers = in_units(std::move(layer.layers), unit);
+  }
+  return layers;
 }
 
 }  // namespace solidnoise

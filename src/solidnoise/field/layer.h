@@ -28,13 +28,17 @@ struct Warp {
 //   billow      |n|
 //   turbulence  sum of g^k |n_k|        (Perlin 1985)
 //   ridged      sum of -g^k |n_k|       (Musgrave 1994 without his feedback from octave to octave)
+//   crest       sum of g^k n_k / |z_k|, |z|^2 = n^2 + |grad n|^2 / (2 pi F)^2, over sqrt(sum of g^2k)
 // less the mean, over the standard deviation, both of Gaussian octaves:
 //   E |n| = sqrt(2 / pi),  Var |n| = 1 - 2 / pi,  times sum of g^k and of g^2k,
-// so that a noise of any fold has mean 0 and variance 1. With Histogram::uniform it is instead mapped to 0..1
-// by its own distribution function, u = (1 + erf(n / sqrt 2)) / 2, erf(|n| / sqrt 2) and 1 - erf(|n| / sqrt
-// 2), which exists in closed form for one octave, or unfolded, or billow.
+// so that a noise of these folds has mean 0 and variance 1. With Histogram::uniform it is instead mapped to
+// 0..1 by its own distribution function, u = (1 + erf(n / sqrt 2)) / 2, erf(|n| / sqrt 2) and 1 - erf(|n| /
+// sqrt 2), which exists in closed form for one octave, or unfolded, or billow.
+//
+// A crest is a wave without its envelope, from -1 to 1 (see crest_of()): each crest is as high as any other.
+// With Histogram::uniform it becomes 1/2 + asin(n / |z|) / pi, which rises and falls evenly.
 struct Layer {
-  enum class Fold { none, ridged, billow, turbulence };
+  enum class Fold { none, ridged, billow, turbulence, crest };
   enum class Histogram { gaussian, uniform };
   enum class Combine {
     sum,
@@ -53,13 +57,17 @@ struct Layer {
     height,  // the same along the up axis
     radius,  // of the upright elliptic cylinder through it: 0 on the box's axis, 1 on the sides' middle lines
     distance,  // of the ellipsoid through it: 0 at the box's centre, 1 on the inscribed one
+    weight,    // on a surface: of what steers, from 0 to 1
   };
 
   // Of a noise:
   std::optional<NoiseRecipe> noise{};  // none: that of the recipe; with a seed mixed with the recipe's
   Fold fold = Fold::none;
   Histogram histogram = Histogram::gaussian;
-  Vec<3> stretch{1.0};  // how much longer its features are along each axis; > 0
+  Vec<3> stretch{1.0};  // how much longer its features are along each axis; > 0. Of the noise of a surface
+                        // all three are the same
+  double turn = 0.0;  // of the noise of a surface, if it is oriented: degrees by which its waves' directions
+                      // turn in the tangent plane, against the clock as seen from outside; -360 to 360
 
   // Instead of a noise:
   std::string use{};          // a field that the recipe has a name for
@@ -85,9 +93,13 @@ inline constexpr int kDeepestLayer = 8;
 // Fields that have names, for layers to use; what is used by several is evaluated once.
 using NamedLayers = std::map<std::string, Layer>;
 
+// Where layers are. The noise of a surface has a plane to turn in, and a weight of what steers it.
+enum class LayerSpace { volume, surface };
+
 // Throws std::invalid_argument with the place in the tree, such as "layers[1].noise.bandwidth is -1; ...",
 // also where named fields use each other in a circle. `own` is the recipe's noise.
-void validate_layers(const std::vector<Layer>& layers, const NoiseRecipe& own, const NamedLayers& named = {});
+void validate_layers(const std::vector<Layer>& layers, const NoiseRecipe& own, const NamedLayers& named = {},
+                     LayerSpace space = LayerSpace::volume);
 
 // Every noise of the tree, also those of warps and of the named fields that it uses, as it is made: with its
 // seed mixed with that of `own`, which stands where a layer names none.
@@ -96,6 +108,13 @@ std::vector<NoiseRecipe> noises_of(const std::vector<Layer>& layers, const Noise
 
 // Whether a layer or a warp has the recipe's noise.
 bool use_own_noise(const std::vector<Layer>& layers, const NamedLayers& named = {});
+
+// Whether a layer is a place of this kind.
+bool use_place(const std::vector<Layer>& layers, Layer::Place place, const NamedLayers& named = {});
+
+// The same layers, whose noises and warps are in units of `unit` world units: frequencies are divided by it,
+// periods and amounts of warps multiplied.
+std::vector<Layer> in_units(std::vector<Layer> layers, double unit);
 
 // The noise that a layer or warp is made of.
 NoiseRecipe noise_of_layer(const std::optional<NoiseRecipe>& noise, const NoiseRecipe& own);

@@ -6,8 +6,10 @@
 #include <memory>
 #include <stdexcept>
 #include <utility>
+#include <variant>
 
 #include "solidnoise/field/combined_field.h"
+#include "solidnoise/field/crest_field.h"
 #include "solidnoise/field/moved_field.h"
 #include "solidnoise/field/pointwise_field.h"
 #include "solidnoise/field/value_maps.h"
@@ -43,6 +45,7 @@ class PlaceField final : public PointwiseField {
       case Layer::Place::radius:
         return std::hypot(q.x, q[3 - vertical_]);
       case Layer::Place::distance:
+      case Layer::Place::weight:
       case Layer::Place::none:
         break;
     }
@@ -89,6 +92,21 @@ class Builder {
     return combine(Layer::Combine::sum, std::move(octaves));
   }
 
+  static FieldPtr crests(const LayerNoise& noise) {
+    std::vector<FieldPtr> octaves;
+    double power = 0.0;
+    for (int k = 0; k < noise.fractal.octaves; ++k) {
+      const double ratio = std::pow(noise.fractal.lacunarity, k);
+      const double amplitude = std::pow(noise.fractal.gain, k);
+      const FieldPtr frequency =
+          noise.varying_frequency ? affine(noise.varying_frequency, ratio, 0.0) : nullptr;
+      octaves.push_back(
+          affine(crest_of(noise.octave(k), ratio * noise.frequency, frequency), amplitude, 0.0));
+      power += amplitude * amplitude;
+    }
+    return affine(combine(Layer::Combine::sum, std::move(octaves)), 1.0 / std::sqrt(power), 0.0);
+  }
+
   static FieldPtr fold(const LayerNoise& noise, Layer::Fold fold) {
     switch (fold) {
       case Layer::Fold::ridged:
@@ -97,6 +115,8 @@ class Builder {
         return fold_octaves(noise, 1.0);
       case Layer::Fold::billow:
         return absolute(noise.whole(), 1.0);
+      case Layer::Fold::crest:
+        return crests(noise);
       case Layer::Fold::none:
         break;
     }
@@ -106,14 +126,14 @@ class Builder {
   FieldPtr build_leaf(const Layer& layer) const {
     if (!layer.use.empty()) return leaves_.named(layer.use);
     if (layer.place != Layer::Place::none) return leaves_.place(layer.place);
-    const LayerNoise noise = leaves_.noise(layer.noise, layer.stretch);
+    const LayerNoise noise = leaves_.noise(layer.noise, layer.stretch, layer.turn);
     const bool stays = layer.fold == Layer::Fold::none && layer.histogram == Layer::Histogram::gaussian;
     if (stays) return noise.whole();
     return to_histogram(fold(noise, layer.fold), layer.histogram, layer.fold, noise.fractal);
   }
 
   FieldPtr build_warped(FieldPtr layer, const Warp& warp_of_layer) const {
-    const LayerNoise noise = leaves_.noise(warp_of_layer.noise, Vec<3>(1.0));
+    const LayerNoise noise = leaves_.noise(warp_of_layer.noise, Vec<3>(1.0), 0.0);
     return warp(std::move(layer), warp_of_layer.amount,
                 {noise.channel(0), noise.channel(1), noise.channel(2)});
   }
@@ -121,10 +141,14 @@ class Builder {
   const LayerLeaves& leaves_;
 };
 
+double frequency_of(const NoiseRecipe& recipe) {
+  return std::visit([](const auto& options) { return options.frequency; }, recipe.noise);
+}
+
 }  // namespace
 
 LayerNoise layer_noise(const NoiseRecipe& recipe, const MakeNoise& make_noise) {
-  return {recipe.fractal, [=] { return make_noise(recipe); },
+  return {recipe.fractal, frequency_of(recipe), [=] { return make_noise(recipe); },
           [=](int k) { return make_noise(octave_of(recipe, k)); },
           [=](int axis) { return make_noise(channel_of(recipe, axis)); }};
 }
@@ -138,7 +162,7 @@ FieldPtr make_layered_field(const std::vector<Layer>& layers, const NoiseRecipe&
                             const MakeNoise& make_noise) {
   validate_layers(layers, own);
   LayerLeaves leaves;
-  leaves.noise = [&](const std::optional<NoiseRecipe>& noise, const Vec<3>& stretch) {
+  leaves.noise = [&](const std::optional<NoiseRecipe>& noise, const Vec<3>& stretch, double) {
     return layer_noise(noise_of_layer(noise, own),
                        [=](const NoiseRecipe& recipe) { return stretched(make_noise(recipe), stretch); });
   };

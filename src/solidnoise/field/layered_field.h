@@ -20,13 +20,17 @@ FieldPtr place_in(const Box<3>& box, UpAxis up, Layer::Place place);
 // on a surface by its own parameters. All of unit variance.
 struct LayerNoise {
   FractalOptions fractal;
+  double frequency;  // of the first octave, cycles per world unit
   std::function<FieldPtr()> whole;
   std::function<FieldPtr(int k)> octave;      // octave k by itself
   std::function<FieldPtr(int axis)> channel;  // others like it, independent of each other and of it
+  FieldPtr varying_frequency{};               // in place of `frequency`, where it differs from place to place
 };
 // How the leaves of a tree of layers are made.
 struct LayerLeaves {
-  std::function<LayerNoise(const std::optional<NoiseRecipe>& noise, const Vec<3>& stretch)> noise;
+  // `stretch` and `turn` are the layer's.
+  std::function<LayerNoise(const std::optional<NoiseRecipe>& noise, const Vec<3>& stretch, double turn)>
+      noise;
   std::function<FieldPtr(const std::string& name)> named{};
   std::function<FieldPtr(Layer::Place)> place{};
 };

@@ -40,6 +40,18 @@ struct ErrorFunction {
   }
 };
 
+// 1/2 + asin(v) / pi of -1 to 1
+struct Evenly {
+  float operator()(float v) const {
+    return 0.5f + static_cast<float>(std::numbers::inv_pi) * std::asin(std::clamp(v, -1.0f, 1.0f));
+  }
+  // Without end where waves turn.
+  float slope(float v) const {
+    constexpr float kLeast = 1e-6f;
+    return static_cast<float>(std::numbers::inv_pi) / std::sqrt(std::max(1.0f - v * v, kLeast));
+  }
+};
+
 struct Ramp {
   std::vector<Vec<2>> stops;
 
@@ -82,7 +94,7 @@ FieldPtr through_ramp(FieldPtr field, const std::vector<Vec<2>>& stops) {
 }
 
 FoldStatistics fold_statistics(Layer::Fold fold, const FractalOptions& fractal) {
-  if (fold == Layer::Fold::none) return {};
+  if (fold == Layer::Fold::none || fold == Layer::Fold::crest) return {};
   constexpr double kVariance = 1.0 - 2.0 / std::numbers::pi;
   const double mean = std::sqrt(2.0 / std::numbers::pi);
   if (fold == Layer::Fold::billow) return {mean, kVariance};
@@ -98,6 +110,9 @@ FoldStatistics fold_statistics(Layer::Fold fold, const FractalOptions& fractal) 
 
 FieldPtr to_histogram(FieldPtr folded, Layer::Histogram histogram, Layer::Fold fold,
                       const FractalOptions& fractal) {
+  if (fold == Layer::Fold::crest) {
+    return histogram == Layer::Histogram::uniform ? map_field(std::move(folded), Evenly{}) : folded;
+  }
   if (histogram == Layer::Histogram::uniform) {
     if (fold == Layer::Fold::none) return by_error_function(std::move(folded), 0.5f, 0.5f);
     return by_error_function(std::move(folded), fold == Layer::Fold::ridged ? 1.0f : 0.0f, 1.0f);

@@ -12,6 +12,12 @@ double count_layers(const std::vector<Layer>& layers) {
   return count;
 }
 
+double count_properties(const BakeRecipe& recipe) {
+  double count = 0.0;
+  for (const auto& [name, layer] : recipe.properties) count += count_layers({layer});
+  return count;
+}
+
 }  // namespace
 
 // Measured on meshes of half a million to thirteen million vertices, with two faces for each: 285 to 298
@@ -40,7 +46,7 @@ BakeCost bake_cost(const BakePlan& plan, const BakeRecipe& recipe) {
       kLeastImpulses + impulses_at_point(recipe.noise, {frequency, plan.parameters.bandwidth.constant, {}});
   const double channels = recipe.has_exemplar_colors()
                               ? static_cast<double>(recipe.noise.exemplar.channels.size())
-                              : 1.0 + count_layers(recipe.layers);
+                              : 1.0 + count_layers(recipe.layers) + count_properties(recipe);
   return {
       vertices * (kSecondsPerVertex +
                   channels * impulses * (in_tangent_plane ? kSecondsPerTangentImpulse : kSecondsPerImpulse)),

@@ -37,6 +37,11 @@ inline constexpr Choices<DirectionRecipe::Source, 3> kDirectionChoices{{
     {DirectionRecipe::Source::min_curvature, "min-curvature"},
 }};
 
+inline constexpr Choices<LayerUnit, 2> kLayerUnitChoices{{
+    {LayerUnit::world, "world"},
+    {LayerUnit::feature, "feature"},
+}};
+
 inline constexpr Choices<RefineRecipe::Mode, 3> kRefineChoices{{
     {RefineRecipe::Mode::off, "off"},
     {RefineRecipe::Mode::automatic, "auto"},
@@ -152,6 +157,19 @@ constexpr auto fields_of(std::type_identity<BakeRecipe>) {
       field("surface", &Recipe::noise, "The noise"),
       field("layers", &Recipe::layers, "Their sum takes the noise's place")
           .written_if([](const Recipe& recipe) { return !recipe.layers.empty(); }),
+      field("fields", &Recipe::fields, "Fields with names, for layers to use")
+          .written_if([](const Recipe& recipe) { return !recipe.fields.empty(); }),
+      field(
+          "properties", &Recipe::properties,
+          "Numbers that vertices get beside the noise, such as roughness and height: each a layer, which may "
+          "use the field value, what is baked")
+          .written_if([](const Recipe& recipe) { return !recipe.properties.empty(); }),
+      field(
+          "layer_unit", &Recipe::layer_unit, kLayerUnitChoices,
+          "Of frequencies, periods and warps in layers: world units, or features, so that layers are as fine "
+          "on meshes of any size")
+          .written_if([](const Recipe& recipe) { return recipe.layer_unit != LayerUnit::world; })
+          .without_flag(),
       field("frequency", &Recipe::frequency, between(1e-9, 1e9), "cycles per world unit",
             "Principal frequency; left out, one cycle per feature_size; a range follows what steers"),
       field("feature_size", &Recipe::feature_size, between(1e-9, 1e9), "world units",
@@ -170,8 +188,10 @@ constexpr auto fields_of(std::type_identity<BakeRecipe>) {
       field("contrast", &Recipe::contrast, kPositive, "",
             "The ramp spans 2.5 over this in standard deviations to each side"),
       field("refine", &Recipe::refine, "How densely the mesh is sampled before baking"),
-      field("displace", &Recipe::displace, between(-1e12, 1e12), "world units",
-            "Move vertices along their normals, by this for a value of 1"),
+      field(
+          "displace", &Recipe::displace, between(-1e12, 1e12), "world units",
+          "Move vertices along their normals, by this for a value of 1, or a height of 1 where a recipe has "
+          "that property"),
       field("up", &Recipe::up, kUpAxisChoices, "The up axis: of height, of directions, and of the preview"));
 }
 

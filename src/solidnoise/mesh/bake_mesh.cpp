@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -212,10 +213,7 @@ RefinedMesh refine_mesh(const PolygonMesh& mesh, const RefineRecipe& recipe, std
   return refine(mesh, targets, options);
 }
 
-// Noise times magnitude plus bias at each vertex.
-// `noise` takes the place of the recipe's.
-std::vector<float> bake_values(const BakePlan& plan, const BakeRecipe& recipe,
-                               const SurfaceNoiseRecipe& noise, Progress* progress) {
+BakeVertices vertices_of(const BakePlan& plan) {
   BakeVertices vertices;
   vertices.positions = plan.mesh.positions;
   vertices.normals = plan.guides.planes();
@@ -223,12 +221,46 @@ std::vector<float> bake_values(const BakePlan& plan, const BakeRecipe& recipe,
   vertices.bandwidth = plan.parameters.bandwidth;
   vertices.magnitude = plan.parameters.magnitude;
   vertices.directions = plan.guides.directions;
-  std::vector<float> values = recipe.layers.empty()
-                                  ? bake_noise(noise, vertices, progress)
-                                  : bake_layers(noise, recipe.layers, recipe.up, vertices, progress);
+  vertices.weights = plan.guides.steering.weights;
+  return vertices;
+}
+
+// Of a recipe, in world units.
+SurfaceLayers surface_layers(const BakePlan& plan, const BakeRecipe& recipe, std::vector<Layer> layers) {
+  SurfaceLayers result{std::move(layers), recipe.up, recipe.fields};
+  if (recipe.layer_unit == LayerUnit::world) return result;
+  result.layers = in_units(std::move(result.layers), plan.feature_size);
+  for (auto& [name, layer] : result.fields) layer = in_units({layer}, plan.feature_size).front();
+  return result;
+}
+
+// Noise times magnitude plus bias at each vertex. `noise` takes the place of the recipe's.
+std::vector<float> bake_values(const BakePlan& plan, const BakeRecipe& recipe,
+                               const SurfaceNoiseRecipe& noise, Progress* progress) {
+  const BakeVertices vertices = vertices_of(plan);
+  std::vector<float> values =
+      recipe.layers.empty()
+          ? bake_noise(noise, vertices, progress)
+          : bake_layers(noise, surface_layers(plan, recipe, recipe.layers), vertices, progress);
   for (std::size_t i = 0; i < values.size(); ++i)
     values[i] += static_cast<float>(at(plan.parameters.bias, i));
   return values;
+}
+
+// Sets the recipe's properties, and returns what vertices are displaced by.
+std::vector<float> set_properties(const BakePlan& plan, const BakeRecipe& recipe, std::vector<float> values,
+                                  PolygonMesh& mesh, Progress* progress) {
+  BakeVertices vertices = vertices_of(plan);
+  vertices.magnitude = {1.0, {}};
+  vertices.values = values;
+  std::optional<std::vector<float>> height;
+  for (const auto& [name, layer] : recipe.properties) {
+    std::vector<float> numbers =
+        bake_layers(recipe.noise, surface_layers(plan, recipe, {layer}), vertices, progress);
+    mesh.set_property({name, ScalarType::float32, {numbers.begin(), numbers.end()}});
+    if (name == kHeightProperty) height = std::move(numbers);
+  }
+  return height ? *std::move(height) : std::move(values);
 }
 
 std::vector<Color> ramp_colors(const BakeRecipe& recipe, const std::vector<float>& values) {
@@ -266,7 +298,9 @@ BakePlan plan_bake(PolygonMesh mesh, const BakeRecipe& recipe, std::uint64_t mos
   require_memory(mesh, most_memory);
   BakePlan plan;
   plan.original_vertices = mesh.positions.size();
-  const ParameterRange frequency = frequencies_of(recipe, diagonal_of(mesh));
+  const double diagonal = diagonal_of(mesh);
+  const ParameterRange frequency = frequencies_of(recipe, diagonal);
+  plan.feature_size = feature_size_of(recipe, diagonal);
   {
     const SurfaceMesh surface(mesh);
     plan.mean_edge = surface.mean_edge_length();
@@ -329,9 +363,10 @@ BakedMesh bake(const BakePlan& plan, const BakeRecipe& recipe, const std::vector
                                               : ramp_colors(recipe, values);
   set_vertex_colors(baked.mesh, baked.colors);
   baked.mesh.set_property({"noise", ScalarType::float32, {values.begin(), values.end()}});
+  std::vector<float> heights = set_properties(plan, recipe, std::move(values), baked.mesh, progress);
   if (recipe.displace != 0.0) {
-    for (float& value : values) value *= static_cast<float>(recipe.displace);
-    displace(baked.mesh, baked.normals, values);
+    for (float& height : heights) height *= static_cast<float>(recipe.displace);
+    displace(baked.mesh, baked.normals, heights);
     const SurfaceMesh surface(baked.mesh);
     baked.normals = surface.to_vertices(surface.normals());
   }

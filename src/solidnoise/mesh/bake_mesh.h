@@ -26,6 +26,7 @@ struct BakePlan {
   VertexGuides guides;
   VertexParameters parameters;
   std::size_t original_vertices = 0;
+  double feature_size = 1.0;          // feature_size_of(), world units
   double mean_edge = 0.0;             // of `mesh`, world units; 0 without edges
   double highest_frequency = 0.0;     // of the noise's band, where it is highest, cycles per world unit
   double mean_cycles_per_edge = 0.0;  // of the highest frequency: above kHighestCyclesPerEdge it aliases
@@ -43,8 +44,8 @@ BakePlan plan_bake(PolygonMesh mesh, const BakeRecipe& recipe,
 // A mesh with its noise.
 struct BakedMesh {
   // The plan's mesh with 8-bit colours (red, green, blue, alpha, sRGB-encoded) and the value (`noise`,
-  // float32: noise times magnitude plus bias). Displaced along its normals if the recipe says so; nx, ny, nz
-  // are then made anew where there are any.
+  // float32: noise times magnitude plus bias), and the recipe's properties (float32). Displaced along its
+  // normals if the recipe says so; nx, ny, nz are then made anew where there are any.
   PolygonMesh mesh;
   std::vector<Vec<3>> normals;  // of the mesh as it is now
   std::vector<Color> colors;    // in linear light

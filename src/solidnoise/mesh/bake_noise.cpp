@@ -154,22 +154,49 @@ Box<3> bounds_of(std::span<const Vec<3>> positions) {
   return box;
 }
 
-FieldPtr layered_field(const SurfaceNoiseRecipe& recipe, const std::vector<Layer>& layers,
-                       const SurfaceKernel& kernel, const Box<3>& box, UpAxis up) {
+LayerNoise own_layer_noise(const SurfaceNoiseRecipe& recipe, const SurfaceKernel& kernel,
+                           const Vec<3>& stretch, double turn) {
+  if (stretch != Vec<3>(stretch.x)) {
+    throw std::invalid_argument(
+        "stretch differs from axis to axis in layers with solid noises of their own only");
+  }
+  if (turn != 0.0 && !has_direction(recipe)) {
+    throw std::invalid_argument(
+        "turn applies to layers of a noise that has a direction: oriented, or a flat exemplar");
+  }
+  return surface_layer_noise(recipe, turned(scaled(kernel, 1.0 / stretch.x), turn));
+}
+
+FieldPtr numbers_of(std::string_view name, std::span<const float> numbers, const BakeVertices& vertices) {
+  require_size(name, numbers.size(), vertices.positions.size());
+  return std::make_shared<VertexField>(std::vector<std::span<const float>>{numbers});
+}
+
+// Of `vertices`, to whose numbers it refers.
+FieldPtr layered_field(const SurfaceNoiseRecipe& recipe, const SurfaceLayers& layers,
+                       const SurfaceKernel& kernel, const BakeVertices& vertices) {
   const NoiseRecipe own = noise_of_layers(recipe);
-  validate_layers(layers, own);
+  NamedLayers known = layers.fields;
+  if (!vertices.values.empty()) known.try_emplace(kValueField, Layer{.place = Layer::Place::weight});
+  validate_layers(layers.layers, own, known, LayerSpace::surface);
+  const Box<3> box = bounds_of(vertices.positions);
   LayerLeaves leaves;
-  leaves.noise = [&](const std::optional<NoiseRecipe>& noise, const Vec<3>& stretch) {
-    if (!noise && stretch != Vec<3>(1.0)) {
-      throw std::invalid_argument("stretch applies to layers with solid noises of their own");
-    }
-    if (!noise) return surface_layer_noise(recipe, kernel);
+  leaves.noise = [&](const std::optional<NoiseRecipe>& noise, const Vec<3>& stretch, double turn) {
+    if (!noise) return own_layer_noise(recipe, kernel, stretch, turn);
     return layer_noise(noise_of_layer(noise, own), [&recipe, stretch](const NoiseRecipe& solid) {
       return stretched(solid_noise_of(recipe, solid), stretch);
     });
   };
-  leaves.place = [&](Layer::Place place) { return place_in(box, up, place); };
-  return make_layered_field(layers, leaves);
+  leaves.named = [&](const std::string& name) {
+    const auto named = layers.fields.find(name);
+    if (named != layers.fields.end()) return make_layered_field({named->second}, leaves);
+    return numbers_of(name, vertices.values, vertices);
+  };
+  leaves.place = [&](Layer::Place place) {
+    if (place == Layer::Place::weight) return numbers_of("weight", vertices.weights, vertices);
+    return place_in(box, layers.up, place);
+  };
+  return make_layered_field(layers.layers, leaves);
 }
 
 void magnify(const VertexNumber& magnitude, std::vector<float>& values) {
@@ -242,12 +269,11 @@ std::vector<float> bake_noise(const SurfaceNoiseRecipe& recipe, const BakeVertic
   return values;
 }
 
-std::vector<float> bake_layers(const SurfaceNoiseRecipe& recipe, const std::vector<Layer>& layers, UpAxis up,
+std::vector<float> bake_layers(const SurfaceNoiseRecipe& recipe, const SurfaceLayers& layers,
                                const BakeVertices& vertices, Progress* progress) {
   validate(recipe, vertices);
   const Components directions = components_of(vertices.directions);
-  const FieldPtr field = layered_field(recipe, layers, kernel_of(recipe, vertices, directions),
-                                       bounds_of(vertices.positions), up);
+  const FieldPtr field = layered_field(recipe, layers, kernel_of(recipe, vertices, directions), vertices);
   std::vector<float> values = bake_field(*field, vertices, progress);
   magnify(vertices.magnitude, values);
   return values;

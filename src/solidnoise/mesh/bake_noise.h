@@ -86,6 +86,9 @@ struct BakeVertices {
   VertexNumber bandwidth{1.0, {}};     // octaves; 0.1 to 4
   VertexNumber magnitude{1.0, {}};     // standard deviation of the value; >= 0
   std::span<const Vec<3>> directions;  // where has_direction(); tangential or not, either sign
+  // Of layers: where one is the place `weight`, what steers, 0 to 1; where one uses kValueField, that.
+  std::span<const float> weights{};
+  std::span<const float> values{};
 };
 
 // Evaluates a noise at all vertices, in parallel: one value per vertex, of mean 0 and variance magnitude^2
@@ -100,8 +103,18 @@ struct BakeVertices {
 std::vector<float> bake_noise(const SurfaceNoiseRecipe& recipe, const BakeVertices& vertices,
                               Progress* progress = nullptr);
 
-// The same of layers of the noise and of solid noises (BakeRecipe::layers), which take its place.
-std::vector<float> bake_layers(const SurfaceNoiseRecipe& recipe, const std::vector<Layer>& layers, UpAxis up,
+// Layers of the noise and of solid noises, in world units (BakeRecipe::layers), and what has a name for them.
+struct SurfaceLayers {
+  std::vector<Layer> layers;
+  UpAxis up = UpAxis::y;
+  NamedLayers fields{};
+};
+
+// The name by which layers use BakeVertices::values.
+inline constexpr char kValueField[] = "value";
+
+// The same of layers, which take the noise's place.
+std::vector<float> bake_layers(const SurfaceNoiseRecipe& recipe, const SurfaceLayers& layers,
                                const BakeVertices& vertices, Progress* progress = nullptr);
 
 // A field at all vertices, in parallel; parameters do not count, but for the frequency, which says how near

@@ -1,18 +1,51 @@
 #include "solidnoise/mesh/bake_recipe.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string_view>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <glm/geometric.hpp>
 
 #include "solidnoise/core/check.h"
+#include "solidnoise/core/printable.h"
 #include "solidnoise/image/color.h"
 #include "solidnoise/mesh/bake_fields.h"
 
 namespace solidnoise {
 namespace {
+
+// Those of a bake itself cannot be taken by others.
+void require_property_name(const std::string& name) {
+  constexpr std::string_view kOwn[] = {"x",   "y",     "z",    "nx",    "ny",   "nz",
+                                       "red", "green", "blue", "alpha", "noise"};
+  const auto fits = [](char c) {
+    return c == '_' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+  };
+  if (name.empty() || !std::ranges::all_of(name, fits) || std::ranges::count(kOwn, name) > 0) {
+    throw std::invalid_argument(
+        fmt::format("properties has {}; a name is letters, digits and underscores, and none of {}",
+                    printable(name), fmt::join(kOwn, ", ")));
+  }
+}
+
+void validate_properties(const BakeRecipe& recipe) {
+  NamedLayers known = recipe.fields;
+  if (known.contains(kValueField)) {
+    throw std::invalid_argument(fmt::format("fields has {}; that is the name of what is baked", kValueField));
+  }
+  known[kValueField] = {.place = Layer::Place::weight};  // any that is valid stands for it
+  for (const auto& [name, layer] : recipe.properties) {
+    require_property_name(name);
+    try {
+      validate_layers({layer}, noise_of_layers(recipe.noise), known, LayerSpace::surface);
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(fmt::format("properties.{}: {}", name, error.what()));
+    }
+  }
+}
 
 void refuse_variation(std::string_view field, const ParameterRange& range) {
   if (!range.varies()) return;
@@ -38,7 +71,8 @@ void BakeRecipe::validate() const {
     refuse_variation("detail", detail);
     refuse_variation("bandwidth", bandwidth);
   }
-  validate_layers(layers, noise_of_layers(noise));
+  validate_layers(layers, noise_of_layers(noise), fields, LayerSpace::surface);
+  validate_properties(*this);
   if (noise.time != 0.0 && !changes_with_time()) {
     throw std::invalid_argument(
         fmt::format("time is {}; it must be 0 where dims is 3 and no noise evolves", noise.time));
@@ -66,13 +100,17 @@ Vec<3> BakeRecipe::direction_axis() const {
 
 bool BakeRecipe::changes_with_time() const {
   return noise.dims == 4 || noise.evolve > 0.0 ||
-         std::ranges::any_of(noises_of(layers, noise_of_layers(noise)),
+         std::ranges::any_of(noises_of(layers, noise_of_layers(noise), fields),
                              [](const NoiseRecipe& of_layer) { return evolves(of_layer); });
 }
 
 bool BakeRecipe::steers() const {
+  const auto follows = [&](const std::vector<Layer>& tree) {
+    return use_place(tree, Layer::Place::weight, fields);
+  };
   return (frequency && frequency->varies()) || detail.varies() || bandwidth.varies() || magnitude.varies() ||
-         bias.varies();
+         bias.varies() || follows(layers) ||
+         std::ranges::any_of(properties, [&](const auto& property) { return follows({property.second}); });
 }
 
 std::uint64_t default_vertex_budget(std::size_t vertices) {
@@ -84,10 +122,15 @@ double default_feature_size(double diagonal) {
   return diagonal / kFeaturesAlongDiagonal;
 }
 
+double feature_size_of(const BakeRecipe& recipe, double diagonal) {
+  if (recipe.frequency) return 1.0 / std::sqrt(recipe.frequency->from * recipe.frequency->to);
+  const double size = recipe.feature_size.value_or(default_feature_size(diagonal));
+  return size > 0.0 ? size : 1.0;  // any will do where nothing has a size
+}
+
 ParameterRange frequencies_of(const BakeRecipe& recipe, double diagonal) {
   if (recipe.frequency) return *recipe.frequency;
-  const double size = recipe.feature_size.value_or(default_feature_size(diagonal));
-  if (size == 0.0) return {};  // any frequency will do where nothing has a size
+  const double size = feature_size_of(recipe, diagonal);
   return {recipe.detail.from / size, recipe.detail.to / size};
 }
 

@@ -48,6 +48,15 @@ std::uint64_t default_vertex_budget(std::size_t vertices);
 // The ramp of a noise by example that has the colours of the exemplar.
 inline constexpr char kExemplarRamp[] = "exemplar";
 
+// What frequencies, periods and warps of layers are measured in.
+enum class LayerUnit {
+  world,    // world units
+  feature,  // feature_size_of(): then layers are as large, next to a mesh, whatever its size
+};
+
+// The property that `displace` moves vertices by, where a recipe has it.
+inline constexpr char kHeightProperty[] = "height";
+
 // Everything that a bake depends on but the mesh: plain data.
 struct BakeRecipe {
   std::string description{};  // one line
@@ -56,6 +65,11 @@ struct BakeRecipe {
   // parameters; one that does has a solid noise of space, of the frequency that it names. Places are in the
   // mesh's box.
   std::vector<Layer> layers{};
+  NamedLayers fields{};  // for layers to use
+  // Numbers that vertices get beside the value: what a look needs besides a colour, such as `roughness` and
+  // `height`. Their layers may use the value, kValueField.
+  NamedLayers properties{};
+  LayerUnit layer_unit = LayerUnit::world;
   std::optional<ParameterRange> frequency{};  // cycles per world unit; unset: one per feature_size
   std::optional<double> feature_size{};       // world units, > 0; unset: default_feature_size() of the mesh
   ParameterRange detail{1.0, 1.0};            // over one cycle per feature_size; 0.001 to 1000
@@ -72,12 +86,13 @@ struct BakeRecipe {
   double contrast = 1.0;  // the ramp spans -2.5 to 2.5 standard deviations over this; > 0. Of an exemplar's
                           // own colours, the factor of what differs from their mean
   RefineRecipe refine{};
-  double displace = 0.0;  // along the normals, world units for a value of 1
+  // Along the normals, world units for a value of 1, or for a height of 1 where there is such a property.
+  double displace = 0.0;
   UpAxis up = UpAxis::y;
 
   // Throws std::invalid_argument naming the field, its value and what is allowed.
   void validate() const;
-  // Whether a parameter follows the steering.
+  // Whether a parameter follows the steering, or a layer does.
   bool steers() const;
   bool has_exemplar_colors() const { return ramp == kExemplarRamp; }
   // The direction's axis.
@@ -93,6 +108,10 @@ NoiseRecipe noise_of_layers(const SurfaceNoiseRecipe& recipe);
 
 // 24 features lie along the diagonal of a mesh's box, > 0, however it is cut up. World units.
 double default_feature_size(double diagonal);
+
+// Size of a feature on a mesh whose box has this diagonal, 0 or more: feature_size, what stands for it, or
+// where there is a frequency one cycle of it, of a range of the middle in octaves. World units.
+double feature_size_of(const BakeRecipe& recipe, double diagonal);
 
 // The recipe's frequencies on a mesh whose box has this diagonal, 0 or more.
 ParameterRange frequencies_of(const BakeRecipe& recipe, double diagonal);

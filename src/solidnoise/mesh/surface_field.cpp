@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
+
+#include <glm/geometric.hpp>
 
 #include "solidnoise/core/random.h"
 #include "solidnoise/field/combined_field.h"
@@ -168,7 +171,35 @@ FieldPtr make_tangent_field(const SurfaceNoiseRecipe& recipe, const SurfaceKerne
   });
 }
 
-// A kernel of another frequency.
+// Directions that are turned in the planes of points' normals.
+class TurnedField final : public PointwiseField {
+ public:
+  TurnedField(FieldPtr directions, double radians)
+      : directions_(std::move(directions)), cosine_(std::cos(radians)), sine_(std::sin(radians)) {}
+
+  int channels() const override { return 3; }
+  void evaluate(const Points<3>& points, const Samples<3>& samples) const override {
+    directions_->evaluate(points, samples);
+    const std::size_t count = points.size();
+    const std::span<float> values = samples.values;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Vec<3> normal = glm::normalize(points.normals[i]);
+      const Vec<3> given(values[i], values[count + i], values[2 * count + i]);
+      const Vec<3> flat = given - glm::dot(given, normal) * normal;
+      const Vec<3> turned = cosine_ * flat + sine_ * glm::cross(normal, flat);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        values[axis * count + i] = static_cast<float>(turned[static_cast<int>(axis)]);
+    }
+  }
+
+ private:
+  FieldPtr directions_;
+  double cosine_;
+  double sine_;
+};
+
+}  // namespace
+
 SurfaceKernel scaled(const SurfaceKernel& kernel, double ratio) {
   if (ratio == 1.0) return kernel;
   SurfaceKernel result = kernel;
@@ -179,7 +210,13 @@ SurfaceKernel scaled(const SurfaceKernel& kernel, double ratio) {
   return result;
 }
 
-}  // namespace
+SurfaceKernel turned(const SurfaceKernel& kernel, double degrees) {
+  if (degrees == 0.0 || !kernel.fields.direction) return kernel;
+  SurfaceKernel result = kernel;
+  result.fields.direction =
+      std::make_shared<TurnedField>(kernel.fields.direction, degrees * std::numbers::pi / 180.0);
+  return result;
+}
 
 Components components_of(std::span<const Vec<3>> vectors) {
   Components components;
@@ -241,7 +278,8 @@ LayerNoise surface_layer_noise(const SurfaceNoiseRecipe& recipe, const SurfaceKe
     other.seed = derive_seed(recipe.seed, kChannelStream + static_cast<std::uint64_t>(axis));
     return make_surface_field(other, kernel);
   };
-  return {recipe.fractal, [=] { return make_surface_field(recipe, kernel); }, octave, channel};
+  return {recipe.fractal, kernel.frequency, [=] { return make_surface_field(recipe, kernel); },
+          octave,         channel,          kernel.fields.frequency.field};
 }
 
 double impulses_at_point(const SurfaceNoiseRecipe& recipe, const SurfaceKernel& kernel) {

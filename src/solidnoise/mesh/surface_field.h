@@ -50,6 +50,11 @@ std::shared_ptr<const Noise<3>> solid_noise_of(const SurfaceNoiseRecipe& recipe,
 // The same as layers are made of it.
 LayerNoise surface_layer_noise(const SurfaceNoiseRecipe& recipe, const SurfaceKernel& kernel);
 
+// A kernel of `ratio` times the frequency, and one whose direction is turned by so many degrees in the
+// tangent plane, against the clock as seen from outside.
+SurfaceKernel scaled(const SurfaceKernel& kernel, double ratio);
+SurfaceKernel turned(const SurfaceKernel& kernel, double degrees);
+
 // Mean impulses that reach a point, of all octaves together; of noise without impulses 0.
 double impulses_at_point(const SurfaceNoiseRecipe& recipe, const SurfaceKernel& kernel);
 

@@ -76,4 +76,21 @@ Json JsonForm<Layer>::schema() {
   return {{"$ref", "#/$defs/layer"}};
 }
 
+Json JsonForm<NamedLayers>::write(const NamedLayers& layers) {
+  Json json = Json::object();
+  for (const auto& [name, layer] : layers) json[name] = json_of(layer);
+  return json;
+}
+
+void JsonForm<NamedLayers>::read(JsonReader& reader, const std::string& key, NamedLayers& layers) {
+  auto object = reader.object(key);
+  if (!object) return;
+  for (const std::string& name : object->keys()) read_value(*object, name, layers[name]);
+  object->finish();
+}
+
+Json JsonForm<NamedLayers>::schema() {
+  return {{"type", "object"}, {"additionalProperties", schema_of_value<Layer>()}};
+}
+
 }  // namespace solidnoise

@@ -53,4 +53,12 @@ struct JsonForm<Layer> {
   static Json schema();
 };
 
+// Layers by name: {"paint": {"noise": ...}, ...}.
+template <>
+struct JsonForm<NamedLayers> {
+  static Json write(const NamedLayers& layers);
+  static void read(JsonReader& reader, const std::string& key, NamedLayers& layers);
+  static Json schema();
+};
+
 }  // namespace solidnoise

@@ -75,7 +75,7 @@ class VolumeLayers {
   // `own` is the noise of layers that name none.
   FieldPtr make(const std::vector<Layer>& layers, const NoiseRecipe& own) {
     LayerLeaves leaves;
-    leaves.noise = [&](const std::optional<NoiseRecipe>& noise, const Vec<3>& stretch) {
+    leaves.noise = [&](const std::optional<NoiseRecipe>& noise, const Vec<3>& stretch, double) {
       return layer_noise(noise_of_layer(noise, own), [&, stretch](const NoiseRecipe& recipe) {
         VolumeRecipe layer = recipe_;
         layer.noise = recipe;

@@ -80,22 +80,6 @@ struct JsonForm<std::vector<Output>> {
   static Json schema() { return {{"type", "string"}}; }
 };
 
-template <>
-struct JsonForm<NamedLayers> {
-  static Json write(const NamedLayers& layers) {
-    Json json = Json::object();
-    for (const auto& [name, layer] : layers) json[name] = json_of(layer);
-    return json;
-  }
-  static void read(JsonReader& reader, const std::string& key, NamedLayers& layers) {
-    auto object = reader.object(key);
-    if (!object) return;
-    for (const std::string& name : object->keys()) read_value(*object, name, layers[name]);
-    object->finish();
-  }
-  static Json schema() { return {{"type", "object"}, {"additionalProperties", schema_of_value<Layer>()}}; }
-};
-
 namespace {
 
 void require_name(const Json& json, const char* key, const std::string& path, const std::string& name) {
