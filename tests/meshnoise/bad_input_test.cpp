@@ -112,7 +112,10 @@ const Refusal kUsage[] = {
      {"--direction is 0 0 0"}},
     // Words
     {"Noise", 2, {"--out", "x.ply", "--noise", "perlin"}, {"--noise is perlin", "surface, oriented, solid"}},
-    {"Preset", 2, {"--out", "x.ply", "--preset", "mud"}, {"--preset is mud", "rust, scales, bark, stone"}},
+    {"Preset",
+     2,
+     {"--out", "x.ply", "--preset", "mud"},
+     {"--preset is mud", "rust, scales, bark, stone, skin, moss, car-paint"}},
     {"Ramp", 2, {"--out", "x.ply", "--ramp", "mud"}, {"--ramp is \"mud\"", "viridis", "0:#000,1:#fff"}},
     {"RampColor", 2, {"--out", "x.ply", "--ramp", "0:#0g0,1:#fff"}, {"--ramp", "0:#0g0", "#RRGGBB"}},
     {"RampOrder", 2, {"--out", "x.ply", "--ramp", "1:#000,0:#fff"}, {"--ramp"}},

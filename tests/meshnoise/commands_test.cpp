@@ -56,7 +56,7 @@ TEST(Meshnoise, EveryPresetIsListedAndBakes) {
   const TemporaryFolder folder;
   const ToolResult list = run_well(folder, {"--list-presets"});
   EXPECT_EQ(run_well(folder, {"bake", "--list-presets"}).out, list.out);
-  for (const std::string preset : {"rust", "scales", "bark", "stone"}) {
+  for (const std::string preset : {"rust", "scales", "bark", "stone", "skin", "moss", "car-paint"}) {
     EXPECT_TRUE(contains(list.out, preset + " ")) << list.out;
     run_well(folder, {"bake", "in.ply", "--preset", preset, "--out", preset + ".ply"});
     const PolygonMesh baked = read_mesh(folder.file(preset + ".ply")).mesh;

@@ -16,10 +16,11 @@ TEST(MeshnoiseEstimatedMemory, IsWhatABakeTakes) {
   const auto run = [&](const std::vector<std::string>& arguments) {
     return run_meshnoise(arguments, {.folder = folder.path()});
   };
-  for (const std::vector<std::string>& options : {std::vector<std::string>{},
-                                                  {"--refine", "3"},
-                                                  {"--preset", "bark", "--refine", "3"},
-                                                  {"--refine", "auto", "--frequency", "8"}}) {
+  for (const std::vector<std::string>& options :
+       {std::vector<std::string>{"--noise", "surface", "--octaves", "4", "--detail", "0.5..1.8"},
+        {"--refine", "3"},
+        {"--preset", "bark", "--refine", "3"},
+        {"--refine", "auto", "--frequency", "8"}}) {
     std::vector<std::string> command{"bake", "in.ply"};
     command.insert(command.end(), options.begin(), options.end());
     expect_estimate(run, command, {"--force", "--out", "x.ply"});

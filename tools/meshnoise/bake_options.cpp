@@ -115,6 +115,9 @@ void declare_output(FlagSet& flags, BakeOptions& options) {
 void take_example(BakeRecipe& recipe, const std::string& file) {
   const std::uint64_t seed = recipe.noise.seed;
   recipe.noise = {};
+  recipe.layers.clear();
+  recipe.fields.clear();
+  recipe.properties.clear();
   recipe.noise.kind = SurfaceNoiseKind::spectrum;
   recipe.noise.seed = seed;
   ExemplarFile example;
@@ -147,7 +150,7 @@ void declare_noise(FlagSet& flags, BakeRecipe& recipe) {
       "--noise", "KIND",
       "surface: of the tangent plane; oriented: its waves follow a direction; solid: the field that "
       "volumes have; kensler, kensler-solid: gradient noise, projected or solid; FILE.json of noisefit: by "
-      "example (default surface)",
+      "example; without a preset, alone (default surface)",
       [&](const std::string& noise) { choose_noise(recipe, noise); });
   declare_field(flags, recipe, "frequency", [&](const std::optional<ParameterRange>& range) {
     recipe.frequency = range;

@@ -25,7 +25,8 @@ std::string text_of(const std::filesystem::path& path) {
 
 BakeRecipe choose_bake_recipe(const FlagSet& flags) {
   BakeRecipe recipe;
-  load_recipe(flags, "rust", text_of, [&](const Json& json) { recipe = bake_recipe_from_json(json); });
+  const char* const standard = flags.given("--noise") ? "raw" : "rust";
+  load_recipe(flags, standard, text_of, [&](const Json& json) { recipe = bake_recipe_from_json(json); });
   return recipe;
 }
 

@@ -10,7 +10,7 @@
 namespace solidnoise {
 
 // The recipe that the flags start from: that of --recipe, a .json file or a mesh made by meshnoise, or of a
-// preset, rust unless they name one.
+// preset, rust unless they name one, or raw where they name a noise, which then is seen by itself.
 BakeRecipe choose_bake_recipe(const FlagSet& flags);
 
 // A recipe as comments of a mesh file, and back: empty if there is none among them.
