@@ -83,13 +83,16 @@ def of_volume(name: str, recipe: dict, scale: float):
     return material
 
 
-def of_mesh(name: str, colors: str, noise: str):
-    """A Principled BSDF whose colour is a colour attribute, and whose roughness goes a little with the noise."""
+def of_mesh(name: str, colors: str, noise: str, roughness: str | None):
+    """A Principled BSDF whose colour is a colour attribute, and whose roughness is an attribute, or goes a little with the noise."""
     material, nodes, links = _new(name)
     shader = _place(nodes.new("ShaderNodeBsdfPrincipled"), 2)
     links.new(shader.outputs["BSDF"], _place(nodes.new("ShaderNodeOutputMaterial"), 3).inputs["Surface"])
     links.new(_attribute(nodes, colors, 0).outputs["Color"], shader.inputs["Base Color"])
-    rough = _scaled(nodes, links, _attribute(nodes, noise, 1).outputs["Fac"], 0.1, 1, 0.6)
-    rough.node.use_clamp = True
+    if roughness:
+        rough = _attribute(nodes, roughness, 1).outputs["Fac"]
+    else:
+        rough = _scaled(nodes, links, _attribute(nodes, noise, 1).outputs["Fac"], 0.1, 1, 0.6)
+        rough.node.use_clamp = True
     links.new(rough, shader.inputs["Roughness"])
     return material

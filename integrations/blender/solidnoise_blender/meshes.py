@@ -66,9 +66,14 @@ def number(obj, name: str) -> np.ndarray:
 _KINDS = {COLOR: "FLOAT_COLOR", NOISE: "FLOAT", DISPLACEMENT: "FLOAT_VECTOR"}
 
 
-def require_room(mesh) -> None:
+def _properties(baked: dict) -> dict:
+    """Those that the recipe has names for: roughness, height."""
+    return {name: numbers for name, numbers in baked.items() if name not in ("vertices", "faces", "normals", "colors", NOISE)}
+
+
+def require_room(mesh, *numbers: str) -> None:
     """That what is to be written is not there already as something else."""
-    for name, kind in _KINDS.items():
+    for name, kind in {**_KINDS, **dict.fromkeys(numbers, "FLOAT")}.items():
         found = mesh.attributes.get(name)
         if found and (found.data_type, found.domain) != (kind, "POINT"):
             raise Refused(f"{mesh.name} has an attribute {name} of another kind; rename or remove it")
@@ -76,22 +81,24 @@ def require_room(mesh) -> None:
 
 def _set(mesh, name: str, key: str, values: np.ndarray) -> None:
     if name not in mesh.attributes:
-        mesh.attributes.new(name, _KINDS[name], "POINT")
+        mesh.attributes.new(name, _KINDS.get(name, "FLOAT"), "POINT")
     mesh.attributes[name].data.foreach_set(key, values.ravel())
 
 
 def write(obj, baked: dict) -> None:
-    """Colours, in linear light as Blender has them, the noise, and a material that shows both."""
+    """Colours, in linear light as Blender has them, the noise and the recipe's properties, and a material that shows them."""
     mesh = obj.data
-    require_room(mesh)
+    properties = _properties(baked)
+    require_room(mesh, *properties)
     with_alpha = np.ones((len(mesh.vertices), 4), np.float32)
     with_alpha[:, :3] = baked["colors"]
     _set(mesh, COLOR, "color", with_alpha)
-    _set(mesh, NOISE, "value", baked["noise"])
+    for name, numbers in {NOISE: baked["noise"], **properties}.items():
+        _set(mesh, name, "value", numbers)
     mesh.color_attributes.active_color = mesh.color_attributes[COLOR]
     mesh.color_attributes.render_color_index = mesh.color_attributes.active_color_index
     if not obj.active_material or not obj.active_material.get(COLOR):
-        obj.active_material = materials.of_mesh(f"{obj.name} noise", COLOR, NOISE)
+        obj.active_material = materials.of_mesh(f"{obj.name} noise", COLOR, NOISE, "roughness" if "roughness" in properties else None)
         obj.active_material[COLOR] = True
     mesh.update()
 

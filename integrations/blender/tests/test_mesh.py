@@ -28,7 +28,7 @@ def values(mesh, name: str) -> np.ndarray:
     return np.array([getattr(item, key) for item in mesh.attributes[name].data], np.float32)
 
 
-@pytest.mark.parametrize("name", ["rust", "scales", "bark", "stone"])
+@pytest.mark.parametrize("name", ["rust", "scales", "bark", "stone", "skin", "moss", "car-paint"])
 def test_a_bake_is_the_librarys_in_linear_light_and_has_a_material(name: str, torus) -> None:
     assert bpy.ops.object.solidnoise_bake(preset=name) == {"FINISHED"}
     expected = solidnoise.bake(*arrays(torus.data), solidnoise.preset(name), up="z")
@@ -36,7 +36,9 @@ def test_a_bake_is_the_librarys_in_linear_light_and_has_a_material(name: str, to
     np.testing.assert_array_equal(values(torus.data, "noise"), expected["noise"])
     assert torus.data.color_attributes.active_color.name == "solidnoise"
     nodes = torus.active_material.node_tree.nodes
-    assert {node.attribute_name for node in nodes if node.type == "ATTRIBUTE"} == {"solidnoise", "noise"}
+    assert {node.attribute_name for node in nodes if node.type == "ATTRIBUTE"} == {"solidnoise", "roughness"}
+    for number in ("roughness", "height"):
+        np.testing.assert_array_equal(values(torus.data, number), expected[number])
     shader = next(node for node in nodes if node.type == "BSDF_PRINCIPLED")
     assert shader.inputs["Base Color"].is_linked and shader.inputs["Roughness"].is_linked
 
