@@ -59,7 +59,7 @@ def moss():
 def displaced():
     bpy.ops.mesh.primitive_ico_sphere_add(subdivisions=7)
     mesh = bpy.context.object
-    bpy.ops.object.solidnoise_displace(preset="stone", height=0.035, surface_gain=0.45, bake_feature_size=1)
+    bpy.ops.object.solidnoise_displace(preset="stone", height=0.175, surface_gain=0.45, bake_feature_size=1)
     bpy.ops.object.solidnoise_bake(preset="stone", surface_gain=0.45, bake_feature_size=1)
     bpy.ops.object.shade_smooth()
     return mesh

@@ -126,7 +126,8 @@ TEST(Bake, RecipeOfAMeshMakesTheSameBytesAgain) {
   const std::vector<std::vector<std::string>> cases{
       {},
       {"--preset", "scales", "--seed", "18446744073709551615", "--size", "0.5..0.2", "--by", "height"},
-      {"--noise", "oriented", "--follow", "max-curvature", "--octaves", "2", "--detail", "0.5..2", "--gamma", "0.5"},
+      {"--noise", "oriented", "--follow", "max-curvature", "--octaves", "2", "--detail", "0.5..2", "--gamma",
+       "0.5"},
       {"--noise", "kensler", "--frequency", "3.3", "--ramp", "0:#123,0.3:#fed,1:#abcdef", "--contrast",
        "1.3"},
       {"--noise", "kensler-solid", "--detail", "1", "--displace", "0.02", "--refine", "1", "--up", "z"},
