@@ -32,8 +32,7 @@ TEST(SurfaceSmoothing, DiffusesAsTheHeatEquationDoes) {
     smoothing.diffuse(shapes, radius);
     const double factor = std::pow(1.0 + kPi * kPi * radius * radius / 8.0, -2.0);
     // Squares of side h make pi^2 a share of (pi h)^2 / 12 = 1e-3 smaller.
-    for (std::size_t p = 0; p < shapes.size(); ++p)
-      EXPECT_NEAR(shapes[p].mean, factor * before(p), 1e-3);
+    for (std::size_t p = 0; p < shapes.size(); ++p) EXPECT_NEAR(shapes[p].mean, factor * before(p), 1e-3);
   }
 }
 
