@@ -24,7 +24,8 @@ void require_property_name(const std::string& name) {
   const auto fits = [](char c) {
     return c == '_' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
   };
-  if (name.empty() || !std::ranges::all_of(name, fits) || std::ranges::count(kOwn, name) > 0) {
+  if (name.empty() || !std::ranges::all_of(name, fits) ||
+      std::ranges::any_of(kOwn, [&](std::string_view own) { return own == name; })) {
     throw std::invalid_argument(
         fmt::format("properties has {}; a name is letters, digits and underscores, and none of {}",
                     printable(name), fmt::join(kOwn, ", ")));
