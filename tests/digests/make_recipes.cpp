@@ -25,15 +25,8 @@ NoiseRecipe recipe_of(const Json& noise) {
   return noise_recipe_from_json(reader);
 }
 
-std::vector<openvdb::GridBase::Ptr> grids_of(const Volume& volume) {
-  if (volume.file) return volume.file->grids;
-  std::vector<openvdb::GridBase::Ptr> grids;
-  for (const MeasuredGrid& measured : volume.grids) grids.push_back(measured.grid);
-  return grids;
-}
-
 void add(const Volume& volume, Digest& digest) {
-  for (const openvdb::GridBase::Ptr& grid : grids_of(volume)) add_grid(*grid, digest);
+  for (const openvdb::GridBase::ConstPtr& grid : grids_of(volume)) add_grid(*grid, digest);
 }
 
 }  // namespace
@@ -60,8 +53,7 @@ void add_merged_volume(const Json& json, const std::filesystem::path& folder, Di
     const Volume part =
         make_volume(recipe, plan_volume(recipe, {.shard = shard, .shards = kShards}), kCreator);
     files.push_back(folder / ("part" + std::to_string(shard) + ".vdb"));
-    const auto grids = grids_of(part);
-    write_vdb(files.back(), {grids.begin(), grids.end()}, {.existing = Existing::replace});
+    write_vdb(files.back(), grids_of(part), {.existing = Existing::replace});
   }
   add(merge_parts(files, kCreator).volume, digest);
 }
