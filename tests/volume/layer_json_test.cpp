@@ -45,8 +45,9 @@ TEST(LayerJson, RecipesWithoutLayersDoNotNameThem) {
 TEST(LayerJson, MessagesGiveThePathInTheTree) {
   EXPECT_EQ(refusal_of(R"([{}, {"noise": {"type": "gabor", "bandwidth": -1}}])"),
             "layers[1].noise.bandwidth is -1; it must be between 0.05 and 4 (octaves)");
-  EXPECT_EQ(refusal_of(R"([{"layers": [{}, {"fold": "wavy"}]}])"),
-            "layers[0].layers[1].fold is \"wavy\"; it must be one of none, ridged, billow, turbulence, crest");
+  EXPECT_EQ(
+      refusal_of(R"([{"layers": [{}, {"fold": "wavy"}]}])"),
+      "layers[0].layers[1].fold is \"wavy\"; it must be one of none, ridged, billow, turbulence, crest");
   EXPECT_EQ(refusal_of(R"([{"warp": {"noise": {"type": "kensler", "frequency": 0}}}])"),
             "layers[0].warp.noise.frequency is 0; it must be between 1e-12 and 1000000000000 (cycles per "
             "world unit)");
