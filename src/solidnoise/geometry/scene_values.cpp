@@ -1,6 +1,7 @@
 #include "solidnoise/geometry/scene_values.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -79,6 +80,16 @@ FloatBox float_box(const PolygonMesh& mesh) {
     }
   }
   return box;
+}
+
+std::string usd_name(std::string_view name) {
+  std::string result;
+  for (const char c : name) {
+    const auto letter = static_cast<unsigned char>(c);
+    result += std::isalnum(letter) != 0 && letter < 0x80 ? c : '_';
+  }
+  const bool fits = !result.empty() && std::isdigit(static_cast<unsigned char>(result.front())) == 0;
+  return fits ? result : "_" + result;
 }
 
 std::string quoted_text(std::string_view text) {

@@ -35,6 +35,9 @@ FloatBox float_box(const PolygonMesh& mesh);
 // A text between quotation marks, with what JSON and USD escape; ? for what is no ASCII.
 std::string quoted_text(std::string_view text);
 
+// A name as USD's prims and properties have them: letters, digits and _, no digit first.
+std::string usd_name(std::string_view name);
+
 // Throws std::invalid_argument naming the format for a position beyond float32.
 void require_float_positions(const PolygonMesh& mesh, std::string_view format);
 

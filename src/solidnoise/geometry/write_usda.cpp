@@ -1,4 +1,3 @@
-#include <cctype>
 #include <functional>
 #include <ostream>
 #include <set>
@@ -14,16 +13,6 @@
 // Pixar's Universal Scene Description as text: a UsdGeomMesh, or UsdGeomPoints where there are no faces.
 namespace solidnoise {
 namespace {
-
-// A property's name as one of a primvar: letters, digits and _, no digit first.
-std::string primvar_name(const std::string& name) {
-  std::string result;
-  for (const char c : name) {
-    const auto letter = static_cast<unsigned char>(c);
-    result += std::isalnum(letter) != 0 && letter < 0x80 ? c : '_';
-  }
-  return std::isdigit(static_cast<unsigned char>(result.front())) != 0 ? "_" + result : result;
-}
 
 class PrimWriter {
  public:
@@ -96,7 +85,7 @@ void write_primvars(PrimWriter& prim, const PolygonMesh& mesh) {
   }
   std::set<std::string> names{"displayColor", "displayOpacity", "st"};
   for (const VertexProperty* number : plain_numbers(mesh)) {
-    const std::string name = primvar_name(number->name);
+    const std::string name = usd_name(number->name);
     if (!names.insert(name).second) {
       throw std::invalid_argument(
           fmt::format("two properties are primvars:{} in a .usda, one of them {}", name, number->name));

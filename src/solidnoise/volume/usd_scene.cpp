@@ -1,6 +1,5 @@
 #include "solidnoise/volume/usd_scene.h"
 
-#include <cctype>
 #include <functional>
 #include <map>
 #include <set>
@@ -13,17 +12,6 @@
 
 namespace solidnoise {
 namespace {
-
-// A name as one of a prim: letters, digits and _, no digit first.
-std::string prim_name(const std::string& name) {
-  std::string result;
-  for (const char c : name) {
-    const auto letter = static_cast<unsigned char>(c);
-    result += std::isalnum(letter) != 0 && letter < 0x80 ? c : '_';
-  }
-  const bool fits = !result.empty() && std::isdigit(static_cast<unsigned char>(result.front())) == 0;
-  return fits ? result : "_" + result;
-}
 
 std::string class_of(const openvdb::GridBase& grid) {
   switch (grid.getGridClass()) {
@@ -87,7 +75,7 @@ std::string asset_text(const UsdFrame& frame) {
 std::string head_text(const UsdScene& scene) {
   std::string text =
       fmt::format("#usda 1.0\n(\n    defaultPrim = \"{}\"\n    metersPerUnit = 1\n    upAxis = \"{}\"\n",
-                  prim_name(scene.name), scene.up == UpAxis::z ? "Z" : "Y");
+                  usd_name(scene.name), scene.up == UpAxis::z ? "Z" : "Y");
   if (scene.frames.front().frame) {
     text += fmt::format("    startTimeCode = {}\n    endTimeCode = {}\n    timeCodesPerSecond = {}\n",
                         *scene.frames.front().frame, *scene.frames.back().frame, scene.fps);
@@ -97,7 +85,7 @@ std::string head_text(const UsdScene& scene) {
 
 std::string field_text(const UsdField& field, const std::vector<UsdFrame>& frames) {
   const std::string margin(8, ' ');
-  std::string text = fmt::format("\n    def OpenVDBAsset \"{}\"\n    {{\n", prim_name(field.grid));
+  std::string text = fmt::format("\n    def OpenVDBAsset \"{}\"\n    {{\n", usd_name(field.grid));
   text += attribute(margin, "asset filePath", frames, asset_text);
   text += margin + "token fieldName = " + quoted_text(field.grid) + '\n';
   text += margin + "token fieldClass = " + quoted_text(field.field_class) + '\n';
@@ -111,12 +99,12 @@ std::string field_text(const UsdField& field, const std::vector<UsdFrame>& frame
 }  // namespace
 
 std::string UsdScene::text() const {
-  const std::string prim = prim_name(name);
+  const std::string prim = usd_name(name);
   std::string text = head_text(*this) + fmt::format("def Volume \"{}\"\n{{\n", prim);
   text += attribute("    ", "float3[] extent", frames, extent_text);
   std::set<std::string> names;
   for (const UsdField& field : fields) {
-    const std::string field_name = prim_name(field.grid);
+    const std::string field_name = usd_name(field.grid);
     if (!names.insert(field_name).second) {
       throw std::invalid_argument(
           fmt::format("two grids are {} in USD, one of them '{}'", field_name, field.grid));
