@@ -32,10 +32,10 @@ void for_each_cellular_noise(const Check& check) {
   }
 }
 
-// Some 1000 samples across 0, about `per_cell` to a cell.
+// Some hundreds of samples across 0, about `per_cell` to a cell.
 template <int Dim>
 Lattice<Dim> some_lattice(double frequency, double per_cell) {
-  constexpr std::array<int, 4> kCount = {801, 31, 11, 6};
+  constexpr std::array<int, 4> kCount = {801, 25, 8, 4};
   Lattice<Dim> lattice;
   for (int axis = 0; axis < Dim; ++axis) {
     lattice.origin[axis] = 0.0131 * (axis + 1);

@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <vector>
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include "solidnoise/core/numerics.h"
@@ -16,6 +17,7 @@
 #include "support/gabor_noises.h"
 #include "support/independent_values.h"
 #include "support/message_of.h"
+#include "support/spectra.h"
 
 namespace solidnoise {
 namespace {
@@ -157,6 +159,58 @@ TEST(GaussianFilter, IsAConvolutionOfTheSameNoise) {
   // Filters several times as wide as the kernel, which then reaches several cells.
   expect_convolution<1>(4.0, 0.7);
   expect_convolution<2>(4.0, 0.5);
+}
+
+// Of two bands of several waves, each of which the filter leaves another part of.
+TEST(GaussianFilter, OfASpectrumIsAConvolutionOfTheSameNoise) {
+  constexpr int kSide = 128;
+  constexpr double kPeriod = 16.0;
+  SpectrumNoiseOptions options = some_spectrum(2);
+  options.period = Vec<4>(kPeriod, kPeriod, 0.0, 0.0);
+  options.error = 0.01;
+  const Lattice<2> lattice = tile_lattice<2>(kSide, kPeriod);
+  const SpectrumNoise<2> noise(options);
+  for (const double deviation : {0.1, 0.25}) {
+    options.filter = deviation;
+    const SpectrumNoise<2> passed(options);
+    const double b = filter_bandwidth(deviation);
+    // By the closed form; bands are each off by the error.
+    EXPECT_NEAR(std::sqrt(passed.variance()), std::sqrt(noise.spectrum().filtered(b).variance()),
+                2.0 * options.error);
+    for (const Vec<2> f : {Vec<2>(0.3, 0.1), Vec<2>(0.9, 0.3), Vec<2>(0.5, -0.8)}) {
+      const double expected = noise.power_spectrum(f) * std::pow(response(deviation, glm::length(f)), 2);
+      EXPECT_NEAR(passed.power_spectrum(f), expected, 0.02 * expected);
+    }
+    const auto expected = convolved<2>(values_of<2>(noise, lattice), kSide, deviation * kSide / kPeriod);
+    const auto values = values_of<2>(passed, lattice);
+    double squares = 0.0;
+    for (std::size_t i = 0; i < values.size(); ++i) squares += std::pow(values[i] - expected[i], 2);
+    // As of other noises.
+    const double rms = std::sqrt(squares / static_cast<double>(values.size()));
+    EXPECT_LT(rms, 2.0 * options.error) << "deviation " << deviation;
+    EXPECT_GT(std::sqrt(passed.variance()), 4.0 * rms);
+    // At points as on the lattice.
+    std::vector<float> at_points(1);
+    const std::vector<Vec<2>> somewhere{{lattice.coordinate(0, 5), lattice.coordinate(1, 70)}};
+    passed.evaluate(Points<2>{somewhere}, {at_points, {}});
+    EXPECT_NEAR(at_points[0], values[5 * kSide + 70], 1e-5);
+  }
+  options.filter = 20.0;
+  EXPECT_EQ(SpectrumNoise<2>(options).variance(), 0.0);
+}
+
+TEST(GaussianFilter, OfAnIsotropicSpectrumLeavesItsVariance) {
+  SpectrumNoiseOptions options = some_spectrum(3, true);
+  options.filter = 0.2;
+  const SpectrumNoise<3> passed(options);
+  const auto values = values_of<3>(passed, independent_lattice<3>(support_of(options)));
+  expect_within_4_sigma(estimate_mean(values, [](double x) { return x * x; }), passed.variance());
+  EXPECT_NEAR(std::sqrt(passed.variance()),
+              std::sqrt(SpectrumNoise<3>(some_spectrum(3, true))
+                            .spectrum()
+                            .filtered(filter_bandwidth(options.filter))
+                            .variance()),
+              2.0 * options.error);
 }
 
 TEST(GaussianFilter, ValuesAndDerivativesAreThoseOfTheFilteredKernels) {

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "solidnoise/core/special_functions.h"
+#include "solidnoise/noise/convolution/impulse_block.h"
 #include "support/each_dimension.h"
 
 namespace solidnoise {
@@ -328,12 +329,8 @@ TEST(Strata, RepeatAfterTheirPeriodOnly) {
 TEST(Strata, ABlockHasThoseOfItsCells) {
   for_each_dimension([]<int Dim>() {
     const auto process = make_strata<Dim>(2, 6);
-    typename ImpulseBlock<Dim>::Reach large{Index<Dim>(-3), Index<Dim>(3), {}, {}};
-    typename ImpulseBlock<Dim>::Reach small{Index<Dim>(-1), Index<Dim>(0), {}, {}};
-    large.into_last.fill(1.0f);
-    small.into_last.fill(1.0f);
-    const ImpulseBlock<Dim> around(process, large);
-    const ImpulseBlock<Dim> part(process, small);
+    const ImpulseBlock<Dim> around(process, ImpulseReach<Dim>{Index<Dim>(-3), Index<Dim>(3)});
+    const ImpulseBlock<Dim> part(process, ImpulseReach<Dim>{Index<Dim>(-1), Index<Dim>(0)});
     const auto of_cell = [](const ImpulseBlock<Dim>& block, const Index<Dim>& cell) {
       std::vector<std::uint64_t> marks;
       const auto run = block.run(cell, cell[Dim - 1], cell[Dim - 1]);
@@ -354,6 +351,44 @@ TEST(Strata, ABlockHasThoseOfItsCells) {
     }
     EXPECT_EQ(found, part.size());
     EXPECT_GT(found, 0u);
+  });
+}
+
+// Of all impulses those in a ball around a box, and of them the first third of the shares; in the same order.
+TEST(Strata, WhatIsOutOfReachIsLeftOut) {
+  for_each_dimension([]<int Dim>() {
+    const auto process = make_strata<Dim>(3, 11, 9);
+    constexpr double kRadius = 1.7;
+    ImpulseReach<Dim> reach{Index<Dim>(-2), Index<Dim>(3)};
+    reach.lower.fill(2.3f);
+    reach.upper.fill(3.1f);
+    reach.scale.fill(1.0f / kRadius);
+    reach.most_share = kShareMask / 3;
+    std::vector<std::uint64_t> found;
+    process.generate(reach.first - Index<Dim>(1), reach.last, reach,
+                     [&](const Index<Dim>&, const Impulse<Dim>& impulse) { found.push_back(impulse.mark); });
+    std::vector<std::uint64_t> expected;
+    std::size_t near_the_edge = 0;
+    Index<Dim> stratum(-3);
+    do {
+      process.generate(stratum, [&](const Impulse<Dim>& impulse) {
+        double square = 0.0;
+        for (int axis = 0; axis < Dim; ++axis) {
+          const double at = static_cast<double>(stratum[axis]) + 2.0 +
+                            static_cast<double>(impulse.position[axis]) * 0x1.0p-20;
+          square += std::pow(std::max({2.3 - at, at - 3.1, 0.0}) / kRadius, 2);
+        }
+        if ((impulse.mark & kShareMask) > reach.most_share) return;
+        near_the_edge += square > 1.0 && square < 1.004 ? 1 : 0;  // may be kept
+        if (square <= 1.0) expected.push_back(impulse.mark);
+      });
+    } while (next_cell<Dim>(stratum, Index<Dim>(-3), Index<Dim>(3)));
+    EXPECT_GT(expected.size(), 0u);
+    EXPECT_LE(found.size(), expected.size() + near_the_edge);
+    EXPECT_TRUE(std::includes(
+        found.begin(), found.end(), expected.begin(), expected.end(), [&](std::uint64_t a, std::uint64_t b) {
+          return std::find(found.begin(), found.end(), a) < std::find(found.begin(), found.end(), b);
+        }));
   });
 }
 

@@ -105,4 +105,24 @@ inline std::string om_triangle(const std::string& halfedges = kTriangleHalfedges
   return bytes + om_chunk(om_chunk_of(OmChunk::Entity_Sentinel, OmChunk::Type_Pos));
 }
 
+// A square as a .gltf whose bytes are in its text: two of its nodes have it, the first of twice the size and
+// moved by 5 along z; with a material, texture coordinates, an animation and an extension.
+inline std::string gltf_scene() {
+  return R"({"asset":{"version":"2.0","extras":{"comments":["made by hand"]}},"scene":0,"scenes":[{"nodes":[)"
+         R"(0]}],"nodes":[{"name":"root","translation":[0,0,5],"children":[1,2]},{"name":"one","mesh":0,"sca)"
+         R"(le":[2,2,2]},{"name":"again","mesh":0}],"meshes":[{"name":"square","primitives":[{"attributes":{)"
+         R"("POSITION":0,"TEXCOORD_0":1},"indices":2,"material":0}]}],"materials":[{"name":"paint","extensio)"
+         R"(ns":{"KHR_materials_unlit":{}}}],"extensionsUsed":["KHR_materials_unlit"],"animations":[{"channe)"
+         R"(ls":[{"sampler":0,"target":{"node":1,"path":"translation"}}],"samplers":[{"input":3,"output":4}])"
+         R"(}],"accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","min":[0,0,0],"max")"
+         R"(:[1,1,0]},{"bufferView":1,"componentType":5126,"count":4,"type":"VEC2"},{"bufferView":2,"compone)"
+         R"(ntType":5123,"count":6,"type":"SCALAR"},{"bufferView":3,"componentType":5126,"count":2,"type":"S)"
+         R"(CALAR","min":[0],"max":[1]},{"bufferView":4,"componentType":5126,"count":2,"type":"VEC3"}],"buff)"
+         R"(erViews":[{"buffer":0,"byteOffset":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":3)"
+         R"(2},{"buffer":0,"byteOffset":80,"byteLength":12},{"buffer":0,"byteOffset":92,"byteLength":8},{"bu)"
+         R"(ffer":0,"byteOffset":100,"byteLength":24}],"buffers":[{"byteLength":124,"uri":"data:application/)"
+         R"(octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAACAPwAAgD8AAAAAAAAAAAAAgD8AAAAAAAAAAAAAgD8A)"
+         R"(AIA/AACAPwAAgD8AAAAAAAAAAAAAAAAAAAEAAgAAAAIAAwAAAAAAAACAPwAAAAAAAAAAAAAAAAAAAAAAAIA/AAAAAA=="}]})";
+}
+
 }  // namespace solidnoise

@@ -149,6 +149,7 @@ VaryingGaborOptions varying_options(const NoiseRecipe& octave, const KernelField
     varying.impulses_process = options.impulses_process;
     varying.seed = options.seed;
     varying.evolution = options.evolution;
+    varying.filter = options.filter;
   };
   if (const auto* const oriented = std::get_if<OrientedGaborNoiseOptions>(&octave.noise)) {
     copy(*oriented);

@@ -46,20 +46,22 @@ struct CellSpan {
   Index<Dim> first{0};
   Index<Dim> last{0};
 };
+template <int Dim>
+CellSpan<Dim> joined(const CellSpan<Dim>& cells, const CellPoint<Dim>& point) {
+  return {glm::min(cells.first, point.cell), glm::max(cells.last, point.cell)};
+}
 // The smallest that some points lie in; at least one.
 template <int Dim>
 CellSpan<Dim> cells_of(std::span<const CellPoint<Dim>> points) {
   CellSpan<Dim> cells{points.front().cell, points.front().cell};
-  for (const CellPoint<Dim>& point : points) {
-    cells.first = glm::min(cells.first, point.cell);
-    cells.last = glm::max(cells.last, point.cell);
-  }
+  for (const CellPoint<Dim>& point : points) cells = joined(cells, point);
   return cells;
 }
 
 // Overwrites `samples` by sums that a source makes for clusters of points:
 //   const std::array<CellAxis, Dim>& axes() const;
-//   void enter(std::span<const CellPoint<Dim>>);  a group of points whose clusters come next
+//   std::size_t enter(std::span<const CellPoint<Dim>>);  a group of points: how many of the first of them,
+//   one at least, have their clusters next; it is asked again for the others
 //   bool may_share(const CellPoint<Dim>&, const CellPoint<Dim>&) const;  a cluster
 //   const ClusterSums& sum(std::span<const CellPoint<Dim>>);  of a cluster, up to SampleCluster::kSamples
 //   int role(int axis) const;     where the sums have the gradient along an axis
@@ -80,10 +82,12 @@ void sum_by_cell(const Points<Dim>& points, const Samples<Dim>& samples, Source&
   };
   while (!rest.empty()) {
     std::span<const CellPoint<Dim>> group = take(rest, rest.size(), in_one_group<Dim>);
-    source.enter(group);
+    std::size_t entered = 0;
     while (!group.empty()) {
-      const auto cluster = take(group, SampleCluster::kSamples,
+      if (entered == 0) entered = source.enter(group);
+      const auto cluster = take(group, std::min<std::size_t>(SampleCluster::kSamples, entered),
                                 [&](const auto& a, const auto& b) { return source.may_share(a, b); });
+      entered -= cluster.size();
       const ClusterSums& sums = source.sum(cluster);
       for (std::size_t i = 0; i < cluster.size(); ++i) {
         const std::size_t sample = cluster[i].sample;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -37,6 +38,35 @@ struct ImpulseCount {
   bool is_fixed = false;  // the same in every stratum; else Poisson distributed
 };
 
+// Where the impulses are that reach some samples: within a kernel's support around the samples' box. Lengths
+// are in cells.
+template <int Dim>
+struct ImpulseReach {
+  Index<Dim> first{0};  // the cells in which they may be
+  Index<Dim> last{0};
+  std::array<float, Dim> lower{};  // the box, from the first cell's corner
+  std::array<float, Dim> upper{};
+  // To radii of the support, along each axis. 0: however far from the box.
+  std::array<float, Dim> scale{};
+  bool is_ball = true;  // else a box
+  // Shares (share_of(), in 2^-24) that are of interest.
+  std::uint64_t least_share = 0;
+  std::uint64_t most_share = kShareMask;
+
+  double cells() const;  // in double: may be huge
+
+  // What is not farther than this is in reach. The margin is above what rounding may add: an impulse that is
+  // kept in vain adds exactly 0.
+  static constexpr float kMost = 1.002f;
+  // The square of the distance, in radii, by one axis more: that the interval of an axis has from the box,
+  // after `square` of the axes before it. Of a support that is a box the largest.
+  float square(float square, int axis, float from, float to) const {
+    const auto a = static_cast<std::size_t>(axis);
+    const float distance = std::max(std::max(from - upper[a], lower[a] - to), 0.0f) * scale[a];
+    return is_ball ? square + distance * distance : std::max(square, distance * distance);
+  }
+};
+
 // A marked point process in Dim dimensions, cell by cell: strata, which hold a fixed number of impulses each,
 // or a Poisson process. Positions are independent and uniform, and a cell's impulses are a function of its
 // coordinates and the key alone (Lagae et al. 2009, section 4; we use an exact Poisson count and a hash that
@@ -69,38 +99,112 @@ class ImpulseProcess {
   // of the cell of the same coordinates: 0 to span() cells. The strata of a Poisson process are its cells.
   template <typename Sink>
   void generate(const Index<Dim>& stratum, Sink&& sink) const {
-    std::array<std::int32_t, Dim> shift{};
+    std::array<std::int32_t, Dim> shift;
     std::uint64_t hash = key_;  // as hash_cell()
     for (int axis = 0; axis < Dim; ++axis) {
-      if (count_.is_fixed) shift[axis] = static_cast<std::int32_t>(hash >> (64 - CellAxis::kFractionBits));
+      shift[axis] = shift_by(hash);
       hash = hash_coordinate(hash, axes_[axis].wrap(stratum[axis]));
     }
-    RandomStream stream(hash);
-    const int count = count_.is_fixed ? static_cast<int>(count_.mean) : draw_count(stream.next());
-    for (int i = 0; i < count; ++i) {
-      Impulse<Dim> impulse;
-      for (int axis = 0; axis < Dim; axis += 2) {
-        const std::uint64_t pair = stream.next();
-        impulse.position[axis] =
-            shift[axis] + static_cast<std::int32_t>(pair >> (64 - CellAxis::kFractionBits));
-        if (axis + 1 < Dim) {
-          impulse.position[axis + 1] =
-              shift[axis + 1] +
-              static_cast<std::int32_t>((pair & 0xffffffffULL) >> (32 - CellAxis::kFractionBits));
+    const Draws draws(*this, hash);
+    for (int i = 0; i < draws.count; ++i) sink(Impulse<Dim>{draws.position(i, shift), draws.mark(i)});
+  }
+
+  // Calls sink(stratum, impulse) for the impulses in reach of all strata from `first` to `last`, last axis
+  // fastest. Strata that are out of reach where they are shifted to are not looked into.
+  template <typename Sink>
+  void generate(const Index<Dim>& first, const Index<Dim>& last, const ImpulseReach<Dim>& reach,
+                Sink&& sink) const {
+    Index<Dim> stratum;
+    std::array<std::int32_t, Dim> shift;
+    std::array<float, Dim> corner;  // of the stratum's cell, from the first cell's corner
+    const auto look_into = [&](std::uint64_t hash) {
+      const Draws draws(*this, hash);
+      for (int i = 0; i < draws.count; ++i) {
+        const std::uint64_t mark = draws.mark(i);
+        const std::uint64_t share = mark & kShareMask;
+        if (share < reach.least_share || share > reach.most_share) continue;
+        const std::array<std::int32_t, Dim> position = draws.position(i, shift);
+        float square = 0.0f;
+        for (int axis = 0; axis < Dim; ++axis) {
+          const float at = corner[axis] + in_cells(position[axis]);
+          square = reach.square(square, axis, at, at);
+        }
+        if (square <= ImpulseReach<Dim>::kMost) sink(stratum, Impulse<Dim>{position, mark});
+      }
+    };
+    const auto descend = [&]<int kAxis>(const auto& self, std::uint64_t hash, float square) {
+      shift[kAxis] = shift_by(hash);
+      const float into = in_cells(shift[kAxis]);
+      for (stratum[kAxis] = first[kAxis]; stratum[kAxis] <= last[kAxis]; ++stratum[kAxis]) {
+        corner[kAxis] = static_cast<float>(stratum[kAxis] - reach.first[kAxis]);
+        const float from = corner[kAxis] + into;
+        const float beyond = reach.square(square, kAxis, from, from + 1.0f);
+        if (beyond > ImpulseReach<Dim>::kMost) continue;
+        const std::uint64_t next = hash_coordinate(hash, axes_[kAxis].wrap(stratum[kAxis]));
+        if constexpr (kAxis + 1 < Dim) {
+          self.template operator()<kAxis + 1>(self, next, beyond);
+        } else {
+          look_into(next);
         }
       }
-      impulse.mark = stream.next();
-      if (count_.is_fixed) {
-        const std::uint64_t within = impulse.mark & kShareMask;
-        impulse.mark +=
-            ((static_cast<std::uint64_t>(i) << kShareBits) + within) / static_cast<std::uint64_t>(count) -
-            within;
-      }
-      sink(impulse);
-    }
+    };
+    descend.template operator()<0>(descend, key_, 0.0f);
   }
 
  private:
+  static float in_cells(std::int32_t quanta) {
+    return static_cast<float>(quanta) / static_cast<float>(CellAxis::kQuantaPerCell);
+  }
+
+  // How far strata are shifted along an axis, by the hash of their coordinates on the axes before it.
+  std::int32_t shift_by(std::uint64_t hash) const {
+    return count_.is_fixed ? static_cast<std::int32_t>(hash >> (64 - CellAxis::kFractionBits)) : 0;
+  }
+
+  // The random numbers of the stratum with this hash: of a Poisson process the count; then for each impulse
+  // its position, two axes to a number, and its mark.
+  struct Draws {
+    Draws(const ImpulseProcess& process, std::uint64_t hash)
+        : key(hash), count(static_cast<int>(process.count_.mean)), in_parts(process.count_.is_fixed) {
+      if (in_parts) return;
+      count = process.draw_count(RandomStream(key).next());
+      key += kGoldenGamma;
+    }
+
+    std::array<std::int32_t, Dim> position(int i, const std::array<std::int32_t, Dim>& shift) const {
+      constexpr int kShift = 32 - CellAxis::kFractionBits;
+      RandomStream stream = stream_at(i, 0);
+      std::array<std::int32_t, Dim> result;
+      for (int axis = 0; axis < Dim; axis += 2) {
+        const std::uint64_t pair = stream.next();
+        result[axis] = shift[axis] + static_cast<std::int32_t>(pair >> (32 + kShift));
+        if (axis + 1 < Dim) {
+          result[axis + 1] = shift[axis + 1] + static_cast<std::int32_t>((pair & 0xffffffffULL) >> kShift);
+        }
+      }
+      return result;
+    }
+
+    // With the share in the impulse's part.
+    std::uint64_t mark(int i) const {
+      const std::uint64_t mark = stream_at(i, kPairs).next();
+      if (!in_parts || count == 1) return mark;
+      const std::uint64_t within = mark & kShareMask;
+      const std::uint64_t share =
+          ((static_cast<std::uint64_t>(i) << kShareBits) + within) / static_cast<std::uint64_t>(count);
+      return mark - within + share;
+    }
+
+    static constexpr int kPairs = (Dim + 1) / 2;
+    RandomStream stream_at(int i, int number) const {
+      return RandomStream(key + static_cast<std::uint64_t>(i * (kPairs + 1) + number) * kGoldenGamma);
+    }
+
+    std::uint64_t key;
+    int count;
+    bool in_parts;
+  };
+
   // The Poisson count whose cumulative probability first exceeds a uniform 64-bit number.
   int draw_count(std::uint64_t uniform) const;
 
@@ -125,152 +229,5 @@ bool next_cell(Index<Dim>& cell, const Index<Dim>& first, const Index<Dim>& last
   }
   return false;
 }
-
-// The impulses of all cells within reach of a box, sorted by cell (last axis fastest), ready for culling.
-template <int Dim>
-class ImpulseBlock {
- public:
-  static constexpr int kQuanta = 1 << CellAxis::kFractionBits;  // of a cell
-  static constexpr std::int64_t kMaxCellsPerAxis = 1000;        // so that a position fits 32 bits
-
-  // The cells whose impulses may reach some samples, and within them the positions that do.
-  struct Reach {
-    Index<Dim> first{0};  // cells
-    Index<Dim> last{0};
-    std::array<float, Dim> from_first{};  // positions: from this far into the first cell, 0 to 1,
-    std::array<float, Dim> into_last{};   // to this far into the last
-
-    double cells() const;  // in double: may be huge
-  };
-  // `cells`: how far an impulse reaches along each axis, rounded up.
-  static Reach reach_of(const std::array<CellAxis, Dim>& axes, const Box<Dim>& box, const Index<Dim>& cells);
-
-  // Precondition: at most kMaxCellsPerAxis cells along each axis.
-  ImpulseBlock(const ImpulseProcess<Dim>& process, const Reach& reach);
-
-  const Index<Dim>& first_cell() const { return first_; }
-  std::size_t size() const { return marks_.size(); }
-
-  // Position of each impulse relative to the first cell's corner, in 2^-20 of a cell.
-  const std::int32_t* position(int axis) const { return positions_[axis].data(); }
-  const std::vector<std::uint64_t>& marks() const { return marks_; }
-
-  // Impulses of the cells `from` to `to` (inclusive) on the last axis and `cell` on the others:
-  // a contiguous run [begin, end).
-  struct Run {
-    std::uint32_t begin = 0;
-    std::uint32_t end = 0;
-  };
-  Run run(const Index<Dim>& cell, std::int64_t from, std::int64_t to) const {
-    std::size_t row = 0;
-    for (int axis = 0; axis + 1 < Dim; ++axis) {
-      row = row * extent_[axis] + static_cast<std::size_t>(cell[axis] - first_[axis]);
-    }
-    const std::size_t base = row * extent_[Dim - 1];
-    return {starts_[base + static_cast<std::size_t>(from - first_[Dim - 1])],
-            starts_[base + static_cast<std::size_t>(to - first_[Dim - 1]) + 1]};
-  }
-
- private:
-  Index<Dim> first_;
-  std::array<std::size_t, Dim> extent_{};
-  std::array<std::vector<std::int32_t>, Dim> positions_;
-  std::vector<std::uint64_t> marks_;
-  std::vector<std::uint32_t> starts_;  // of each cell's impulses, and the end of the last
-};
-
-extern template class ImpulseBlock<1>;
-extern template class ImpulseBlock<2>;
-extern template class ImpulseBlock<3>;
-extern template class ImpulseBlock<4>;
-
-// The impulses of the cells that were asked for last, so that cells near each other are not made again and
-// again. A cell is a cube of `parts` strata along each axis, and has their impulses.
-template <int Dim>
-class ImpulseCells {
- public:
-  struct Item {
-    std::array<float, Dim> position;  // in cells, from the cell's corner, 0 to span()
-    float weight;                     // 1 or -1, times the factor of its mark
-    float share;                      // uniform on [0, 1)
-  };
-
-  using Factor = std::function<double(std::uint64_t mark)>;  // empty: 1
-
-  explicit ImpulseCells(ImpulseProcess<Dim> process, int parts = 1, Factor factor = {})
-      : process_(std::move(process)),
-        parts_(parts),
-        axis_(parts * process_.axes()[0].size()),
-        factor_(std::move(factor)),
-        slots_(kSlots) {}
-
-  const CellAxis& axis() const { return axis_; }
-  // Cells along an axis that the impulses of a cell may lie in.
-  static float span(const ImpulseProcess<Dim>& process, int parts) {
-    return 1.0f + static_cast<float>(process.span() - 1) / static_cast<float>(parts);
-  }
-
-  // Valid until the next call.
-  std::span<const Item> at(const Index<Dim>& cell) {
-    std::uint64_t hash = 0;
-    for (int axis = 0; axis < Dim; ++axis) {
-      hash = (hash + static_cast<std::uint64_t>(cell[axis])) * 0x9e3779b97f4a7c15ULL;
-    }
-    Slot& slot = slots_[hash >> (64 - kSlotBits)];
-    if (!slot.filled || slot.cell != cell) fill(slot, cell);
-    return std::span(items_).subspan(slot.first, slot.count);
-  }
-
- private:
-  static constexpr int kSlotBits = Dim == 4 ? 15 : 13;
-  static constexpr std::size_t kSlots = std::size_t{1} << kSlotBits;
-  static constexpr std::size_t kMostItems = 32 * kSlots;
-
-  // A cell and its part of the items.
-  struct Slot {
-    Index<Dim> cell{0};
-    std::uint32_t first = 0;
-    std::uint32_t count = 0;
-    bool filled = false;
-  };
-
-  void fill(Slot& slot, const Index<Dim>& cell) {
-    if (items_.size() > kMostItems) {
-      items_.clear();
-      for (Slot& any : slots_) any.filled = false;
-    }
-    slot.cell = cell;
-    slot.filled = true;
-    slot.first = static_cast<std::uint32_t>(items_.size());
-    Index<Dim> part(0);
-    const Index<Dim> first(0);
-    const Index<Dim> last(parts_ - 1);
-    do {
-      process_.generate(cell * std::int64_t{parts_} + part,
-                        [&](const Impulse<Dim>& impulse) { add(impulse, part); });
-    } while (next_cell<Dim>(part, first, last));
-    slot.count = static_cast<std::uint32_t>(items_.size()) - slot.first;
-  }
-
-  void add(const Impulse<Dim>& impulse, const Index<Dim>& part) {
-    Item item;
-    for (int axis = 0; axis < Dim; ++axis) {
-      const auto a = static_cast<std::size_t>(axis);
-      const std::int64_t place = part[axis] * CellAxis::kQuantaPerCell + impulse.position[a];
-      item.position[a] = static_cast<float>(place) / static_cast<float>(parts_ * CellAxis::kQuantaPerCell);
-    }
-    item.weight = impulse.mark >> 63 ? 1.0f : -1.0f;
-    if (factor_) item.weight *= static_cast<float>(factor_(impulse.mark));
-    item.share = static_cast<float>(share_of(impulse.mark));
-    items_.push_back(item);
-  }
-
-  ImpulseProcess<Dim> process_;
-  int parts_;
-  CellAxis axis_;
-  Factor factor_;
-  std::vector<Slot> slots_;
-  std::vector<Item> items_;
-};
 
 }  // namespace solidnoise

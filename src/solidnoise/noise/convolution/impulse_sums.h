@@ -173,14 +173,17 @@ void sum_radial(const RadialSum& sum, const ImpulseList& list, const SampleClust
                 Derivatives derivatives, ClusterSums& sums);
 
 // Sums of oriented kernels: cos(2 pi (w . d + phase)) times one envelope t^3 P(v) per axis, t = 1 - (d /
-// H)^2. Attributes of the list: w along x, y and z in cycles per cell, the phase in cycles, w along t.
+// H)^2. Attributes of the list: w along x, y and z in cycles per cell, the phase in cycles, w along t or, of
+// impulses that have one, which are in no time, a weight.
 struct OrientedSum {
   static constexpr int kMostDegree = 6;  // likewise
   static constexpr int kPhase = 3;       // attributes
+  static constexpr int kWeight = 4;
   static constexpr int wave(Role role) { return role == kT ? kPhase + 1 : role; }
 
   std::array<float, kRoles> scale{};  // cells to half-widths H; 0 for roles that the noise does not have
   RadialPolynomial envelope;
+  bool weighted = false;  // else all impulses weigh 1
 };
 void sum_oriented(const OrientedSum& sum, const ImpulseList& list, const SampleBrick& brick,
                   Derivatives derivatives, BrickSums& sums);

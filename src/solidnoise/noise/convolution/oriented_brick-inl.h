@@ -134,7 +134,7 @@ HWY_INLINE void ForEachRow(const OrientedSum& sum, const ImpulseList& list, std:
       AxisFactor<V> along{{hn::Set(d, 1.0f), zero}, {zero, zero}};
       if (sum.scale[role] != 0.0f) {
         along = FactorAlongAxis<kDerivatives>(d, envelope, hn::Sub(hn::Set(d, coordinates[sample]), position),
-                                              wave, zero, sum.scale[role]);
+                                              wave, zero, hn::Set(d, 1.0f), sum.scale[role]);
       }
       store(along, sample, k);
     }
@@ -160,9 +160,12 @@ HWY_INLINE void MakeLines(const OrientedSum& sum, const ImpulseList& list, std::
     const auto position = of_impulses(list.position(kZ) + from + k);
     const auto wave = of_impulses(list.attribute(OrientedSum::wave(kZ)) + from + k);
     const auto phase = of_impulses(list.attribute(OrientedSum::kPhase) + from + k);
+    const auto weight =
+        sum.weighted ? of_impulses(list.attribute(OrientedSum::kWeight) + from + k) : hn::Set(d, 1.0f);
     for (int piece = 0; piece < SampleBrick::kSide; piece += PlaneVector::lanes()) {
       const auto offset = hn::Sub(PlaneVector::repeat(coordinates, piece), position);
-      const auto along = FactorAlongAxis<kDerivatives>(d, envelope, offset, wave, phase, sum.scale[kZ]);
+      const auto along =
+          FactorAlongAxis<kDerivatives>(d, envelope, offset, wave, phase, weight, sum.scale[kZ]);
       PlaneVector::store(along.value.re, factors.z.re + k, piece);
       PlaneVector::store(along.value.im, factors.z.im + k, piece);
       if constexpr (kDerivatives == Derivatives::gradient) {

@@ -43,13 +43,14 @@ struct AxisFactor {
   Complex<V> derivative;
 };
 
-// `offset` from the impulse in cells, `wave` in cycles per cell, `phase` in cycles.
+// `offset` from the impulse in cells, `wave` in cycles per cell, `phase` in cycles; `weight` is a factor of
+// it.
 template <Derivatives kDerivatives, class D, class Envelope, class V = hn::Vec<D>>
-HWY_INLINE AxisFactor<V> FactorAlongAxis(D d, const Envelope& envelope, V offset, V wave, V phase,
+HWY_INLINE AxisFactor<V> FactorAlongAxis(D d, const Envelope& envelope, V offset, V wave, V phase, V weight,
                                          float scale) {
   const V scaled = hn::Mul(offset, hn::Set(d, scale));
   const V t = PositivePart(d, hn::NegMulAdd(scaled, scaled, hn::Set(d, 1.0f)));
-  const RadialTerm<kDerivatives, D, Envelope> term(d, envelope, t, hn::Set(d, 1.0f));
+  const RadialTerm<kDerivatives, D, Envelope> term(d, envelope, t, weight);
   const V amplitude = term.value();
   V cosine, sine;
   CosineSine(d, hn::MulAdd(offset, wave, phase), cosine, sine);

@@ -68,9 +68,11 @@ class OrientedTerms {
     const V offset =
         hn::Sub(hn::Load(d, cluster_.coordinate[role] + lane_), hn::Set(d, list_.position(role)[i]));
     const V phase = role == kZ ? hn::Set(d, list_.attribute(OrientedSum::kPhase)[i]) : zero;
+    const bool weighs = role == kZ && sum_.weighted;
+    const V weight = hn::Set(d, weighs ? list_.attribute(OrientedSum::kWeight)[i] : 1.0f);
     return FactorAlongAxis<kDerivatives>(d, envelope_, offset,
                                          hn::Set(d, list_.attribute(OrientedSum::wave(role))[i]), phase,
-                                         sum_.scale[role]);
+                                         weight, sum_.scale[role]);
   }
 
   const OrientedSum& sum_;

@@ -98,28 +98,32 @@ class SparseConvolution<Dim>::PointSource {
 
   const std::array<CellAxis, Dim>& axes() const { return noise_.process_.axes(); }
 
-  void enter(std::span<const CellPoint<Dim>> group) {
-    const CellSpan<Dim> cells = cells_of(group);
-    typename ImpulseBlock<Dim>::Reach reach{cells.first - noise_.reach_, cells.last + noise_.reach_, {}, {}};
-    reach.into_last.fill(1.0f);
-    source_.emplace(noise_.process_, *noise_.kernel_, reach);
+  // The points of a group, as long as they have more impulses by themselves than together.
+  std::size_t enter(std::span<const CellPoint<Dim>> group) {
+    const double single = cells_around(cells_of(group.first(1)));
+    std::size_t count = group.size();
+    if (cells_around(cells_of(group)) > single * static_cast<double>(count)) {
+      CellSpan<Dim> cells = cells_of(group.first(1));
+      for (count = 1; count < group.size(); ++count) {
+        const CellSpan<Dim> both = joined(cells, group[count]);
+        if (cells_around(both) > cells_around(cells) + single) break;
+        cells = both;
+      }
+    }
+    source_.emplace(noise_.process_, *noise_.kernel_, noise_.reach_of(neighborhood_of(group.first(count))));
+    return count;
   }
 
   bool may_share(const CellPoint<Dim>&, const CellPoint<Dim>&) const { return true; }
 
   const ClusterSums& sum(std::span<const CellPoint<Dim>> points) {
-    const CellSpan<Dim> cells = cells_of(points);
-    Neighborhood neighborhood{cells.first, cells.last, {}, {}};
+    const Neighborhood neighborhood = neighborhood_of(points);
     cluster_.count = static_cast<int>(points.size());
     for (int axis = 0; axis < Dim; ++axis) {
       float* const coordinates = cluster_.coordinate[role(axis)];
       for (std::size_t i = 0; i < SampleCluster::kSamples; ++i) {
-        const CellPoint<Dim>& point = points[std::min(i, points.size() - 1)];
-        coordinates[i] = from_anchor({point.cell[axis], point.fraction[axis]}, cells.first[axis]);
+        coordinates[i] = coordinate(points[std::min(i, points.size() - 1)], axis, neighborhood);
       }
-      const auto [lower, upper] = std::minmax_element(coordinates, coordinates + cluster_.count);
-      neighborhood.lower[role(axis)] = *lower;
-      neighborhood.upper[role(axis)] = *upper;
     }
     noise_.gather(*source_, neighborhood, list_);
     noise_.kernel_->sum(list_, cluster_, derivatives_, sums_);
@@ -131,6 +135,33 @@ class SparseConvolution<Dim>::PointSource {
   float slope(int axis) const { return noise_.slope_[axis]; }
 
  private:
+  static float coordinate(const CellPoint<Dim>& point, int axis, const Neighborhood& neighborhood) {
+    const float fraction = point.fraction[static_cast<std::size_t>(axis)];
+    return from_anchor({point.cell[axis], fraction}, neighborhood.first[axis]);
+  }
+
+  static Neighborhood neighborhood_of(std::span<const CellPoint<Dim>> points) {
+    const CellSpan<Dim> cells = cells_of(points);
+    Neighborhood neighborhood{cells.first, cells.last, {}, {}};
+    for (int axis = 0; axis < Dim; ++axis) {
+      const Role role = role_of_axis<Dim>(axis);
+      neighborhood.lower[role] = neighborhood.upper[role] = coordinate(points.front(), axis, neighborhood);
+      for (const CellPoint<Dim>& point : points) {
+        neighborhood.include(role, coordinate(point, axis, neighborhood));
+      }
+    }
+    return neighborhood;
+  }
+
+  // Cells that impulses may lie in that reach points of some cells.
+  double cells_around(const CellSpan<Dim>& cells) const {
+    double product = 1.0;
+    for (int axis = 0; axis < Dim; ++axis) {
+      product *= static_cast<double>(cells.last[axis] - cells.first[axis] + 2 * noise_.reach_[axis] + 1);
+    }
+    return product;
+  }
+
   const SparseConvolution& noise_;
   Derivatives derivatives_;
   std::optional<Source> source_;

@@ -34,6 +34,9 @@ class ImpulseKernel {
                    ClusterSums& sums) const = 0;
 };
 
+// Blocks that more impulses, or cells, can reach make them brick by brick, to bound memory.
+inline constexpr double kMostImpulsesInBlock = 1 << 19;
+
 // Sparse convolution: the sum of a kernel over the impulses of a process, times an amplitude. Makes
 // the impulses once per block, culls them per brick of up to 8^3 samples, and leaves the sums to the kernel.
 template <int Dim>
@@ -57,6 +60,7 @@ class SparseConvolution {
   struct Neighborhood;
   class PointSource;
 
+  ImpulseReach<Dim> reach_of(const Neighborhood& neighborhood) const;
   void gather(const Source& source, const Neighborhood& neighborhood, ImpulseList& list) const;
 
   ImpulseProcess<Dim> process_;

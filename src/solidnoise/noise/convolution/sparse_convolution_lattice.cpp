@@ -9,9 +9,6 @@
 namespace solidnoise {
 namespace {
 
-// Blocks with more cells than this make their impulses brick by brick, to bound memory.
-constexpr double kMaxCellsInBlock = 1 << 18;
-
 // One axis of a lattice, located in the cells.
 class LocatedAxis {
  public:
@@ -54,8 +51,18 @@ template <int Dim>
 class SparseConvolution<Dim>::Block final : public FieldBlock<Dim> {
  public:
   Block(const SparseConvolution& noise, const Box<Dim>& box) : noise_(noise) {
-    const auto reach = ImpulseBlock<Dim>::reach_of(noise_.process_.axes(), box, noise_.reach_);
-    bool fits = reach.cells() <= kMaxCellsInBlock;
+    Neighborhood neighborhood;
+    for (int axis = 0; axis < Dim; ++axis) {
+      const Role role = role_of_axis<Dim>(axis);
+      const CellPosition lower = noise_.process_.axes()[axis].locate(box.lower[axis]);
+      const CellPosition upper = noise_.process_.axes()[axis].locate(box.upper[axis]);
+      neighborhood.first[axis] = lower.cell;
+      neighborhood.last[axis] = upper.cell;
+      neighborhood.lower[role] = from_anchor(lower, lower.cell);
+      neighborhood.upper[role] = from_anchor(upper, lower.cell);
+    }
+    const ImpulseReach<Dim> reach = noise_.reach_of(neighborhood);
+    bool fits = reach.cells() * std::max(noise_.process_.mean_per_cell(), 1.0) <= kMostImpulsesInBlock;
     for (int axis = 0; axis < Dim; ++axis) {
       fits = fits && reach.last[axis] - reach.first[axis] < ImpulseBlock<Dim>::kMaxCellsPerAxis;
     }
@@ -103,12 +110,7 @@ class SparseConvolution<Dim>::Block final : public FieldBlock<Dim> {
     }
 
     std::optional<Source> local;
-    if (!source_) {
-      typename ImpulseBlock<Dim>::Reach reach{
-          neighborhood.first - noise_.reach_, neighborhood.last + noise_.reach_, {}, {}};
-      reach.into_last.fill(1.0f);
-      local.emplace(noise_.process_, *noise_.kernel_, reach);
-    }
+    if (!source_) local.emplace(noise_.process_, *noise_.kernel_, noise_.reach_of(neighborhood));
     noise_.gather(source_ ? *source_ : *local, neighborhood, list_);
 
     BrickSums sums;

@@ -38,16 +38,20 @@ constexpr auto fields_of_impulses() {
                            "Impulses are spread evenly, so that fewer look Gaussian, or as in the papers"));
 }
 
+template <typename Options>
+constexpr auto fields_of_filter() {
+  return field("filter", &Options::filter, between(0.0, 1e9), "world units; 0 for none",
+               "Standard deviation of a Gaussian that the noise is convolved with")
+      .without_flag();
+}
+
 // What both kinds of Gabor noise have.
 template <typename Options>
 constexpr auto fields_of_band() {
   return list_fields(fields_of_frequency<Options>(),
                      field("bandwidth", &Options::bandwidth, between(0.05, 4.0), "octaves",
                            "Width of the band at half amplitude"),
-                     fields_of_impulses<Options>(), part(&Options::evolution),
-                     field("filter", &Options::filter, between(0.0, 1e9), "world units; 0 for none",
-                           "Standard deviation of a Gaussian that the noise is convolved with")
-                         .without_flag());
+                     fields_of_impulses<Options>(), part(&Options::evolution), fields_of_filter<Options>());
 }
 
 // Lengths in world units, frequencies in cycles per world unit, the density in impulses per world unit^Dim,
@@ -154,7 +158,7 @@ constexpr auto fields_of(std::type_identity<SpectrumNoiseOptions>) {
       field("channel", &Options::channel, at_least(0.0), "of the model", "Channel of the exemplar's model")
           .without_flag(),
       fields_of_frequency<Options>(), fields_of_impulses<Options>(), part(&Options::evolution),
-      fields_of_place<Options>());
+      fields_of_filter<Options>(), fields_of_place<Options>());
 }
 
 // A noise by example, whose model is a file of its own.
@@ -180,12 +184,13 @@ struct NoiseEntry<SpectrumNoiseOptions> {
     of_kernel("frequency", options.frequency);
     of_kernel("relative_error", options.error);
     of_noise("impulses_per_kernel", noise.impulses_per_kernel());
+    of_noise("filter", options.filter);
   }
 
   // The covariance: all of its kernels at once.
   template <int>
   static KernelSlice slice(const SpectrumNoiseOptions& options) {
-    const GaborSpectrum spectrum = options.spectrum();
+    const GaborSpectrum spectrum = options.filtered_spectrum();
     double widest = spectrum.bands.front().a;
     for (const SpectrumBand& band : spectrum.bands) widest = std::min(widest, band.a);
     return {1.0 / widest, [spectrum, variance = spectrum.variance()](double x, double y) {

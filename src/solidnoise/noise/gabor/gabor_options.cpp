@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "solidnoise/noise/gabor/gabor_entries.h"
+#include "solidnoise/noise/kernel/gabor_parameters.h"
 
 namespace solidnoise {
 
@@ -15,8 +16,7 @@ template <typename Options>
 void validate_common(const Options& options) {
   require_fields(options);
   require_impulses(options.impulses);
-  constexpr double kLeastFilter = 1e-12;  // world units
-  if (options.filter > 0.0) require_at_least("filter", options.filter, kLeastFilter, "world units");
+  require_filter(options.filter);
   options.evolution.validate();
 }
 

@@ -94,6 +94,22 @@ GaborSpectrum GaborSpectrum::scaled(double factor) const {
   return result;
 }
 
+GaborSpectrum GaborSpectrum::filtered(double b) const {
+  GaborSpectrum result = *this;
+  for (SpectrumBand& band : result.bands) {
+    const double sum = band.a * band.a + b * b;
+    const double narrower = b * b / sum;  // squared
+    for (SpectrumComponent& component : band.components) {
+      const double square = glm::dot(component.frequency, component.frequency);
+      component.variance *=
+          std::pow(narrower, 0.5 * dimensions) * std::exp(-2.0 * std::numbers::pi * square / sum);
+      component.frequency *= narrower;
+    }
+    band.a *= std::sqrt(narrower);
+  }
+  return result;
+}
+
 void GaborSpectrum::validate() const {
   if (dimensions != 2 && dimensions != 3) refuse("dimensions", dimensions, "2 or 3");
   for (std::size_t b = 0; b < bands.size(); ++b) {

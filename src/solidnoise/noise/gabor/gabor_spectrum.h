@@ -48,6 +48,10 @@ struct GaborSpectrum {
   // The spectrum in other units, in which all frequencies are multiplied by `factor` > 0.
   GaborSpectrum scaled(double factor) const;
 
+  // The spectrum after a filter of the frequency response exp(-pi f^2 / b^2), b > 0: each Gaussian times
+  // that squared is a Gaussian again.
+  GaborSpectrum filtered(double b) const;
+
   // Throws std::invalid_argument that names the path of what is wrong, such as
   // bands[2].components[7].variance: dimensions, a <= 0, variances that are negative or not finite, a total
   // of 0, a group that does not exist.

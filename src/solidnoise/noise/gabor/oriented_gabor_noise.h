@@ -26,10 +26,12 @@ template <int Dim>
 struct ImpulseWave {
   Vec<Dim> frequency{0.0};  // cycles per world unit
   double phase = 0.0;       // cycles, in [0, 1)
+  double weight = 1.0;
 };
 
 // Oriented kernels with waves of their own for sparse convolution. `Draw` makes the ImpulseWave<Dim> of an
-// impulse from its mark: the wave is drawn(mark).
+// impulse from its mark: the wave is drawn(mark). Weights count where the sum is weighted, in 3 dimensions at
+// most.
 template <int Dim, typename Draw>
 class WaveKernel final : public ImpulseKernel {
  public:
@@ -38,6 +40,7 @@ class WaveKernel final : public ImpulseKernel {
 
   CullBox::Support support() const override { return CullBox::Support::box; }
   int attribute_count() const override {
+    if (sum_.weighted) return 1 + OrientedSum::kWeight;
     return 1 + (Dim == 4 ? OrientedSum::wave(kT) : OrientedSum::kPhase);
   }
 
@@ -49,6 +52,7 @@ class WaveKernel final : public ImpulseKernel {
             static_cast<float>(wave.frequency[axis] * axes_[axis].size());
       }
       attributes[OrientedSum::kPhase][i] = static_cast<float>(wave.phase);
+      if (sum_.weighted) attributes[OrientedSum::kWeight][i] = static_cast<float>(wave.weight);
     }
   }
 

@@ -18,8 +18,10 @@
 #include "solidnoise/noise/gabor/gabor_entries.h"
 #include "solidnoise/noise/gabor/oriented_gabor_noise.h"
 #include "solidnoise/noise/gabor/spectrum_bands.h"
+#include "solidnoise/noise/gabor/wave_filter.h"
 #include "solidnoise/noise/kernel/compact_gradient.h"
 #include "solidnoise/noise/kernel/gabor_kernel.h"
+#include "solidnoise/noise/kernel/gabor_parameters.h"
 #include "solidnoise/noise/kernel/impulse_statistics.h"
 
 namespace solidnoise {
@@ -29,8 +31,9 @@ namespace {
 template <int Dim>
 class SpectrumWaveDraw {
  public:
-  SpectrumWaveDraw(const SpectrumBand& band, bool isotropic, const Evolution& evolution)
-      : frequencies_(band, isotropic) {
+  SpectrumWaveDraw(const SpectrumBand& band, bool isotropic, const Evolution& evolution,
+                   const WaveFilter& filter)
+      : frequencies_(band, isotropic), filter_(filter) {
     if (evolution.moves()) turns_.emplace(evolution);
   }
 
@@ -38,35 +41,72 @@ class SpectrumWaveDraw {
     RandomStream stream(mark);
     double phase = stream.next_unit();
     if (turns_) phase += turns_->at(mark);
-    return {frequencies_(share_of(mark), stream), phase - std::floor(phase)};
+    const Vec<Dim> wave = frequencies_(share_of(mark), stream);
+    return {filter_.narrower * wave, phase - std::floor(phase), filter_.weight(glm::dot(wave, wave))};
   }
 
  private:
   ComponentDraw<Dim> frequencies_;
+  WaveFilter filter_;
   std::optional<ImpulseTurns> turns_;
 };
 
-// One band, as a noise of the band's variance; its spectrum has that band alone.
+template <int Dim>
+CompactKernel envelope_of(const SpectrumBand& band, const SpectrumNoiseOptions& options, double error) {
+  return options.bounds_gradient ? compact_with_gradient(band.a, rms_frequency(band), Dim, error)
+                                 : compact_envelope(band.a, Dim, error);
+}
+
+GaborSpectrum with_variance(GaborSpectrum spectrum, double variance) {
+  const double factor = variance / spectrum.variance();
+  for (SpectrumBand& band : spectrum.bands) {
+    for (SpectrumComponent& component : band.components) component.variance *= factor;
+  }
+  return spectrum;
+}
+
+// One band, as a noise of the band's variance, or of what the filter leaves of it; its spectrum has that band
+// alone.
 template <int Dim>
 class BandNoise final : public Noise<Dim> {
  public:
   BandNoise(const GaborSpectrum& spectrum, const CompactKernel& envelope, const ImpulseLayout<Dim>& layout,
             const SpectrumNoiseOptions& options, std::uint64_t seed)
       : spectrum_(spectrum), envelope_(envelope), variance_(spectrum.variance()), density_(layout.density) {
-    KernelMoments moments = wave_moments(envelope, Dim);
-    if (layout.count.is_fixed) moments.overlap = wave_averages(envelope, Dim).overlap(layout.side());
-    excess_kurtosis_ = noise_excess_kurtosis(density_, moments);
-    const double amplitude = std::sqrt(variance_ / noise_variance(density_, moments.second));
-    const double reach = envelope.radius();
+    // Impulses, what they draw and the amplitude are those of the noise before it is filtered.
+    const SpectrumBand band = spectrum.bands.front();
+    double amplitude = std::sqrt(variance_ / noise_variance(density_, wave_moments(envelope, Dim).second));
+    WaveFilter filter;
+    WeightMoments weights;
+    if (options.filter > 0.0) {
+      const double b = filter_bandwidth(options.filter);
+      spectrum_ = spectrum.filtered(b);
+      const FilteredShare share{std::sqrt(spectrum_.variance() / variance_),
+                                band.a / spectrum_.bands.front().a};
+      variance_ = 0.0;
+      if (share.nothing(options.error)) return;
+      filter = WaveFilter(band, b);
+      weights = filter.moments(band, [](double) { return 1.0; });
+      envelope_ = envelope_of<Dim>(spectrum_.bands.front(), options, share.error(options.error));
+      amplitude *= filter.amplitude(Dim);
+      variance_ =
+          amplitude * amplitude * noise_variance(density_, wave_moments(envelope_, Dim).second, weights);
+      spectrum_ = with_variance(std::move(spectrum_), variance_);
+    }
+    KernelMoments moments = wave_moments(envelope_, Dim);
+    if (layout.count.is_fixed) moments.overlap = wave_averages(envelope_, Dim).overlap(layout.side());
+    excess_kurtosis_ = noise_excess_kurtosis(density_, moments, weights);
+    const double reach = envelope_.radius();
     auto kernel = std::make_shared<WaveKernel<Dim, SpectrumWaveDraw<Dim>>>(
         OrientedSum{support_scale<Dim>(layout.in_cells(reach)),
-                    to_single_precision(envelope, OrientedSum::kMostDegree)},
-        SpectrumWaveDraw<Dim>(spectrum_.bands.front(), spectrum_.isotropic, options.evolution), layout.axes);
+                    to_single_precision(envelope_, OrientedSum::kMostDegree), options.filter > 0.0},
+        SpectrumWaveDraw<Dim>(band, spectrum_.isotropic, options.evolution, filter), layout.axes);
     convolution_ = std::make_unique<SparseConvolution<Dim>>(
         ImpulseProcess<Dim>(layout.axes, layout.count, derive_seed(seed, kImpulseStream)), kernel,
         layout.in_cells(reach), amplitude);
   }
 
+  // Of a band of which something is left.
   using Noise<Dim>::evaluate;
   std::unique_ptr<FieldBlock<Dim>> block(const Box<Dim>& box) const override {
     return convolution_->block(box);
@@ -74,6 +114,7 @@ class BandNoise final : public Noise<Dim> {
   void evaluate(const Points<Dim>& points, const Samples<Dim>& samples) const override {
     convolution_->evaluate(points, samples);
   }
+  const GaborSpectrum& spectrum() const { return spectrum_; }
   double variance() const override { return variance_; }
   double excess_kurtosis() const override { return excess_kurtosis_; }
 
@@ -123,11 +164,11 @@ class BandNoise final : public Noise<Dim> {
   }
 
  private:
-  GaborSpectrum spectrum_;  // of this band alone
+  GaborSpectrum spectrum_;  // of this band alone, filtered
   CompactKernel envelope_;  // of one axis
   double variance_;
   double density_;
-  double excess_kurtosis_;
+  double excess_kurtosis_ = 0.0;
   std::unique_ptr<const SparseConvolution<Dim>> convolution_;
 };
 
@@ -143,42 +184,51 @@ GaborSpectrum SpectrumNoiseOptions::spectrum() const {
   return model.channels[static_cast<std::size_t>(channel)].scaled(frequency / model.principal_frequency());
 }
 
+GaborSpectrum SpectrumNoiseOptions::filtered_spectrum() const {
+  const GaborSpectrum unfiltered = spectrum();
+  if (filter == 0.0) return unfiltered;
+  const GaborSpectrum left = unfiltered.filtered(filter_bandwidth(filter));
+  return left.variance() > 0.0 ? left : unfiltered;
+}
+
 void SpectrumNoiseOptions::validate() const {
   model.validate();
   require_in_range("channel", channel, 0, static_cast<double>(model.channels.size() - 1), "of the model");
   require_fields(*this);
   require_impulses(impulses);
+  require_filter(filter);
   evolution.validate();
 }
 
 template <int Dim>
 SpectrumNoise<Dim>::SpectrumNoise(const SpectrumNoiseOptions& options) {
   options.validate();
-  spectrum_ = of_unit_variance(options.spectrum());
+  const GaborSpectrum unfiltered = of_unit_variance(options.spectrum());
+  spectrum_ = unfiltered;
   if (spectrum_.dimensions != Dim) {
     throw std::invalid_argument(
         fmt::format("the spectrum is of {} dimensions; it must be of {}", spectrum_.dimensions, Dim));
   }
-  std::vector<CompactKernel> envelopes;
   std::vector<BandShare> shares;
-  for (const SpectrumBand& band : spectrum_.bands) {
-    envelopes.push_back(options.bounds_gradient
-                            ? compact_with_gradient(band.a, rms_frequency(band), Dim, options.error)
-                            : compact_envelope(band.a, Dim, options.error));
+  for (const SpectrumBand& band : unfiltered.bands) {
     const StrataChoice choice = strata_choice(RandomPhaseGaborKernel<Dim>(1.0, band.a, Vec<Dim>(0.0)));
     shares.push_back({variance_of(band), impulses_in_ball(Dim, 1.0, choice.radius), choice});
   }
   const ImpulseBudget budget = share_impulses(shares, options.impulses, options.impulses_process);
   impulses_ = budget.impulses;
   least_density_ = HUGE_VAL;
+  spectrum_.bands.clear();
   std::vector<typename FractalNoise<Dim>::Octave> bands;
   for (std::size_t b = 0; b < shares.size(); ++b) {
+    const CompactKernel envelope = envelope_of<Dim>(unfiltered.bands[b], options, options.error);
     const auto layout = make_layout<Dim>(shares[b].choice, budget.densities[b], options.impulses_process,
-                                         envelopes[b].radius(), options.period);
+                                         envelope.radius(), options.period);
+    auto band = std::make_unique<BandNoise<Dim>>(band_of(unfiltered, b), envelope, layout, options,
+                                                 derive_seed(options.seed, kBandStream + b));
     least_density_ = std::min(least_density_, layout.density);
-    bands.push_back({std::make_unique<BandNoise<Dim>>(band_of(spectrum_, b), envelopes[b], layout, options,
-                                                      derive_seed(options.seed, kBandStream + b)),
-                     1.0});
+    if (band->variance() == 0.0) continue;  // nothing passes the filter
+    spectrum_.bands.push_back(band->spectrum().bands.front());
+    bands.push_back({std::move(band), 1.0});
   }
   bands_ = std::make_unique<FractalNoise<Dim>>(std::move(bands));
 }

@@ -23,9 +23,12 @@ struct SpectrumNoiseOptions {
   std::uint64_t seed = 0;
   Vec<4> period{0.0};     // world units per axis; 0: none; else at least 2 radii of the largest kernel
   Evolution evolution{};  // how it changes with time; by default it does not
+  double filter = 0.0;    // standard deviation of a Gaussian that it is convolved with, world units; 0: none
 
-  // The channel's spectrum, frequencies in cycles per world unit. Precondition: valid options.
+  // The channel's spectrum, unfiltered, frequencies in cycles per world unit. Precondition: valid options.
   GaborSpectrum spectrum() const;
+  // What the filter leaves of it; if that is nothing, all of it.
+  GaborSpectrum filtered_spectrum() const;
 
   // Throws std::invalid_argument naming the field, its value and what is allowed.
   void validate() const;
@@ -42,6 +45,11 @@ struct SpectrumNoiseOptions {
 // kernel has the same amplitude, but for weak bands, see ImpulseBudget. Unlike the paper, impulses
 // are in strata (GaborNoise), the Gaussians are compact (as in OrientedGaborNoise), and cells are hashed
 // without a period.
+//
+// With options.filter it is that noise convolved with a Gaussian, as GaborNoise is: the same impulses, each
+// with the weight that the filter leaves of its frequency (GaborSpectrum::filtered), bands being off by at
+// most options.error of the standard deviation that they had, and left out where less than that is left of
+// them.
 template <int Dim>
 class SpectrumNoise final : public Noise<Dim> {
  public:
@@ -49,8 +57,9 @@ class SpectrumNoise final : public Noise<Dim> {
   // half-widths of the largest kernel.
   explicit SpectrumNoise(const SpectrumNoiseOptions& options);
 
-  const GaborSpectrum& spectrum() const { return spectrum_; }  // of unit variance, cycles per world unit
-  double impulses_per_kernel() const { return impulses_; }     // N, mean
+  // Of unit variance, or what the filter leaves of that; cycles per world unit.
+  const GaborSpectrum& spectrum() const { return spectrum_; }
+  double impulses_per_kernel() const { return impulses_; }  // N, mean
   // Of the band that has the fewest, per world unit^Dim.
   double least_impulse_density() const { return least_density_; }
 
@@ -59,7 +68,7 @@ class SpectrumNoise final : public Noise<Dim> {
   void evaluate(const Points<Dim>& points, const Samples<Dim>& samples) const override {
     bands_->evaluate(points, samples);
   }
-  double variance() const override { return 1.0; }
+  double variance() const override { return bands_->variance(); }
   Vec<Dim> gradient_variance() const override { return bands_->gradient_variance(); }
   // Of the kernels before they were made compact; the two differ by less than options.error of the total.
   double power_spectrum(const Vec<Dim>& frequency) const override;

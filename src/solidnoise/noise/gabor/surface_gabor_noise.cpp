@@ -24,6 +24,7 @@ void SurfaceGaborOptions::validate() const {
   for (int axis = 0; axis < 3; ++axis) require("direction", direction[axis], kDirections);
   if (direction == Vec<3>(0.0)) throw std::invalid_argument("direction is 0; it must have a length");
   evolution.validate();
+  require_in_range("filter", filter, 0.0, 1e9, "world units");
 }
 
 namespace {
@@ -49,6 +50,8 @@ SurfaceGaborNoise::SurfaceGaborNoise(const SurfaceGaborOptions& options)
       family_(std::make_shared<KernelFamily>(2, options.waves, options.bandwidth, options.error)),
       kernel_(family_->at(options.bandwidth)),
       compact_(family_->compact(kernel_)) {
+  if (options.filter > 0.0)
+    filtered_ = family_->filtered(options.frequency, options.bandwidth, options.filter);
   const double r = radius();
   const double nominal = family_->nominal_share() * r;
   StrataChoice choice = surface_choice(options, options.layer * nominal);
@@ -115,11 +118,16 @@ void SurfaceGaborNoise::evaluate(const SurfacePoints& points, const VaryingParam
       point.amplitude = picked.magnitude(i, 1.0) / std::sqrt(power * point.kernel.energy);
       const Vec<3> normal = glm::normalize(Vec<3>(normals[0][i], normals[1][i], normals[2][i]));
       for (int axis = 0; axis < 3; ++axis) point.normal[static_cast<std::size_t>(axis)] = normal[axis];
-      if (options_.waves == GaborWaves::isotropic) continue;
-      const Vec<3> tangent = unit_tangent(picked.direction(i, options_.direction), normal);
-      for (int axis = 0; axis < 3; ++axis) {
-        point.wave[static_cast<std::size_t>(axis)] = frequency * tangent[axis];
+      if (options_.waves == GaborWaves::oriented) {
+        const Vec<3> tangent = unit_tangent(picked.direction(i, options_.direction), normal);
+        for (int axis = 0; axis < 3; ++axis) {
+          point.wave[static_cast<std::size_t>(axis)] = frequency * tangent[axis];
+        }
       }
+      if (!filtered_) continue;
+      const double bandwidth = picked.bandwidth(i, options_.bandwidth);
+      filter_kernel(point, varies ? family_->filtered(frequency, bandwidth, options_.filter) : *filtered_,
+                    frequency);
     }
   };
   convolution.evaluate(points.positions, prepare, samples);
@@ -127,6 +135,7 @@ void SurfaceGaborNoise::evaluate(const SurfacePoints& points, const VaryingParam
 
 double SurfaceGaborNoise::power_spectrum(const Vec<2>& f) const {
   const double r = radius();
+  const double response = std::exp(-2.0 * std::pow(std::numbers::pi * options_.filter * glm::length(f), 2));
   const auto transform = [&](const Vec<2>& at) { return compact_.spectrum(r * glm::length(at)); };
   double spectrum = 0.0;
   if (options_.waves == GaborWaves::isotropic) {
@@ -135,7 +144,7 @@ double SurfaceGaborNoise::power_spectrum(const Vec<2>& f) const {
     const Vec<2> wave(options_.frequency, 0.0);
     spectrum = 0.5 * (transform(f - wave) + transform(f + wave));
   }
-  return r * r * spectrum * spectrum / kernel_.energy;
+  return std::pow(r * response * spectrum, 2) / kernel_.energy;
 }
 
 Noise<2>::Band SurfaceGaborNoise::band() const {

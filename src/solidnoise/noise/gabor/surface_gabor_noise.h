@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "solidnoise/core/field.h"
 #include "solidnoise/core/vec.h"
@@ -31,6 +32,8 @@ struct SurfaceGaborOptions {
   ScaleTransition transition = ScaleTransition::fade;  // where the frequency or bandwidth varies
   std::uint64_t seed = 0;
   Evolution evolution{};  // how it changes with time; by default it does not
+  double filter = 0.0;  // standard deviation of a Gaussian that it is convolved with along the surface, world
+                        // units; 0: none
 
   // Throws std::invalid_argument naming the field, its value and what is allowed.
   void validate() const;
@@ -56,6 +59,9 @@ struct SurfaceGaborOptions {
 // Where the curvature is strong a pattern is stretched or compressed by up to H times the curvature; keep H
 // (options.layer times radius()) below 0.3 radii of curvature. A sheet thinner than H has related patterns on
 // both sides.
+//
+// With options().filter it is that noise convolved with a Gaussian along the plane, as GaborNoise is in
+// space: the same impulses with the filtered kernel of each point.
 //
 // The gradient is a vector along the surface, with normal and parameters of the point held fixed: on a plane
 // the analytic derivative of the value, as far as the parameters are the same all around. Where the surface
@@ -84,9 +90,10 @@ class SurfaceGaborNoise {
   void evaluate(const SurfacePoints& points, const VaryingParameters<3>& parameters,
                 const Samples<3>& samples) const;
 
-  double variance() const { return 1.0; }
+  // 1, or of the options' kernel what the filter leaves.
+  double variance() const { return filtered_ ? filtered_->variance : 1.0; }
   // Spectral density on a plane, of the options' kernel: the integral over the plane's frequencies f (cycles
-  // per world unit) is 1. For oriented waves the first axis of the plane is along the direction.
+  // per world unit) is variance(). For oriented waves the first axis of the plane is along the direction.
   double power_spectrum(const Vec<2>& f) const;
   // E[value^4] / E[value^2]^2 - 3, of the options' kernel.
   double excess_kurtosis() const { return excess_kurtosis_; }
@@ -100,8 +107,9 @@ class SurfaceGaborNoise {
  private:
   SurfaceGaborOptions options_;
   std::shared_ptr<const KernelFamily> family_;
-  KernelFamily::Member kernel_;  // of the options
-  CompactKernel compact_;        // the same, on the unit ball
+  KernelFamily::Member kernel_;                     // of the options, without a filter
+  std::optional<KernelFamily::Filtered> filtered_;  // with one
+  CompactKernel compact_;                           // the same, on the unit ball
   double impulses_ = 0.0;
   double excess_kurtosis_ = 0.0;
   double varying_excess_kurtosis_ = 0.0;

@@ -16,7 +16,9 @@
 #include "solidnoise/noise/convolution/impulse_process.h"
 #include "solidnoise/noise/convolution/kernel_cells.h"
 #include "solidnoise/noise/gabor/spectrum_bands.h"
+#include "solidnoise/noise/gabor/wave_filter.h"
 #include "solidnoise/noise/kernel/compact_kernel.h"
+#include "solidnoise/noise/kernel/gabor_parameters.h"
 #include "solidnoise/noise/point/point_convolution.h"
 #include "solidnoise/noise/point/surface_sum.h"
 
@@ -31,16 +33,26 @@ KernelMoments layer_moments(const CompactKernel& envelope, double half_thickness
           0.375 * envelope.fourth_moment() * half_thickness * layer_window_moment(4)};
 }
 
+// The energy of envelope^2 cos^2 over that of envelope^2 / 2, of a band of Gaussian parameter a, by |w|^2.
+struct WaveEnergy {
+  double sharpness;
+
+  explicit WaveEnergy(double a) : sharpness(2.0 * std::numbers::pi / (a * a)) {}
+  double operator()(double square) const { return 1.0 + std::exp(-sharpness * square); }
+};
+
 }  // namespace
 
 // The kernels of one band, and the grid of their impulses.
 class SurfaceSpectrumNoise::Band {
  public:
-  // `half_thickness` of the layer, world units.
-  Band(const SpectrumBand& band, bool isotropic, const CompactKernel& envelope, double half_thickness,
-       double amplitude, const ImpulseLayout<3>& layout, const Evolution& evolution, std::uint64_t seed)
+  // Of the band before it is filtered, with the envelope after; `half_thickness` of the layer, world units.
+  Band(const SpectrumBand& band, bool isotropic, const WaveFilter& filter, const CompactKernel& envelope,
+       double half_thickness, double amplitude, const ImpulseLayout<3>& layout, const Evolution& evolution,
+       std::uint64_t seed)
       : frequencies_(band, isotropic),
-        sharpness_(2.0 * std::numbers::pi / (band.a * band.a)),
+        filter_(filter),
+        energy_(band.a),
         axis_(layout.axes[0]),
         radius_(static_cast<float>(envelope.radius() / axis_.size())),
         layer_(half_thickness / envelope.radius()),
@@ -56,8 +68,10 @@ class SurfaceSpectrumNoise::Band {
   int span() const { return process_.span(); }
 
   // Appends the impulses of a stratum relative to the anchor.
-  void append(const Index<3>& anchor, const Index<3>& cell, ImpulseList& impulses) const {
-    process_.generate(anchor + cell, [&](const Impulse<3>& impulse) {
+  void append(const Index<3>& anchor, const Index<3>& cell, const ImpulseReach<3>& reach,
+              ImpulseList& impulses) const {
+    const Index<3> stratum = anchor + cell;
+    process_.generate(stratum, stratum, reach, [&](const Index<3>&, const Impulse<3>& impulse) {
       const std::size_t end = impulses.size();
       impulses.reserve(end + 1);
       for (int axis = 0; axis < 3; ++axis) {
@@ -70,11 +84,11 @@ class SurfaceSpectrumNoise::Band {
       double weight = stream.next() >> 63 ? 1.0 : -1.0;
       if (turning_) weight *= (*turning_)(impulse.mark);
       const Vec<2> wave = frequencies_(share_of(impulse.mark), stream);
-      // The energy of envelope^2 cos^2 over that of envelope^2 / 2.
-      const double energy = 1.0 + std::exp(-sharpness_ * glm::dot(wave, wave));
-      impulses.attribute(kWaveX)[end] = static_cast<float>(wave.x * axis_.size());
-      impulses.attribute(kWaveY)[end] = static_cast<float>(wave.y * axis_.size());
-      impulses.attribute(kWaveWeight)[end] = static_cast<float>(weight * amplitude_ / std::sqrt(energy));
+      const double square = glm::dot(wave, wave);
+      weight *= filter_.weight(square) * amplitude_ / std::sqrt(energy_(square));
+      impulses.attribute(kWaveX)[end] = static_cast<float>(filter_.narrower * wave.x * axis_.size());
+      impulses.attribute(kWaveY)[end] = static_cast<float>(filter_.narrower * wave.y * axis_.size());
+      impulses.attribute(kWaveWeight)[end] = static_cast<float>(weight);
       impulses.set_size(end + 1);
     });
   }
@@ -85,8 +99,9 @@ class SurfaceSpectrumNoise::Band {
 
  private:
   ComponentDraw<2> frequencies_;
+  WaveFilter filter_;
   std::optional<TurningFactor> turning_;
-  double sharpness_;
+  WaveEnergy energy_;
   CellAxis axis_;
   float radius_;
   double layer_;
@@ -104,7 +119,7 @@ SurfaceSpectrumNoise::SurfaceSpectrumNoise(const SpectrumNoiseOptions& options, 
     throw std::invalid_argument(
         fmt::format("the spectrum is of {} dimensions; it must be of 2", spectrum_.dimensions));
   }
-  const WeightMoments weights = options.evolution.moves() ? turning({}) : WeightMoments{};
+  const WeightMoments turns = options.evolution.moves() ? turning({}) : WeightMoments{};
   std::vector<BandShare> shares;
   for (const SpectrumBand& band : spectrum_.bands) {
     const RandomPhaseGaborKernel<2> kernel(1.0, band.a, Vec<2>(0.0));
@@ -114,19 +129,52 @@ SurfaceSpectrumNoise::SurfaceSpectrumNoise(const SpectrumNoiseOptions& options, 
   }
   const ImpulseBudget budget = share_impulses(shares, options.impulses, options.impulses_process);
   impulses_ = budget.impulses;
+  // Impulses, what they draw and the amplitude are those of the noise before it is filtered.
+  const GaborSpectrum unfiltered = spectrum_;
+  spectrum_.bands.clear();
   for (std::size_t b = 0; b < shares.size(); ++b) {
     const auto& [variance, support, choice] = shares[b];
+    const SpectrumBand& band = unfiltered.bands[b];
     const double half_thickness = layer * choice.radius;
-    const CompactKernel envelope = compact_gaussian(spectrum_.bands[b].a, 2, options.error);
+    CompactKernel envelope = compact_gaussian(band.a, 2, options.error);
     KernelMoments moments = layer_moments(envelope, half_thickness);
     const auto layout =
         make_layout<3>(choice, budget.densities[b], options.impulses_process, envelope.radius(), Vec<4>(0.0));
+    double amplitude = std::sqrt(variance / noise_variance(layout.density, moments.second));
+    WaveFilter filter;
+    WeightMoments weights = turns;
+    spectrum_.bands.push_back(band);
+    if (options.filter > 0.0) {
+      const double width = filter_bandwidth(options.filter);
+      GaborSpectrum one = unfiltered;
+      one.bands = {band};
+      const SpectrumBand left = one.filtered(width).bands.front();
+      const FilteredShare share{std::sqrt(variance_of(left) / variance), band.a / left.a};
+      spectrum_.bands.pop_back();
+      if (share.nothing(options.error)) continue;
+      filter = WaveFilter(band, width);
+      const WaveEnergy before(band.a);
+      const WaveEnergy after(left.a);
+      const WeightMoments passed = filter.moments(band, [&](double square) {
+        return after(filter.narrower * filter.narrower * square) / before(square);
+      });
+      weights = {weights.second * passed.second, weights.fourth * passed.fourth};
+      envelope = compact_gaussian(left.a, 2, share.error(options.error));
+      moments = layer_moments(envelope, half_thickness);
+      amplitude *= filter.amplitude(2);
+      spectrum_.bands.push_back(left);
+    }
     if (layout.count.is_fixed) moments.overlap = choice.averages->overlap(layout.side());
-    excess_kurtosis_ += variance * variance * noise_excess_kurtosis(layout.density, moments, weights);
-    const double amplitude = std::sqrt(variance / noise_variance(layout.density, moments.second));
-    bands_.emplace_back(spectrum_.bands[b], spectrum_.isotropic, envelope, half_thickness, amplitude, layout,
+    const double left = amplitude * amplitude * noise_variance(layout.density, moments.second, weights);
+    const double scale = left / variance_of(spectrum_.bands.back());
+    for (SpectrumComponent& component : spectrum_.bands.back().components) component.variance *= scale;
+    variance_ += left;
+    excess_kurtosis_ += left * left * noise_excess_kurtosis(layout.density, moments, weights);
+    bands_.emplace_back(band, unfiltered.isotropic, filter, envelope, half_thickness, amplitude, layout,
                         options.evolution, derive_seed(options.seed, kBandStream + b));
   }
+  if (bands_.empty()) spectrum_ = unfiltered;
+  if (variance_ > 0.0) excess_kurtosis_ /= variance_ * variance_;
 }
 
 SurfaceSpectrumNoise::~SurfaceSpectrumNoise() = default;

@@ -22,6 +22,9 @@ namespace solidnoise {
 // fixed phase does to its energy; the spectrum of components within their own width of frequency 0 is a
 // little narrower than the model's.
 //
+// With options.filter it is that noise convolved with a Gaussian along the plane: the same impulses, as
+// SpectrumNoise is in space.
+//
 // Bands of long waves have thick layers, `layer` radii of their kernels: where the surface curves more than
 // that, they are distorted, see SurfaceGaborNoise. A value depends on the point's position, normal and
 // tangent only. Immutable; may be shared between threads.
@@ -33,9 +36,12 @@ class SurfaceSpectrumNoise {
   ~SurfaceSpectrumNoise();
   SurfaceSpectrumNoise(SurfaceSpectrumNoise&&) noexcept;
 
-  const GaborSpectrum& spectrum() const { return spectrum_; }  // of unit variance, cycles per world unit
+  // Of unit variance, or what the filter leaves of that; if that is nothing, all of it. Cycles per world
+  // unit.
+  const GaborSpectrum& spectrum() const { return spectrum_; }
+  double variance() const { return variance_; }
   double impulses_per_kernel() const { return impulses_; }     // N, mean
-  double excess_kurtosis() const { return excess_kurtosis_; }  // at most
+  double excess_kurtosis() const { return excess_kurtosis_; }  // at most, without a filter
 
   // One sample per point; the gradient is as that of SurfaceGaborNoise. `tangent` of any length but 0, laid
   // into the tangent plane; either sign. Throws std::invalid_argument as SurfacePoints::validate does, and
@@ -49,6 +55,7 @@ class SurfaceSpectrumNoise {
   class Band;
 
   GaborSpectrum spectrum_;
+  double variance_ = 0.0;
   double impulses_ = 0.0;
   double excess_kurtosis_ = 0.0;
   std::vector<Band> bands_;

@@ -22,6 +22,7 @@ void VaryingGaborOptions::validate() const {
   require_impulses(impulses);
   for (int axis = 0; axis < 4; ++axis) require("direction", direction[axis], kDirections);
   evolution.validate();
+  require_in_range("filter", filter, 0.0, 1e9, "world units");
 }
 
 namespace {
@@ -65,6 +66,8 @@ VaryingGaborNoise<Dim>::VaryingGaborNoise(const VaryingGaborOptions& options)
       family_(std::make_shared<KernelFamily>(Dim, options.waves, options.bandwidth, options.error)),
       kernel_(family_->at(options.bandwidth)),
       compact_(family_->compact(kernel_)) {
+  if (options.filter > 0.0)
+    filtered_ = family_->filtered(options.frequency, options.bandwidth, options.filter);
   const double r = radius(options.frequency, options.bandwidth);
   StrataChoice choice = varying_choice<Dim>(options);
   if (options.evolution.moves()) choice.weights = turning({});
@@ -124,11 +127,16 @@ void VaryingGaborNoise<Dim>::evaluate(const Points<Dim>& points, const VaryingPa
       const double extent = varies ? point.radius / point.scale : point.radius;
       const double power = convolution.power() * std::pow(extent, Dim);
       point.amplitude = picked.magnitude(i, 1.0) / std::sqrt(power * point.kernel.energy);
-      if (options_.waves == GaborWaves::isotropic) continue;
-      const Vec<Dim> direction = unit_direction<Dim>(picked.direction(i, constant_direction));
-      for (int axis = 0; axis < Dim; ++axis) {
-        point.wave[static_cast<std::size_t>(axis)] = frequency * direction[axis];
+      if (options_.waves == GaborWaves::oriented) {
+        const Vec<Dim> direction = unit_direction<Dim>(picked.direction(i, constant_direction));
+        for (int axis = 0; axis < Dim; ++axis) {
+          point.wave[static_cast<std::size_t>(axis)] = frequency * direction[axis];
+        }
       }
+      if (!filtered_) continue;
+      const double bandwidth = picked.bandwidth(i, options_.bandwidth);
+      filter_kernel(point, varies ? family_->filtered(frequency, bandwidth, options_.filter) : *filtered_,
+                    frequency);
     }
   };
   convolution.evaluate(points, prepare, samples);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "solidnoise/core/field.h"
 #include "solidnoise/core/points.h"
@@ -28,6 +29,7 @@ struct VaryingGaborOptions {
   ScaleTransition transition = ScaleTransition::fade;  // where the frequency or bandwidth varies
   std::uint64_t seed = 0;
   Evolution evolution{};  // how it changes with time; by default it does not
+  double filter = 0.0;    // standard deviation of a Gaussian that it is convolved with, world units; 0: none
 
   // Throws std::invalid_argument naming the field, its value and what is allowed.
   void validate() const;
@@ -47,6 +49,9 @@ struct VaryingGaborOptions {
 // follows from a relative error in place of a fraction of the envelope; the transitions of scale are ours
 // (ScaleTransition), the paper's remain for comparison; oriented kernels have phase 0, so that a direction
 // needs no sign.
+//
+// With options().filter it is that noise convolved with a Gaussian, as GaborNoise is: the same impulses with
+// the filtered kernel of each point.
 //
 // The gradient is the analytic one of the sum with the parameters of the point held fixed: exact where they
 // are the same all around, and otherwise without what their own change brings, which is small where they vary
@@ -73,7 +78,7 @@ class VaryingGaborNoise {
                 const Samples<Dim>& samples) const;
 
   // Of the noise with the parameters of the options: two-sided power spectral density at a frequency (cycles
-  // per world unit), its integral is 1; and E[value^4] / E[value^2]^2 - 3.
+  // per world unit), its integral is 1 without a filter; and E[value^4] / E[value^2]^2 - 3.
   double power_spectrum(const Vec<Dim>& frequency) const;
   double excess_kurtosis() const { return excess_kurtosis_; }
   // The impulses where neither frequency nor bandwidth vary: for whoever sums them in another way.
@@ -84,8 +89,9 @@ class VaryingGaborNoise {
  private:
   VaryingGaborOptions options_;
   std::shared_ptr<const KernelFamily> family_;
-  KernelFamily::Member kernel_;  // of the options
-  CompactKernel compact_;        // the same, on the unit ball
+  KernelFamily::Member kernel_;                     // of the options, without a filter
+  std::optional<KernelFamily::Filtered> filtered_;  // with one
+  CompactKernel compact_;                           // the same, on the unit ball
   double impulses_ = 0.0;
   double excess_kurtosis_ = 0.0;
   double scale_in_radii_ = 1.0;  // that impulses of the hierarchy follow

@@ -91,7 +91,10 @@ class PointSource {
   }
 
   const std::array<CellAxis, Dim>& axes() const { return field_.axes(); }
-  void enter(std::span<const CellPoint<Dim>>) { known_ = false; }
+  std::size_t enter(std::span<const CellPoint<Dim>> group) {
+    known_ = false;
+    return group.size();
+  }
   bool may_share(const CellPoint<Dim>& a, const CellPoint<Dim>& b) const { return a.cell == b.cell; }
 
   const ClusterSums& sum(std::span<const CellPoint<Dim>> points) {

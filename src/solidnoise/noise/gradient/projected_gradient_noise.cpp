@@ -64,7 +64,8 @@ class LatticePoints {
   double layer() const { return 1.0 / radius_; }
   int span() const { return 1; }
 
-  void append(const Index<3>& anchor, const Index<3>& cell, ImpulseList& points) const {
+  void append(const Index<3>& anchor, const Index<3>& cell, const ImpulseReach<3>&,
+              ImpulseList& points) const {
     const auto& gradient = gradients_[lattice_.gradient_index(anchor + cell)];
     const std::size_t end = points.size();
     points.reserve(end + 1);

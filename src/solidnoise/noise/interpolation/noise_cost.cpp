@@ -5,6 +5,8 @@
 #include <numbers>
 #include <vector>
 
+#include "solidnoise/noise/convolution/sparse_convolution.h"
+
 namespace solidnoise {
 namespace {
 
@@ -40,9 +42,10 @@ Cost cost_on_lattice(const Noise<3>& noise, const LatticeFrame<3>& frame, const 
     double block = density_of(waves);
     for (int axis = 0; axis < 3; ++axis) block *= frame.step[axis] * work.side + 2.0 * waves.radius;
     const double blocks = work.samples / std::pow(work.side, 3);
+    const double held = block > kMostImpulsesInBlock ? 0.0 : block;  // denser ones are made brick by brick
     const double sample = waves.impulses > 0.0 ? kSumsInPractice * plans[part].nanoseconds * kNanosecond
                                                : kSecondsPerGradientSample;
-    cost += {work.samples * sample + blocks * block * kSecondsPerImpulseMade, block * kBytesPerImpulse};
+    cost += {work.samples * sample + blocks * block * kSecondsPerImpulseMade, held * kBytesPerImpulse};
   });
   return cost;
 }

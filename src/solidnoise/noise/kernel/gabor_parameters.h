@@ -5,6 +5,7 @@
 #include <numbers>
 #include <vector>
 
+#include "solidnoise/core/check.h"
 #include "solidnoise/noise/noise.h"
 
 namespace solidnoise {
@@ -56,6 +57,12 @@ typename Noise<Dim>::Band radial_band(const Density& density, double frequency, 
 // b of the response, cycles per world unit; deviation > 0.
 inline double filter_bandwidth(double deviation) {
   return 1.0 / (std::sqrt(2.0 * std::numbers::pi) * deviation);
+}
+
+// Throws std::invalid_argument where b would not be finite; 0 is no filter.
+inline void require_filter(double deviation) {
+  constexpr double kLeastFilter = 1e-12;
+  if (deviation > 0.0) require_at_least("filter", deviation, kLeastFilter, "world units");
 }
 
 // What a filter leaves of a kernel.

@@ -175,6 +175,35 @@ KernelFamily::Member KernelFamily::at(double bandwidth) const {
   return member;
 }
 
+// With s = a^2 + b^2 the filtered kernel has a' = a b / sqrt(s), F' = F b^2 / s, whatever its waves, and the
+// peak (a' / a)^n exp(-pi F^2 / s). In n dimensions its energy is, by C(x) = mean_exponential_scaled(n, x),
+//   peak^2 a'^-n (1 + exp(-2 pi F'^2 / a'^2))  of one wave,  peak^2 a'^-n C(pi F'^2 / a'^2)  of all
+//   directions,
+// times what is the same before and after.
+KernelFamily::Filtered KernelFamily::filtered(double frequency, double bandwidth, double deviation) const {
+  const double a = gaussian_parameter(frequency, bandwidth);
+  const double b = filter_bandwidth(deviation);
+  const double sum = a * a + b * b;
+  const double after = a * b / std::sqrt(sum);
+  Filtered result{at(bandwidth), frequency * b * b / sum, a / after, 0.0, 0.0};
+  const double peak = std::pow(after / a, dimensions_) * std::exp(-kPi * frequency * frequency / sum);
+  const auto waves = [&](double f, double width) {
+    const double x = kPi * (f / width) * (f / width);
+    return waves_ == GaborWaves::oriented ? 1.0 + std::exp(-2.0 * x)
+                                          : mean_exponential_scaled(dimensions_, x);
+  };
+  result.variance = peak * peak * std::pow(result.widening, dimensions_) * waves(result.frequency, after) /
+                    waves(frequency, a);
+  constexpr double kWidest = 4.0;  // of impulses around a tile of points no more are looked at
+  const FilteredShare share{std::sqrt(result.variance), result.widening};
+  if (share.nothing(0.1 * error_) || result.widening > kWidest) {
+    return {at(bandwidth), frequency, 1.0, 0.0, 0.0};
+  }
+  result.peak = peak;
+  result.kernel = at(std::min(bandwidth_in_octaves(result.frequency, after), kMostBandwidth));
+  return result;
+}
+
 CompactKernel KernelFamily::compact(const Member& member) const {
   const auto lower = member.lower->kernel.chebyshev_coefficients();
   const auto upper = member.upper->kernel.chebyshev_coefficients();

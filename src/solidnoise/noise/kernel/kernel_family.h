@@ -69,6 +69,19 @@ class KernelFamily {
   // Precondition: bandwidth from kLeastBandwidth to kMostBandwidth.
   Member at(double bandwidth) const;
 
+  // What a filter (gaussian_filter.h) of a standard deviation in world units, > 0, makes of a kernel: one of
+  // `widening` times its radius, `frequency` in the place of its own, and `peak` times as high; a peak of 0
+  // where nothing is left of it (FilteredShare). Beyond a bandwidth of kMostBandwidth, where it is a Gaussian
+  // but for the error, its wave is that of kMostBandwidth.
+  struct Filtered {
+    Member kernel;
+    double frequency = 0.0;
+    double widening = 1.0;
+    double peak = 1.0;
+    double variance = 1.0;  // of the noise, that of the unfiltered noise being 1
+  };
+  Filtered filtered(double frequency, double bandwidth, double deviation) const;
+
   // For an oriented kernel, its envelope.
   CompactKernel compact(const Member& member) const;
   // Integrals of k^2 and k^4 over the unit ball.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <memory>
+#include <optional>
 #include <vector>
 
 #include "solidnoise/core/points.h"
@@ -108,7 +108,7 @@ class PointConvolution<Dim>::Evaluation {
   // A grid and the points of the batch that use it (and with ScaleTransition::fade the next coarser one too),
   // those whose polynomials are in powers apart from the others.
   struct Level {
-    std::unique_ptr<ImpulseCells<Dim>> cells;
+    std::optional<ImpulseCells<Dim>> cells;
     std::array<std::vector<Located>, 2> points;
   };
 
@@ -132,7 +132,7 @@ class PointConvolution<Dim>::Evaluation {
         level_ = &level;
         const double size = level.cells->axis().size();
         const double coarser = 2.0 * size / noise_.settings_.parts;  // strata
-        coarse_cells_ = extent_.fade ? this->level(l + 1, coarser).cells.get() : nullptr;
+        coarse_cells_ = extent_.fade ? &*this->level(l + 1, coarser).cells : nullptr;
         power_ = power;
         tiles_.add(points, size, sums.samples());
         points.clear();
@@ -144,8 +144,7 @@ class PointConvolution<Dim>::Evaluation {
   Level& level(int l, double size) {
     Level& found = levels_[l];
     if (!found.cells) {
-      found.cells = std::make_unique<ImpulseCells<Dim>>(noise_.grid(l, size), noise_.settings_.parts,
-                                                        noise_.settings_.factor);
+      found.cells.emplace(noise_.grid(l, size), noise_.settings_.parts, noise_.settings_.factor);
     }
     return found;
   }
@@ -179,6 +178,7 @@ class PointConvolution<Dim>::Evaluation {
       located.fraction[a] = position.fraction;
     }
     located.radius = static_cast<float>(prepared_[point].radius / size);
+    located.height = located.radius * extent_.layer * static_cast<float>(prepared_[point].flatness);
     located.density =
         static_cast<float>(std::pow(noise_.settings_.parts * prepared_[point].scale / size, Dim));
     located.weight = static_cast<float>(weight * prepared_[point].amplitude);
@@ -191,21 +191,27 @@ class PointConvolution<Dim>::Evaluation {
 
   // The impulses that the points of a tile need, from one grid or, with ScaleTransition::fade, from two: cell
   // by cell in lexicographic order, the finer grid first. Positions and turns in cells of the finer grid.
-  void gather(const Index<Dim>& anchor, const PointCull& cull, ImpulseList& impulses) {
+  void gather(const PointTile<Dim>& tile, const PointCull& cull, ImpulseList& impulses) {
+    const auto gather_from = [&](const ImpulseCells<Dim>& cells, const Index<Dim>& anchor,
+                                 const PointCull& of_cells, const Scale& scale) {
+      const ImpulseReach<Dim> reach = reach_of(anchor, of_cells, scale);
+      for_each_reaching_cell<Dim>(of_cells, [&](const Index<Dim>& cell) {
+        append(cells, anchor + cell, cell, reach, scale, impulses);
+      });
+    };
+    const Index<Dim>& anchor = tile.anchor;
     Scale scale;
-    for_each_reaching_cell<Dim>(cull, [&](const Index<Dim>& cell) {
-      append(level_->cells->at(anchor + cell), cell, scale, cull, impulses);
-    });
+    gather_from(*level_->cells, anchor, cull, scale);
     if (coarse_cells_ == nullptr) return;
     for (int axis = 0; axis < Dim; ++axis) {
       scale.offset[role_of_axis<Dim>(axis)] = static_cast<float>(anchor[axis] & 1);
     }
     scale.size = 2.0f;
     scale.turn = 1.0f / static_cast<float>(1 << Dim);
-    for_each_reaching_cell<Dim>(coarsened(cull, scale.offset), [&](const Index<Dim>& cell) {
-      append(coarse_cells_->at((anchor >> std::int64_t{1}) + cell), cell, scale, cull, impulses);
-    });
+    gather_from(*coarse_cells_, anchor >> std::int64_t{1}, coarsened(cull, scale.offset), scale);
   }
+
+  static constexpr float kLowest = 1.0f / static_cast<float>(1 << Dim);  // turn
 
   // A grid as the finer one sees it.
   struct Scale {
@@ -215,30 +221,34 @@ class PointConvolution<Dim>::Evaluation {
     // one it is (r / 2)^n times what it carries.
     float turn = 1.0f;
   };
-  static void append(std::span<const typename ImpulseCells<Dim>::Item> items, const Index<Dim>& cell,
-                     const Scale& scale, const PointCull& cull, ImpulseList& impulses) {
-    constexpr float kLowest = 1.0f / static_cast<float>(1 << Dim);
-    impulses.reserve(impulses.size() + items.size());
-    std::array<float*, Dim> position;
-    std::array<float, Dim> corner;
-    for (int axis = 0; axis < Dim; ++axis) {
-      const auto a = static_cast<std::size_t>(axis);
-      const Role role = role_of_axis<Dim>(axis);
-      position[a] = impulses.position(role);
-      corner[a] = static_cast<float>(cell[axis]) * scale.size - scale.offset[role];
-    }
-    float* const weight = impulses.attribute(kWeight);
-    float* const turn = impulses.attribute(kTurn);
-    std::size_t end = impulses.size();
-    for (const auto& item : items) {
-      for (std::size_t axis = 0; axis < Dim; ++axis) {
-        position[axis][end] = corner[axis] + scale.size * item.position[axis];
+
+  // Where impulses are in reach, in strata, and which shares are in turn.
+  ImpulseReach<Dim> reach_of(const Index<Dim>& anchor, const PointCull& cull, const Scale& scale) const {
+    ImpulseReach<Dim> reach = solidnoise::reach_of<Dim>(anchor, cull, noise_.settings_.parts);
+    const auto share_of_turn = [&](float turn) {
+      const double share = (static_cast<double>(turn / scale.turn) - kLowest) / (1.0 - kLowest);
+      return static_cast<std::uint64_t>(std::clamp(share, 0.0, 1.0) * static_cast<double>(kShareMask));
+    };
+    reach.least_share = share_of_turn(cull.least_turn);
+    reach.most_share = share_of_turn(cull.most_turn);
+    return reach;
+  }
+
+  // Appends the impulses of a cell, which is `cell` from the tile's anchor.
+  static void append(const ImpulseCells<Dim>& cells, const Index<Dim>& at, const Index<Dim>& cell,
+                     const ImpulseReach<Dim>& reach, const Scale& scale, ImpulseList& impulses) {
+    cells.generate(at, reach, [&](const typename ImpulseCells<Dim>::Item& item) {
+      const std::size_t end = impulses.size();
+      impulses.reserve(end + 1);
+      for (int axis = 0; axis < Dim; ++axis) {
+        const Role role = role_of_axis<Dim>(axis);
+        const float corner = static_cast<float>(cell[axis]) * scale.size - scale.offset[role];
+        impulses.position(role)[end] = corner + scale.size * item.position[static_cast<std::size_t>(axis)];
       }
-      weight[end] = item.weight;
-      turn[end] = scale.turn * (kLowest + (1.0f - kLowest) * item.share);
-      end += turn[end] >= cull.least_turn && turn[end] <= cull.most_turn ? 1 : 0;
-    }
-    impulses.set_size(end);
+      impulses.attribute(kWeight)[end] = item.weight;
+      impulses.attribute(kTurn)[end] = scale.turn * (kLowest + (1.0f - kLowest) * item.share);
+      impulses.set_size(end + 1);
+    });
   }
 
   void sum(std::span<const Located> points, PointCluster& cluster, ImpulseList& impulses, ClusterSums& sums) {
@@ -269,9 +279,9 @@ class PointConvolution<Dim>::Evaluation {
   std::span<const std::size_t> batch_;
   std::vector<KernelPoint<Dim>> prepared_;
   std::array<std::vector<double>, Dim> positions_;
-  Level* level_ = nullptr;                     // whose points are evaluated
-  ImpulseCells<Dim>* coarse_cells_ = nullptr;  // that the same points use too
-  bool power_ = false;                         // whether their polynomials are in powers
+  Level* level_ = nullptr;                           // whose points are evaluated
+  const ImpulseCells<Dim>* coarse_cells_ = nullptr;  // that the same points use too
+  bool power_ = false;                               // whether their polynomials are in powers
   LanePolynomials polynomials_;
   TiledSum<Dim, Evaluation> tiles_{*this, extent_, 2};
   friend TiledSum<Dim, Evaluation>;

@@ -13,6 +13,7 @@
 #include "solidnoise/noise/kernel/cube_averages.h"
 #include "solidnoise/noise/kernel/impulse_statistics.h"
 #include "solidnoise/noise/kernel/kernel_family.h"
+#include "solidnoise/noise/point/impulse_cells.h"
 #include "solidnoise/noise/point/scale_transition.h"
 
 namespace solidnoise {
@@ -24,10 +25,22 @@ struct KernelPoint {
   double scale = 1.0;      // that the impulses of a hierarchy of grids follow, world units: a length of the
                            // kernel that does not depend on its error
   double amplitude = 1.0;  // that makes the standard deviation of the value what it should be
+  double flatness = 1.0;   // half the thickness of its layer, in radii, over Settings::layer; at most 1
   KernelFamily::Member kernel;
   std::array<double, Dim> wave{};  // of an oriented kernel, cycles per world unit
   std::array<double, 3> normal{};  // of a layer, unit length
 };
+
+// The same point with its kernel filtered (KernelFamily::filtered): wider along the surface alone, at the
+// same impulses.
+template <int Dim>
+void filter_kernel(KernelPoint<Dim>& point, const KernelFamily::Filtered& filtered, double frequency) {
+  point.kernel = filtered.kernel;
+  point.radius *= filtered.widening;
+  point.flatness = 1.0 / filtered.widening;
+  point.amplitude *= filtered.peak;
+  for (double& wave : point.wave) wave *= filtered.frequency / frequency;
+}
 
 // Sparse convolution in which the kernel belongs to the evaluation point (Lagae et al. 2011, section V): the
 // sum, over the impulses near a point, of that point's kernel. Points are put in spatial order and gathered
@@ -48,7 +61,7 @@ class PointConvolution {
     double side = 0.0;
     ImpulseCount count{};
     std::uint64_t seed = 0;
-    // Strata along an axis of what is kept and looked up together: for speed alone.
+    // Strata along an axis of what is looked into together: for speed alone.
     int parts = 1;
     // Of mean square 1: what the weight of an impulse is multiplied by.
     typename ImpulseCells<Dim>::Factor factor{};
@@ -86,7 +99,7 @@ class PointConvolution {
 };
 
 // Settings::parts for strata of this side under kernels of this radius: cells that are much smaller than the
-// kernel are many to look up.
+// kernel are many to look into.
 inline int parts_for_points(double side, double radius) {
   return side < radius ? 2 : 1;
 }

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
 
 namespace solidnoise {
 namespace {
@@ -10,7 +11,7 @@ namespace {
 // With m the mean normal, an impulse at X within the layer of a point x of normal n has
 //   |m.(X - x)| <= |n.(X - x)| + |m - n| |X - x| <= layer + |m - n| reach.
 template <int Dim>
-void bound_layer(std::span<const LocatedPoint<Dim>> points, float layer, PointCull& cull) {
+void bound_layer(std::span<const LocatedPoint<Dim>> points, PointCull& cull) {
   std::array<float, 3> mean{};
   for (const auto& point : points) {
     for (std::size_t axis = 0; axis < 3; ++axis) mean[axis] += point.normal[axis];
@@ -29,7 +30,7 @@ void bound_layer(std::span<const LocatedPoint<Dim>> points, float layer, PointCu
       const float difference = cull.normal[axis] - point.normal[axis];
       square += difference * difference;
     }
-    const float half = point.radius * layer + std::sqrt(square) * cull.reach;
+    const float half = point.height + std::sqrt(square) * cull.reach;
     cull.below = std::min(cull.below, along - half - kMargin);
     cull.above = std::max(cull.above, along + half + kMargin);
   }
@@ -74,20 +75,36 @@ std::pair<int, int> CellRange::between(float lower, float upper) const {
 
 template <int Dim>
 PointTile<Dim>::PointTile(std::span<LocatedPoint<Dim>>& rest) : anchor(rest.front().cell) {
+  // How many cells around points in a box of cells have impulses for them.
+  const auto cells_around = [reach = 2.0f * rest.front().radius + 1.0f](const Index<Dim>& lower,
+                                                                        const Index<Dim>& upper) {
+    float product = 1.0f;
+    for (int axis = 0; axis < Dim; ++axis) product *= static_cast<float>(upper[axis] - lower[axis]) + reach;
+    return product;
+  };
   Index<Dim> lower = anchor;
   Index<Dim> upper = anchor;
+  const float single = cells_around(anchor, anchor);
+  float all = single;
   std::size_t count = 0;
   for (; count < std::min(rest.size(), kTilePoints); ++count) {
     LocatedPoint<Dim>& point = rest[count];
-    bool near = true;
+    const Index<Dim> wider_lower = glm::min(lower, point.cell);
+    const Index<Dim> wider_upper = glm::max(upper, point.cell);
+    if (wider_lower != lower || wider_upper != upper) {
+      bool near = true;
+      for (int axis = 0; axis < Dim; ++axis)
+        near = near && wider_upper[axis] - wider_lower[axis] < kTileCells<Dim>;
+      const float wider = near ? cells_around(wider_lower, wider_upper) : HUGE_VALF;
+      if (wider > all + single) break;
+      lower = wider_lower;
+      upper = wider_upper;
+      all = wider;
+    }
     for (int axis = 0; axis < Dim; ++axis) {
       const auto a = static_cast<std::size_t>(axis);
-      lower[axis] = std::min(lower[axis], point.cell[axis]);
-      upper[axis] = std::max(upper[axis], point.cell[axis]);
-      near = near && upper[axis] - lower[axis] < kTileCells<Dim>;
       point.at[a] = static_cast<float>(point.cell[axis] - anchor[axis]) + point.fraction[a];
     }
-    if (!near) break;
   }
   points = rest.first(count);
   rest = rest.subspan(count);
@@ -121,7 +138,7 @@ PointCull bounds(std::span<const LocatedPoint<Dim>> points, const KernelExtent& 
     cull.most_turn = 1.0001f / least_density;
   }
   if constexpr (Dim == 3) {
-    if (extent.layer > 0.0f) bound_layer<Dim>(points, extent.layer, cull);
+    if (extent.layer > 0.0f) bound_layer<Dim>(points, cull);
   }
   return cull;
 }

@@ -10,6 +10,7 @@
 
 #include "solidnoise/core/cell_grid.h"
 #include "solidnoise/core/vec.h"
+#include "solidnoise/noise/convolution/impulse_process.h"
 #include "solidnoise/noise/point/point_cluster.h"
 
 namespace solidnoise {
@@ -21,6 +22,7 @@ struct LocatedPoint {
   std::array<float, Dim> fraction;  // position in the cell, 0 to 1
   std::array<float, Dim> at;        // position relative to the tile's anchor
   float radius;                     // of the kernel
+  float height;                     // half the thickness of its layer, where there is one
   float density;                    // (r / 2^l)^n
   float weight;                     // of the sum over this grid's impulses
   std::array<float, 3> normal;      // of a surface
@@ -35,13 +37,14 @@ inline CellPosition locate_point(const CellAxis& axis, double coordinate, std::s
   return axis.locate(coordinate);
 }
 
-// A tile is a run of points that are near each other, for which impulses are gathered together.
+// A tile is a run of points that are near each other, for which impulses are gathered together, as long as
+// there are fewer cells around all of them than around each.
 inline constexpr std::size_t kTilePoints = 512;
 inline constexpr std::size_t kPatchPoints = 64;  // of a tile, for a first culling
-// Most cells along an axis that the points of a tile lie in. Few points in many cells are gathered for
-// together, as far as ImpulseCells can keep all cells around them.
+// Most cells along an axis that the points of a tile lie in: all impulses in reach are then less than 8 cells
+// from the anchor, where positions in a half of a cell's quanta are still exact.
 template <int Dim>
-inline constexpr std::int64_t kTileCells = Dim == 4 ? 3 : 6;
+inline constexpr std::int64_t kTileCells = Dim == 4 ? 3 : 5;
 
 // Takes a tile from the front of `points`: relates its points to a cell near them, its anchor. Differences
 // between positions relative to the anchor are exact.
@@ -74,6 +77,21 @@ PointCull joined(const PointCull& a, const PointCull& b);
 // The same in cells of twice the size, relative to the one that the anchor lies in. `offset`: the anchor's
 // corner in that cell, in cells of the smaller size, 0 or 1 per role. Turns are not changed.
 PointCull coarsened(const PointCull& cull, const std::array<float, kRoles>& offset);
+
+// The same for the impulses of a process, `parts` of whose strata are a cell.
+template <int Dim>
+ImpulseReach<Dim> reach_of(const Index<Dim>& anchor, const PointCull& cull, int parts = 1) {
+  const Index<Dim> stratum = anchor * std::int64_t{parts};
+  ImpulseReach<Dim> reach{stratum, stratum};
+  for (int axis = 0; axis < Dim; ++axis) {
+    const auto a = static_cast<std::size_t>(axis);
+    const Role role = role_of_axis<Dim>(axis);
+    reach.lower[a] = static_cast<float>(parts) * cull.lower[role];
+    reach.upper[a] = static_cast<float>(parts) * cull.upper[role];
+    reach.scale[a] = 1.0f / (static_cast<float>(parts) * cull.reach);
+  }
+  return reach;
+}
 
 // The strata along one role that may hold impulses of interest.
 struct CellRange {

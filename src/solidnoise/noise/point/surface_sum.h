@@ -50,6 +50,7 @@ class SurfaceSum {
         point.normal[a] = static_cast<float>(batch.normals[i][axis]);
       }
       point.radius = source_.radius();
+      point.height = point.radius * extent_.layer;
       point.density = 1.0f;
       point.weight = 1.0f;
       point.point = static_cast<std::uint32_t>(i);
@@ -57,8 +58,10 @@ class SurfaceSum {
     TiledSum<3, SurfaceSum>(*this, extent_, 3).add(located_, source_.axis().size(), samples);
   }
 
-  void gather(const Index<3>& anchor, const PointCull& cull, ImpulseList& impulses) const {
-    for_each_reaching_cell<3>(cull, [&](const Index<3>& cell) { source_.append(anchor, cell, impulses); });
+  void gather(const PointTile<3>& tile, const PointCull& cull, ImpulseList& impulses) const {
+    const ImpulseReach<3> reach = reach_of<3>(tile.anchor, cull);
+    for_each_reaching_cell<3>(
+        cull, [&](const Index<3>& cell) { source_.append(tile.anchor, cell, reach, impulses); });
   }
 
   void sum(std::span<const LocatedPoint<3>> points, PointCluster& cluster, const ImpulseList& impulses,
@@ -83,7 +86,8 @@ class SurfaceSum {
 //   float radius() const;          of the kernel along the surface, in cells
 //   double layer() const;          half the layer's thickness, in radii
 //   int span() const;              cells along an axis that the impulses of a stratum may lie in
-//   void append(anchor, stratum, ImpulseList&) const;  the impulses of a stratum relative to the anchor
+//   void append(anchor, stratum, const ImpulseReach<3>&, ImpulseList&) const;  the impulses of a stratum
+//   relative to the anchor; those that are out of reach may be left out
 //   void sum(const PointCluster&, const ImpulseList&, ClusterSums&) const;
 // `tangent` is all empty for kernels that need none. A value depends on its point only. The gradient is the
 // part along the surface of the derivative by the position, while normal and tangent stay as they are.

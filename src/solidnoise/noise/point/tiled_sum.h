@@ -22,7 +22,7 @@ void scatter(const Samples<Dim>& some, std::span<const std::size_t> points, cons
 }
 
 // Sums over impulses at points of one grid of cells, tile by tile. A source has these, and what is in them:
-//   void gather(const Index<Dim>& anchor, const PointCull&, ImpulseList&);  appends the impulses of a tile
+//   void gather(const PointTile<Dim>&, const PointCull&, ImpulseList&);  appends the impulses of a tile
 //   void sum(std::span<const LocatedPoint<Dim>>, PointCluster&, ImpulseList&, ClusterSums&);  at a cluster of
 //   points, of which it fills in what its kernel wants to know besides places, extents and normals
 template <int Dim, typename Source>
@@ -40,7 +40,7 @@ class TiledSum {
     while (!points.empty()) {
       const PointTile<Dim> tile(points);
       gathered_.clear();
-      source_.gather(tile.anchor, bounds<Dim>(tile.points, extent_), gathered_);
+      source_.gather(tile, bounds<Dim>(tile.points, extent_), gathered_);
       for (std::size_t first = 0; first < tile.points.size(); first += kPatchPoints) {
         add_patch(tile.points.subspan(first, std::min(kPatchPoints, tile.points.size() - first)), samples);
       }
@@ -83,11 +83,11 @@ class TiledSum {
       for (std::size_t axis = 0; extent_.layer > 0.0f && axis < 3; ++axis) {
         cluster_.normal[axis][lane] = point.normal[axis];
       }
-      if (point.radius == radius_[lane]) continue;  // most often
+      if (point.radius == radius_[lane] && point.height == height_[lane]) continue;  // most often
       radius_[lane] = point.radius;
-      const float height = point.radius * extent_.layer;
+      height_[lane] = point.height;
       cluster_.inverse_square_radius[lane] = 1.0f / (point.radius * point.radius);
-      cluster_.inverse_square_height[lane] = 1.0f / (height * height);
+      cluster_.inverse_square_height[lane] = 1.0f / (point.height * point.height);
     }
     ClusterSums sums;
     source_.sum(points, cluster_, kept_, sums);
@@ -123,6 +123,7 @@ class TiledSum {
   PointCluster cluster_;
   double per_unit_ = 1.0;                               // cells
   std::array<float, PointCluster::kSamples> radius_{};  // that the cluster's extents are of
+  std::array<float, PointCluster::kSamples> height_{};
 };
 
 }  // namespace solidnoise

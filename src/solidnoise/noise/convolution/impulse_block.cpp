@@ -1,0 +1,59 @@
+#include "solidnoise/noise/convolution/impulse_block.h"
+
+namespace solidnoise {
+namespace {
+
+// SIMD loads may read this far past a run's end.
+constexpr std::size_t kPadding = 16;
+
+}  // namespace
+
+template <int Dim>
+ImpulseBlock<Dim>::ImpulseBlock(const ImpulseProcess<Dim>& process, const ImpulseReach<Dim>& reach)
+    : first_(reach.first) {
+  std::array<std::int32_t, Dim> end;
+  for (int axis = 0; axis < Dim; ++axis) {
+    extent_[axis] = static_cast<std::size_t>(reach.last[axis] - reach.first[axis] + 1);
+    end[axis] = static_cast<std::int32_t>(extent_[axis]) * kQuanta;
+  }
+  // As they are made, stratum by stratum; then in the order of their cells.
+  struct Made {
+    std::array<std::int32_t, Dim> position;
+    std::uint32_t cell;
+    std::uint64_t mark;
+  };
+  const auto cells = static_cast<std::size_t>(reach.cells());
+  std::vector<Made> all;
+  all.reserve(static_cast<std::size_t>(process.mean_per_cell() * static_cast<double>(cells)));
+  starts_.assign(cells + 1, 0);
+  const auto take = [&](const Index<Dim>& stratum, const Impulse<Dim>& impulse) {
+    Made made{impulse.position, 0, impulse.mark};
+    for (int axis = 0; axis < Dim; ++axis) {
+      std::int32_t& at = made.position[axis];
+      at += static_cast<std::int32_t>(stratum[axis] - first_[axis]) * kQuanta;
+      if (at < 0 || at >= end[axis]) return;
+      made.cell =
+          made.cell * static_cast<std::uint32_t>(extent_[axis]) + static_cast<std::uint32_t>(at / kQuanta);
+    }
+    all.push_back(made);
+    ++starts_[made.cell + 1];
+  };
+  process.generate(reach.first - Index<Dim>(process.span() - 1), reach.last, reach, take);
+  for (std::size_t cell = 0; cell < cells; ++cell) starts_[cell + 1] += starts_[cell];
+
+  for (auto& of_axis : positions_) of_axis.assign(all.size() + kPadding, 0);
+  marks_.resize(all.size());
+  std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
+  for (const Made& made : all) {
+    const std::uint32_t to = next[made.cell]++;
+    for (int axis = 0; axis < Dim; ++axis) positions_[axis][to] = made.position[axis];
+    marks_[to] = made.mark;
+  }
+}
+
+template class ImpulseBlock<1>;
+template class ImpulseBlock<2>;
+template class ImpulseBlock<3>;
+template class ImpulseBlock<4>;
+
+}  // namespace solidnoise
