@@ -9,6 +9,7 @@
 
 #include "solidnoise/analysis/exemplar/cross_spectra.h"
 #include "solidnoise/analysis/exemplar/exemplar_channels.h"
+#include "solidnoise/analysis/exemplar/exemplar_patches.h"
 #include "solidnoise/analysis/exemplar/gaussian_field.h"
 #include "solidnoise/analysis/fft.h"
 #include "support/golden.h"

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <glm/common.hpp>
 
+#include "solidnoise/analysis/exemplar/exemplar_patches.h"
 #include "solidnoise/analysis/exemplar/gaussian_field.h"
 #include "solidnoise/analysis/fft.h"
 
@@ -14,69 +15,10 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr int kSmallestPatch = 16;
 constexpr int kLargestWhole = 384;  // pixels of a picture that is one patch
 constexpr int kPatchOfLarge = 256;
 
-bool is_fast(int count) {
-  if (count % 2 != 0) return false;
-  for (const int prime : {2, 3, 5, 7}) {
-    while (count % prime == 0) count /= prime;
-  }
-  return count == 1;
-}
-
-// Where patches begin along an axis: spread evenly, overlapping by half at most.
-std::vector<int> patch_starts(int count, int patch) {
-  const int patches = 1 + 2 * (count - patch) / patch;
-  std::vector<int> starts;
-  for (int i = 0; i < patches; ++i) {
-    starts.push_back(patches == 1 ? (count - patch) / 2 : i * (count - patch) / (patches - 1));
-  }
-  return starts;
-}
-
-template <int Dim>
-DenseField<Dim> cut(const DenseField<Dim>& field, const glm::vec<Dim, int>& start,
-                    const glm::vec<Dim, int>& count) {
-  DenseField<Dim> result(count, field.step);
-  const ArrayShape<Dim> from{field.count};
-  const ArrayShape<Dim> to{count};
-  for (std::size_t i = 0; i < result.values.size(); ++i) {
-    result.values[i] = field.values[from.index(to.position(i) + start)];
-  }
-  return result;
-}
-
-// Calls visit(patch of each channel, number of the patch) for all patches.
-template <int Dim, typename Visit>
-void for_each_patch(std::span<const Exemplar<Dim>> exemplars, const glm::vec<Dim, int>& count,
-                    const Visit& visit) {
-  for (const Exemplar<Dim>& exemplar : exemplars) {
-    std::vector<int> starts[Dim];
-    glm::vec<Dim, int> patches(1);
-    for (int axis = 0; axis < Dim; ++axis) {
-      starts[axis] = patch_starts(exemplar.shape().count[axis], count[axis]);
-      patches[axis] = static_cast<int>(starts[axis].size());
-    }
-    const ArrayShape<Dim> shape{patches};
-    for (std::size_t i = 0; i < shape.size(); ++i) {
-      glm::vec<Dim, int> start(0);
-      const glm::vec<Dim, int> at = shape.position(i);
-      for (int axis = 0; axis < Dim; ++axis) start[axis] = starts[axis][static_cast<std::size_t>(at[axis])];
-      std::vector<DenseField<Dim>> patch;
-      for (const DenseField<Dim>& channel : exemplar.channels) patch.push_back(cut(channel, start, count));
-      visit(patch);
-    }
-  }
-}
-
 }  // namespace
-
-int fast_count(int count) {
-  while (count > kSmallestPatch && !is_fast(count)) --count;
-  return count;
-}
 
 template <int Dim>
 CrossSpectra<Dim> cross_spectra(std::span<const Exemplar<Dim>> exemplars, int patch) {
@@ -148,7 +90,7 @@ CrossSpectra<Dim> cross_spectra(std::span<const Exemplar<Dim>> exemplars, int pa
 }
 
 template <int Dim>
-PowerSpectrum<Dim> CrossSpectra<Dim>::spectrum(std::span<const double> direction) const {
+PowerSpectrum<Dim> CrossSpectra<Dim>::weighted(std::span<const double> weights) const {
   PowerSpectrum<Dim> result;
   result.count = count;
   result.step = step;
@@ -157,15 +99,21 @@ PowerSpectrum<Dim> CrossSpectra<Dim>::spectrum(std::span<const double> direction
   result.density.assign(ArrayShape<Dim>{count}.size(), 0.0);
   double cell = 1.0;  // of a sample
   for (int axis = 0; axis < Dim; ++axis) cell *= step[axis];
-  const auto n = static_cast<std::size_t>(channels);
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j < n; ++j) {
-      const double factor = cell * direction[i] * direction[j];
-      for (std::size_t k = 0; k < result.density.size(); ++k) {
-        result.density[k] += factor * cross[i * n + j][k].real();
-      }
+  for (std::size_t i = 0; i < cross.size(); ++i) {
+    for (std::size_t k = 0; k < result.density.size(); ++k) {
+      result.density[k] += cell * weights[i] * cross[i][k].real();
     }
   }
+  return result;
+}
+
+template <int Dim>
+PowerSpectrum<Dim> CrossSpectra<Dim>::spectrum(std::span<const double> direction) const {
+  std::vector<double> weights;
+  for (const double i : direction) {
+    for (const double j : direction) weights.push_back(i * j);
+  }
+  PowerSpectrum<Dim> result = weighted(weights);
   for (double& value : result.density) value = std::max(value, 0.0);
   return result;
 }

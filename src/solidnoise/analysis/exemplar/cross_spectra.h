@@ -25,15 +25,12 @@ struct CrossSpectra {
   std::vector<double> covariance;                        // channels x channels, of all samples
   std::vector<std::vector<std::complex<double>>> cross;  // channels x channels; frequencies as PowerSpectrum
 
+  // The sum of the cross-spectra's real parts by their weights, channels x channels.
+  PowerSpectrum<Dim> weighted(std::span<const double> weights) const;
   // Of the channel that is the product of the given direction and the color.
   PowerSpectrum<Dim> spectrum(std::span<const double> direction) const;
   double variance(std::span<const double> direction) const;
 };
-
-// The largest count of at most `count` whose transforms are fast and that the bands' coarser grids divide
-// well: an even number without prime factors above 7. At most 14 % of an axis' samples are left out, 8 % if
-// it has 100 or more.
-int fast_count(int count);
 
 // Spectra of one or several exemplars with the same step and channels, cut into patches of one size: at most
 // `patch` samples along each axis (0: as large as the smallest exemplar, but of pictures 256 where that is

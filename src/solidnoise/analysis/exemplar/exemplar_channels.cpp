@@ -205,49 +205,11 @@ ExemplarChannels exemplar_channels(const CrossSpectra<Dim>& spectra, ColorAxes k
   return result;
 }
 
-template <int Dim>
-std::vector<PowerSpectrum<Dim>> channel_spectra(const CrossSpectra<Dim>& spectra,
-                                                const ExemplarChannels& channels) {
-  if (channels.axes.size() == 1) return {spectra.spectrum(channels.directions[0])};
-  std::vector<PowerSpectrum<Dim>> along;  // a_k^T C a_k
-  for (const Vec<3>& axis : channels.axes)
-    along.push_back(spectra.spectrum(std::array{axis.x, axis.y, axis.z}));
-  std::vector<PowerSpectrum<Dim>> all;  // C_ii
-  for (std::size_t i = 0; i < 3; ++i) {
-    std::array<double, 3> color{};
-    color[i] = 1.0;
-    all.push_back(spectra.spectrum(color));
-  }
-  Eigen::Matrix3d products;
-  Eigen::Vector3d powers;  // of the colours, per channel
-  for (int k = 0; k < 3; ++k) {
-    for (int l = 0; l < 3; ++l) {
-      const double product =
-          glm::dot(channels.axes[static_cast<std::size_t>(k)], channels.axes[static_cast<std::size_t>(l)]);
-      products(k, l) = product * product;
-    }
-    powers(k) = std::sqrt(products(k, k));
-  }
-  const Eigen::Matrix3d inverse = products.inverse();
-  const Eigen::Vector3d shares = inverse * powers / powers.dot(inverse * powers);
-  std::vector<PowerSpectrum<Dim>> result = along;
-  for (std::size_t i = 0; i < result.front().density.size(); ++i) {
-    const Eigen::Vector3d right(along[0].density[i], along[1].density[i], along[2].density[i]);
-    const double power = all[0].density[i] + all[1].density[i] + all[2].density[i];
-    const Eigen::Vector3d nearest = inverse * right;
-    const Eigen::Vector3d values = nearest + (power - powers.dot(nearest)) * shares;
-    for (int k = 0; k < 3; ++k) result[static_cast<std::size_t>(k)].density[i] = values(k);
-  }
-  return result;
-}
-
 template AxisMatrix color_axes<2>(const CrossSpectra<2>&, ColorAxes);
 template AxisMatrix color_axes<3>(const CrossSpectra<3>&, ColorAxes);
 template double channel_dependence<2>(const CrossSpectra<2>&, const AxisMatrix&);
 template double channel_dependence<3>(const CrossSpectra<3>&, const AxisMatrix&);
 template ExemplarChannels exemplar_channels<2>(const CrossSpectra<2>&, ColorAxes);
 template ExemplarChannels exemplar_channels<3>(const CrossSpectra<3>&, ColorAxes);
-template std::vector<PowerSpectrum<2>> channel_spectra<2>(const CrossSpectra<2>&, const ExemplarChannels&);
-template std::vector<PowerSpectrum<3>> channel_spectra<3>(const CrossSpectra<3>&, const ExemplarChannels&);
 
 }  // namespace solidnoise

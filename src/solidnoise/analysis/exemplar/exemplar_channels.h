@@ -70,25 +70,11 @@ struct ExemplarChannels {
 template <int Dim>
 ExemplarChannels exemplar_channels(const CrossSpectra<Dim>& spectra, ColorAxes axes);
 
-// The spectra S_k of the channels, of which independent channels make sum of S_k(f) a_k a_k^T out of the
-// colours' cross-spectra C(f): at each frequency the nearest to it (in the sum of squares) that has the same
-// power of all colours together. They are linear in C and so exact at the samples' covariance; the spectra
-// along the channels' directions would leave out what channels share at f, and with axes that are not
-// orthogonal the colours' power would be off by up to three times at frequencies of little power. Values may
-// be negative where a single periodogram scatters.
-template <int Dim>
-std::vector<PowerSpectrum<Dim>> channel_spectra(const CrossSpectra<Dim>& spectra,
-                                                const ExemplarChannels& channels);
-
 extern template AxisMatrix color_axes<2>(const CrossSpectra<2>&, ColorAxes);
 extern template AxisMatrix color_axes<3>(const CrossSpectra<3>&, ColorAxes);
 extern template double channel_dependence<2>(const CrossSpectra<2>&, const AxisMatrix&);
 extern template double channel_dependence<3>(const CrossSpectra<3>&, const AxisMatrix&);
 extern template ExemplarChannels exemplar_channels<2>(const CrossSpectra<2>&, ColorAxes);
 extern template ExemplarChannels exemplar_channels<3>(const CrossSpectra<3>&, ColorAxes);
-extern template std::vector<PowerSpectrum<2>> channel_spectra<2>(const CrossSpectra<2>&,
-                                                                 const ExemplarChannels&);
-extern template std::vector<PowerSpectrum<3>> channel_spectra<3>(const CrossSpectra<3>&,
-                                                                 const ExemplarChannels&);
 
 }  // namespace solidnoise

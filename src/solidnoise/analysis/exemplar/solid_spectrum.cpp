@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <numbers>
 #include <stdexcept>
 
@@ -73,11 +74,12 @@ std::vector<Column> make_columns(const PowerSpectrum<2>& periodogram) {
 // minimize |A v - y|^2 + nu sum v, v >= 0, by coordinate descent on the normal equations; A's columns have
 // length 1.
 Eigen::VectorXd descend(const Eigen::MatrixXd& gram, const Eigen::VectorXd& target, double nu,
-                        Eigen::VectorXd v) {
+                        Eigen::VectorXd v, Progress* progress) {
   constexpr int kSweeps = 20000;
   constexpr double kStill = 1e-10;
   Eigen::VectorXd product = gram * v;
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    throw_if_cancelled(progress);
     double largest = 0.0;
     for (Eigen::Index j = 0; j < v.size(); ++j) {
       const double next = std::max(0.0, v[j] + (target[j] - 0.5 * nu - product[j]) / gram(j, j));
@@ -138,7 +140,8 @@ double slice_density(double f, double frequency, double a) {
   return sum * step * std::pow(std::numbers::sqrt2 / a, 3.0);
 }
 
-SolidFit fit_solid_spectrum(const PowerSpectrum<2>& periodogram, double variance, double kappa) {
+SolidFit fit_solid_spectrum(const PowerSpectrum<2>& periodogram, double variance, double kappa,
+                            Progress* progress) {
   require_in_range("kappa", kappa, 1e-6, 1.0);
   require_positive("variance", variance);
   const RadialMeans means = radial_means(periodogram);
@@ -150,6 +153,7 @@ SolidFit fit_solid_spectrum(const PowerSpectrum<2>& periodogram, double variance
   Eigen::MatrixXd matrix(rows, count);
   Eigen::VectorXd target(rows);
   for (Eigen::Index i = 0; i < rows; ++i) {
+    throw_if_cancelled(progress);
     const auto bin = static_cast<std::size_t>(i);
     const double weight = std::sqrt(means.count[bin]);
     target[i] = weight * means.density[bin];
@@ -168,13 +172,19 @@ SolidFit fit_solid_spectrum(const PowerSpectrum<2>& periodogram, double variance
   const Eigen::VectorXd correlation = matrix.transpose() * target;
   const double nu_max = 2.0 * correlation.maxCoeff();
   Eigen::VectorXd v = Eigen::VectorXd::Zero(count);
-  for (double level = 0.5; level > 1.001 * kappa; level *= 0.5)
-    v = descend(gram, correlation, level * nu_max, v);
-  v = descend(gram, correlation, kappa * nu_max, v);
+  // Half the penalty at a time.
+  std::vector<double> levels;
+  for (double level = 0.5; level > 1.001 * kappa; level *= 0.5) levels.push_back(level);
+  levels.push_back(kappa);
+  std::uint64_t done = 0;
+  for (const double level : levels) {
+    v = descend(gram, correlation, level * nu_max, v, progress);
+    if (progress != nullptr) progress->advance(++done, levels.size() + 1);
+  }
 
   SolidFit fit;
   fit.residual = (matrix * v - target).norm();
-  fit.attainability = (matrix * descend(gram, correlation, 0.0, v) - target).norm();
+  fit.attainability = (matrix * descend(gram, correlation, 0.0, v, progress) - target).norm();
   fit.anisotropy = anisotropy_of(periodogram);
   fit.spectrum.dimensions = 3;
   fit.spectrum.isotropic = true;
@@ -209,7 +219,7 @@ SolidFit fit_solid_spectrum(const PowerSpectrum<2>& periodogram, double variance
 }
 
 SolidExemplarFit fit_solid_exemplar(std::span<const Exemplar<2>> exemplars, ColorAxes axes, double kappa,
-                                    int patch) {
+                                    int patch, Progress* progress) {
   const CrossSpectra<2> spectra = cross_spectra(exemplars, patch);
   const ExemplarChannels channels = exemplar_channels(spectra, axes);
   SolidExemplarFit result;
@@ -218,14 +228,17 @@ SolidExemplarFit fit_solid_exemplar(std::span<const Exemplar<2>> exemplars, Colo
   result.dependence = channels.dependence;
   result.model.mean = channels.mean;
   result.model.axes = channels.axes;
+  const auto count = static_cast<double>(channels.axes.size());
   for (std::size_t k = 0; k < channels.axes.size(); ++k) {
+    throw_if_cancelled(progress);
+    PartialProgress part(progress, static_cast<double>(k) / count, static_cast<double>(k + 1) / count);
     SolidFit& fit = result.channels.emplace_back();
     if (channels.is_empty(k)) {
       fit.spectrum = channels.empty_spectrum(3, spectra.step.x);
       fit.spectrum.isotropic = true;
     } else {
       const PowerSpectrum<2> periodogram = spectra.spectrum(channels.directions[k]);
-      fit = fit_solid_spectrum(periodogram, channels.variances[k], kappa);
+      fit = fit_solid_spectrum(periodogram, channels.variances[k], kappa, &part);
     }
     result.model.channels.push_back(fit.spectrum);
   }

@@ -7,6 +7,7 @@
 
 #include "solidnoise/analysis/exemplar/exemplar_channels.h"
 #include "solidnoise/analysis/periodogram.h"
+#include "solidnoise/core/progress.h"
 #include "solidnoise/noise/gabor/gabor_spectrum.h"
 
 namespace solidnoise {
@@ -30,8 +31,9 @@ struct SolidFit {
 // A solid noise whose slices look like an isotropic exemplar (not in the papers): an isotropic mixture in 3D
 // for the radial average of a periodogram, by the same non-negative basis pursuit denoising over the slices'
 // spectra. The variances sum to `variance`. Throws std::invalid_argument for a kappa outside of 1e-6 to 1 and
-// for a spectrum without any power.
-SolidFit fit_solid_spectrum(const PowerSpectrum<2>& periodogram, double variance, double kappa = 1.0 / 256.0);
+// for a spectrum without any power. Where `progress` asks to stop it throws Cancelled.
+SolidFit fit_solid_spectrum(const PowerSpectrum<2>& periodogram, double variance, double kappa = 1.0 / 256.0,
+                            Progress* progress = nullptr);
 
 struct SolidExemplarFit {
   ExemplarModel model;
@@ -44,6 +46,6 @@ struct SolidExemplarFit {
 // The same for the channels of exemplars in the plane, as fit_exemplar has them.
 SolidExemplarFit fit_solid_exemplar(std::span<const Exemplar<2>> exemplars,
                                     ColorAxes axes = ColorAxes::independent, double kappa = 1.0 / 256.0,
-                                    int patch = 0);
+                                    int patch = 0, Progress* progress = nullptr);
 
 }  // namespace solidnoise

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "solidnoise/analysis/dense_field.h"
+#include "solidnoise/analysis/exemplar/exemplar.h"
+
+namespace solidnoise {
+
+inline constexpr int kSmallestPatch = 16;  // samples along an axis
+
+// The largest count of at most `count` whose transforms are fast and that the bands' coarser grids divide
+// well: an even number without prime factors above 7. At most 14 % of an axis' samples are left out, 8 % if
+// it has 100 or more.
+int fast_count(int count);
+
+// Where patches of `count` samples begin in an exemplar, which has at least as many along each axis: spread
+// evenly, overlapping by half at most.
+template <int Dim>
+std::vector<glm::vec<Dim, int>> patch_origins(const Exemplar<Dim>& exemplar, const glm::vec<Dim, int>& count);
+
+// The samples of a field in such a patch.
+template <int Dim>
+DenseField<Dim> cut_patch(const DenseField<Dim>& field, const glm::vec<Dim, int>& origin,
+                          const glm::vec<Dim, int>& count);
+
+// Calls visit(patch of each channel) for all patches of all exemplars.
+template <int Dim, typename Visit>
+void for_each_patch(std::span<const Exemplar<Dim>> exemplars, const glm::vec<Dim, int>& count,
+                    const Visit& visit) {
+  for (const Exemplar<Dim>& exemplar : exemplars) {
+    for (const glm::vec<Dim, int>& origin : patch_origins(exemplar, count)) {
+      std::vector<DenseField<Dim>> patch;
+      for (const DenseField<Dim>& channel : exemplar.channels)
+        patch.push_back(cut_patch(channel, origin, count));
+      visit(patch);
+    }
+  }
+}
+
+extern template std::vector<glm::ivec2> patch_origins<2>(const Exemplar<2>&, const glm::ivec2&);
+extern template std::vector<glm::ivec3> patch_origins<3>(const Exemplar<3>&, const glm::ivec3&);
+extern template DenseField<2> cut_patch<2>(const DenseField<2>&, const glm::ivec2&, const glm::ivec2&);
+extern template DenseField<3> cut_patch<3>(const DenseField<3>&, const glm::ivec3&, const glm::ivec3&);
+
+}  // namespace solidnoise

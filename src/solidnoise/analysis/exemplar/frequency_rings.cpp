@@ -1,0 +1,95 @@
+#include "solidnoise/analysis/exemplar/frequency_rings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "solidnoise/analysis/exemplar/channel_spectra.h"
+#include "solidnoise/analysis/exemplar/exemplar_patches.h"
+#include "solidnoise/analysis/fft.h"
+#include "solidnoise/analysis/periodogram.h"
+
+namespace solidnoise {
+namespace {
+
+using Complex = std::complex<double>;
+
+constexpr int kLargestBlock = 512;   // samples along an axis
+constexpr double kWidth = 0.05;      // cycles per sample
+constexpr double kLeastSteps = 4.0;  // of a block's frequencies, to which the window spreads each, in a ring
+
+std::vector<Complex> windowed_transform(const DenseField<2>& field, double mean) {
+  const std::vector<double> rows = window_values(Window::hann, field.count.x);
+  const std::vector<double> columns = window_values(Window::hann, field.count.y);
+  std::vector<double> values;
+  values.reserve(field.size());
+  for (const double row : rows) {
+    for (const double column : columns) values.push_back(row * column * (field.values[values.size()] - mean));
+  }
+  return fft_of_real(values, std::vector<int>{field.count.x, field.count.y});
+}
+
+double energy_of(int count) {
+  double sum = 0.0;
+  for (const double value : window_values(Window::hann, count)) sum += value * value;
+  return sum;
+}
+
+}  // namespace
+
+std::size_t FrequencyRings::ring_of(Vec<2> frequency) const {
+  frequency -= glm::round(frequency * step) / step;
+  return std::min(static_cast<std::size_t>(glm::length(frequency) / width), count() - 1);
+}
+
+FrequencyRings frequency_rings(std::span<const Exemplar<2>> exemplars, const ExemplarChannels& channels) {
+  PowerSpectrum<2> block;  // for its frequencies
+  block.step = exemplars.front().shape().step;
+  block.count = glm::ivec2(kLargestBlock);
+  for (const Exemplar<2>& exemplar : exemplars) block.count = glm::min(block.count, exemplar.shape().count);
+  for (int axis = 0; axis < 2; ++axis) block.count[axis] = fast_count(block.count[axis]);
+
+  FrequencyRings rings;
+  rings.step = block.step;
+  const double coarsest = std::max(block.frequency_step(0), block.frequency_step(1));
+  rings.width = std::max(kWidth / std::max(block.step.x, block.step.y), kLeastSteps * coarsest);
+  for (int axis = 0; axis < 2; ++axis) {
+    // The mean square of the derivative of the window over that of itself, in cycles: 1 / (3 length^2).
+    rings.blur[axis] = block.frequency_step(axis) * block.frequency_step(axis) / 3.0;
+  }
+  const double corner = 0.5 * glm::length(1.0 / block.step);
+  rings.variances.assign(channels.axes.size(),
+                         std::vector<double>(static_cast<std::size_t>(std::ceil(corner / rings.width))));
+
+  const std::size_t colors = exemplars.front().channels.size();
+  const std::vector<std::vector<double>> weights = channel_weights(channels);
+  const double size = static_cast<double>(block.count.x) * block.count.y;
+  const double energy = size * energy_of(block.count.x) * energy_of(block.count.y);
+  int blocks = 0;
+  for_each_patch(exemplars, block.count, [&](const std::vector<DenseField<2>>& fields) {
+    ++blocks;
+    std::vector<std::vector<Complex>> transforms;
+    for (std::size_t i = 0; i < colors; ++i) {
+      transforms.push_back(windowed_transform(fields[i], channels.mean[static_cast<int>(i)]));
+    }
+    for (std::size_t p = 0; p < transforms.front().size(); ++p) {
+      const std::size_t ring = rings.ring_of(block.frequency(p));
+      for (std::size_t i = 0; i < colors; ++i) {
+        for (std::size_t j = 0; j < colors; ++j) {
+          const double cross = (std::conj(transforms[i][p]) * transforms[j][p]).real() / energy;
+          for (std::size_t k = 0; k < weights.size(); ++k)
+            rings.variances[k][ring] += weights[k][i * colors + j] * cross;
+        }
+      }
+    }
+  });
+  for (std::vector<double>& channel : rings.variances) {
+    for (double& variance : channel) variance = std::max(variance / blocks, 0.0);
+  }
+  return rings;
+}
+
+}  // namespace solidnoise

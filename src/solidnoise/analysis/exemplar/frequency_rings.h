@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "solidnoise/analysis/exemplar/exemplar.h"
+#include "solidnoise/analysis/exemplar/exemplar_channels.h"
+#include "solidnoise/core/vec.h"
+
+namespace solidnoise {
+
+// The power of an exemplar's channels in rings of frequencies around 0, which an eye sees as its sharpness.
+// Blocks of half a thousand samples and more under a Hann window tell it well: its leakage falls off fast,
+// while the smaller patches that spectra are fitted to, whose periodic components scatter less at each
+// frequency, are off by up to a third in a ring of little power.
+struct FrequencyRings {
+  double width = 0.0;                          // cycles per unit
+  Vec<2> step{1.0};                            // world units between the samples
+  Vec<2> blur{0.0};                            // variance of what the window spreads, cycles^2 per unit^2
+  std::vector<std::vector<double>> variances;  // of each channel, in each ring up to the corners' frequency
+
+  std::size_t count() const { return variances.front().size(); }
+  // The ring of a frequency, which samples fold.
+  std::size_t ring_of(Vec<2> frequency) const;
+};
+
+// Of exemplars that agree with each other, as cross_spectra() asks.
+FrequencyRings frequency_rings(std::span<const Exemplar<2>> exemplars, const ExemplarChannels& channels);
+
+}  // namespace solidnoise
