@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""make_meshes.py [FOLDER]: makes the sample meshes wyrm.ply and torus.obj in FOLDER (default: beside this script).
+"""make_meshes.py [FOLDER]: makes the sample meshes wyrm.ply, torus.obj and bowl.obj in FOLDER (default: beside this script).
 
 Needs NumPy. Makes the same files every time, but for the last digits of what the machine's NumPy computes.
 The wyrm is the zero set of a distance to tapered chains of balls: it is cut out of a grid by dual contouring without
@@ -327,7 +327,65 @@ def make_torus(folder, around=72, across=28):
     print(f"torus.obj: {around * across} vertices, {around * across} quadrilaterals")
 
 
+def make_bowl(folder, around=64, up=20):
+    """A fluted bowl on a foot about the Y axis, closed, with texture coordinates in two tiles: the outside as two islands
+    in the first, the inside and the foot's sole as discs in the second."""
+    s = np.linspace(0, 1, up + 1)
+    outer = np.stack([0.3 + 0.6 * s**0.7, 0.62 * s**1.5], axis=1)  # radius and height, from the foot to the rim
+    inner = np.stack([0.86 * np.cos(s * np.pi / 2), 0.06 + 0.58 * (1 - s) ** 1.9], axis=1)[:-1]  # from the rim down
+    angle = 2 * np.pi * np.arange(around) / around
+
+    def ring(radius, height, flute):
+        r = radius * (1 + flute * np.cos(12 * angle))
+        return np.stack([r * np.cos(angle), np.full(around, height), r * np.sin(angle)], axis=1)
+
+    rings = [ring(r, y, 0.035 * np.sin(np.pi * t)) for (r, y), t in zip(outer, s)] + [ring(r, y, 0) for r, y in inner]
+    vertices = np.vstack(rings + [[[0, 0.06, 0]], [[0, 0, 0]]])
+    inside_pole, sole_pole = len(vertices) - 1, len(vertices)  # numbers of an .obj, from 1
+
+    def number(row, i):
+        return 1 + row * around + i % around
+
+    def along(profile):
+        length = np.concatenate([[0], np.cumsum(np.linalg.norm(np.diff(profile, axis=0), axis=1))])
+        return length / length[-1]
+
+    def disc(centre, radius, i):
+        a = 2 * np.pi * i / around
+        return f"vt {centre[0] + radius * np.cos(a):.6f} {centre[1] - radius * np.sin(a):.6f}"
+
+    places, faces = [], []
+    for half in range(2):  # of the outside
+        first = len(places) + 1
+        v = 0.02 + 0.5 * half + 0.46 * along(outer)
+        places += [f"vt {0.98 - 0.96 * i / (around // 2):.6f} {v[row]:.6f}" for row in range(up + 1) for i in range(around // 2 + 1)]
+        for row in range(up):
+            for i in range(around // 2):
+                corners = [(row, i), (row + 1, i), (row + 1, i + 1), (row, i + 1)]
+                faces.append([(number(j, k + half * around // 2), first + j * (around // 2 + 1) + k) for j, k in corners])
+    first = len(places) + 1
+    rim = np.vstack([outer[-1:], inner, [[0, 0.06]]])
+    radii = 0.48 * (1 - along(rim))
+    places += [disc((1.5, 0.5), radii[row], i) for row in range(up + 1) for i in range(around)] + ["vt 1.5 0.5"]
+    for row in range(up):
+        for i in range(around):
+            corners = [(row, i), (row + 1, i), (row + 1, i + 1), (row, i + 1)]
+            faces.append([(number(up + j, k), first + j * around + k % around) for j, k in corners])
+    faces += [[(number(2 * up, i), first + up * around + i), (inside_pole, first + (up + 1) * around),
+               (number(2 * up, i + 1), first + up * around + (i + 1) % around)] for i in range(around)]
+    first = len(places) + 1
+    places += [disc((1.085, 0.915), -0.08, -i) for i in range(around)] + ["vt 1.085 0.915"]
+    faces += [[(number(0, i), first + i), (number(0, i + 1), first + (i + 1) % around), (sole_pole, first + around)]
+              for i in range(around)]
+    lines = ["# a bowl, made by make_meshes.py of Solidnoise, Apache-2.0; Y is up; texture coordinates in the tiles 1001 and 1002"]
+    lines += [f"v {x:.6f} {y:.6f} {z:.6f}" for x, y, z in vertices] + places
+    lines += ["f " + " ".join(f"{v}/{t}" for v, t in face) for face in faces]
+    (folder / "bowl.obj").write_text("\n".join(lines) + "\n")
+    print(f"bowl.obj: {len(vertices)} vertices, {len(faces)} faces")
+
+
 if __name__ == "__main__":
     target = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parent)
     make_wyrm(target)
     make_torus(target)
+    make_bowl(target)

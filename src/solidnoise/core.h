@@ -2,6 +2,7 @@
 #pragma once
 
 #include "solidnoise/core/check.h"
+#include "solidnoise/core/digest.h"
 #include "solidnoise/core/field.h"
 #include "solidnoise/core/fields.h"
 #include "solidnoise/core/image.h"

@@ -4,3 +4,4 @@
 #include "solidnoise/geometry/inspect_mesh.h"
 #include "solidnoise/geometry/mesh_file.h"
 #include "solidnoise/geometry/polygon_mesh.h"
+#include "solidnoise/geometry/texture_coordinates.h"

@@ -65,6 +65,11 @@ TEST(DamagedMesh, OfOmIsRefusedOrSound) {
   damage(om_triangle(), MeshFormat::om);
 }
 
+TEST(DamagedMesh, OfGltfIsRefusedOrSound) {
+  damage(written(awkward_mesh(), MeshFormat::glb), MeshFormat::glb);
+  damage(gltf_scene(), MeshFormat::gltf);
+}
+
 TEST(DamagedMesh, OfStlIsRefusedOrSound) {
   damage(stl_binary(), MeshFormat::stl);
   damage(stl_text(), MeshFormat::stl);

@@ -290,10 +290,10 @@ TEST_F(MeshFiles, AreNamedInErrors) {
   EXPECT_EQ(refusal("no.obj"), folder + "no.obj: cannot be read: No such file or directory");
   EXPECT_EQ(refusal("mesh.fbx"), folder +
                                      "mesh.fbx: is not a mesh by its name; .ply, .obj, .off, .stl and .om "
-                                     "are known, and .glb and .usda to write");
+                                     "are known, and .glb, .gltf to read and .usda to write");
   EXPECT_EQ(refusal("mesh"), folder +
                                  "mesh: is not a mesh by its name; .ply, .obj, .off, .stl and .om are known, "
-                                 "and .glb and .usda to write");
+                                 "and .glb, .gltf to read and .usda to write");
   std::filesystem::create_directory(folder_ / "folder.ply");
   EXPECT_EQ(refusal("folder.ply"), folder + "folder.ply: is a folder, not a file");
   for (const std::string name : {"empty.ply", "empty.obj", "empty.off", "empty.stl", "empty.om"}) {

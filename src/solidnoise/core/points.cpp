@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <utility>
 
-#include <glm/common.hpp>
+#include "solidnoise/core/bounds.h"
 
 namespace solidnoise {
 namespace {
@@ -62,12 +62,7 @@ std::vector<std::size_t> spatial_order(const Points<Dim>& points) {
   static const Spreader<Dim> spreader;
 
   std::vector<KeyedPoint> keyed(points.size());
-  Box<Dim> box;
-  if (points.size() > 0) box = {points.positions.front(), points.positions.front()};
-  for (const Vec<Dim>& position : points.positions) {
-    box.lower = glm::min(box.lower, position);
-    box.upper = glm::max(box.upper, position);
-  }
+  const Box<Dim> box = bounds_of(points.positions);
   Vec<Dim> scale(0.0);
   for (int axis = 0; axis < Dim; ++axis) {
     const double extent = box.upper[axis] - box.lower[axis];

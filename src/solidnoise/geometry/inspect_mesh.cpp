@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "solidnoise/core/bounds.h"
+
 namespace solidnoise {
 namespace {
 
@@ -121,18 +123,6 @@ void count_components(const PolygonMesh& mesh, MeshReport& report) {
   }
 }
 
-Box<3> bounds_of(const std::vector<Vec<3>>& positions) {
-  if (positions.empty()) return {};
-  Box<3> box{positions[0], positions[0]};
-  for (const Vec<3>& position : positions) {
-    for (int axis = 0; axis < 3; ++axis) {
-      box.lower[axis] = std::min(box.lower[axis], position[axis]);
-      box.upper[axis] = std::max(box.upper[axis], position[axis]);
-    }
-  }
-  return box;
-}
-
 }  // namespace
 
 bool MeshReport::is_closed() const {
@@ -143,7 +133,7 @@ MeshReport inspect_mesh(const PolygonMesh& mesh) {
   MeshReport report;
   report.vertices = mesh.positions.size();
   report.faces = mesh.face_count();
-  report.bounds = bounds_of(mesh.positions);
+  report.bounds = bounds_of<3>(mesh.positions);
   count_edges(mesh, report);
   count_faces(mesh, report);
   count_components(mesh, report);

@@ -18,6 +18,7 @@ MeshReading read_obj(std::string_view bytes, const std::string& name);
 MeshReading read_off(std::string_view bytes, const std::string& name);
 MeshReading read_stl(std::string_view bytes, const std::string& name);
 MeshReading read_om(std::string_view bytes, const std::string& name);
+MeshReading read_gltf(std::string_view bytes, MeshFormat format, const std::string& name);
 
 // One writer per format, for write_mesh, which has checked the properties.
 void write_ply(std::ostream& stream, const PolygonMesh& mesh, const MeshWriteOptions& options);
@@ -27,6 +28,10 @@ void write_stl(std::ostream& stream, const PolygonMesh& mesh);
 void write_om(std::ostream& stream, const PolygonMesh& mesh);
 void write_glb(std::ostream& stream, const PolygonMesh& mesh, const MeshWriteOptions& options);
 void write_usda(std::ostream& stream, const PolygonMesh& mesh, const MeshWriteOptions& options);
+
+// A .glb or .gltf again as a .glb, for rewrite_mesh().
+void rewrite_gltf(std::ostream& stream, std::string_view bytes, MeshFormat format, const std::string& name,
+                  const PolygonMesh& mesh, const MeshWriteOptions& options);
 
 // Parts of them: a PLY's head, up to its elements; what it says of vertices, and these; a line of an OBJ.
 void write_ply_start(NumberWriter& out, const MeshWriteOptions& options);

@@ -21,12 +21,13 @@
 namespace solidnoise {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, MeshFormat>, 7> kExtensions{{{".ply", MeshFormat::ply},
+constexpr std::array<std::pair<std::string_view, MeshFormat>, 8> kExtensions{{{".ply", MeshFormat::ply},
                                                                               {".obj", MeshFormat::obj},
                                                                               {".off", MeshFormat::off},
                                                                               {".stl", MeshFormat::stl},
                                                                               {".om", MeshFormat::om},
                                                                               {".glb", MeshFormat::glb},
+                                                                              {".gltf", MeshFormat::gltf},
                                                                               {".usda", MeshFormat::usda}}};
 
 std::optional<MeshFormat> find_format(const std::filesystem::path& path) {
@@ -44,10 +45,10 @@ std::optional<MeshFormat> find_format(const std::filesystem::path& path) {
 MeshFormat mesh_format(const std::filesystem::path& path) {
   const std::optional<MeshFormat> format = find_format(path);
   if (!format) {
-    throw std::runtime_error(
-        fmt::format("{}: is not a mesh by its name; .ply, .obj, .off, .stl and .om are known, and .glb and "
-                    ".usda to write",
-                    path.string()));
+    throw std::runtime_error(fmt::format(
+        "{}: is not a mesh by its name; .ply, .obj, .off, .stl and .om are known, and .glb, .gltf to "
+        "read and .usda to write",
+        path.string()));
   }
   return *format;
 }
@@ -73,9 +74,12 @@ MeshReading read_format(std::string_view bytes, MeshFormat format, const std::st
     case MeshFormat::om:
       return read_om(bytes, name);
     case MeshFormat::glb:
+    case MeshFormat::gltf:
+      return read_gltf(bytes, format, name);
     case MeshFormat::usda:
       throw std::runtime_error(fmt::format(
-          "{}: is of a format that is written only; .ply, .obj, .off, .stl and .om are read", name));
+          "{}: is of a format that is written only; .ply, .obj, .off, .stl, .om, .glb and .gltf are read",
+          name));
   }
   throw std::invalid_argument("unknown mesh format");
 }
@@ -133,6 +137,10 @@ void require_sound_properties(const PolygonMesh& mesh) {
 
 void write_mesh(const std::filesystem::path& path, const PolygonMesh& mesh, const MeshWriteOptions& options) {
   const MeshFormat format = mesh_format(path);
+  if (format == MeshFormat::gltf) {
+    throw std::runtime_error(
+        fmt::format("{}: .gltf files are read only; .glb holds the same", path.string()));
+  }
   require_sound_properties(mesh);
   write_output(path, {.existing = options.existing, .progress = options.progress, .group = options.group},
                [&](std::ostream& stream) { write_mesh(stream, format, mesh, options); });
@@ -153,6 +161,7 @@ void write_mesh(std::ostream& stream, MeshFormat format, const PolygonMesh& mesh
     case MeshFormat::om:
       return write_om(stream, mesh);
     case MeshFormat::glb:
+    case MeshFormat::gltf:
       return write_glb(stream, mesh, options);
     case MeshFormat::usda:
       return write_usda(stream, mesh, options);

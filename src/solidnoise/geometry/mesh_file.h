@@ -13,9 +13,9 @@
 namespace solidnoise {
 
 // The files of meshes: Stanford PLY, Wavefront OBJ, Geomview OFF, stereolithography STL and OpenMesh's OM;
-// and those of scenes, which are written only: Khronos' glTF as .glb, and Universal Scene Description as
-// .usda.
-enum class MeshFormat { ply, obj, off, stl, om, glb, usda };
+// and those of scenes: Khronos' glTF as .glb and as .gltf, which is read only, and Universal Scene
+// Description as .usda, which is written only.
+enum class MeshFormat { ply, obj, off, stl, om, glb, gltf, usda };
 
 // The format that the path's extension names, in any case. Throws std::runtime_error naming the path if it
 // names none.
@@ -30,8 +30,13 @@ enum class PlyEncoding { ascii, binary_little_endian, binary_big_endian };
 struct MeshReading {
   PolygonMesh mesh{};
   std::vector<std::string> comments{};  // PLY: comment and obj_info lines; OBJ: those before the first
-                                        // vertex; OFF: those and all that have a line of their own
+                                        // vertex; OFF: those and all that have a line of their own; GLB,
+                                        // GLTF: asset.extras.comments
   std::vector<std::string> notes{};  // what the file has and the mesh has not, in plain words, one line each
+  // OBJ: where the faces' corners are in textures, face after face, v upwards; not finite where one has no
+  // such place. Empty if none has.
+  std::vector<Vec<2>> texture{};
+  std::vector<std::string> files{};  // GLB, GLTF: the names of those that it refers to, in its folder
 };
 
 // Reads a mesh by the path's extension, in any case:
@@ -45,9 +50,12 @@ struct MeshReading {
 //         order of first use, and facets with two corners at one are dropped and counted
 //   .om   binary, up to version 2.2: positions, faces, vertex normals and colours of three bytes, numbers
 //         that vertices have as properties
+//   .glb, .gltf  glTF 2, with what buffers it has in files beside it: the triangles and points of all its
+//         meshes as one, each where the first node that has it puts it (skinned ones as they are); texture
+//         coordinates as properties s t. No sparse or compressed ones
 // PLY and OBJ are read by ourselves: OpenMesh's readers round colours to 8 bits and positions to floats,
-// copy vertices, drop faces without a word, and some damaged files crash them. The other three are checked
-// first, and then read by OpenMesh.
+// copy vertices, drop faces without a word, and some damaged files crash them. OFF, STL and OM are checked
+// first, and then read by OpenMesh, and so are GLB and GLTF, by tinygltf.
 //
 // The vertices and faces are those of the file, in its order. Positions are kept in double precision;
 // PolygonMesh::position_type says what the file needs. Numbers are read as in the "C" locale always.

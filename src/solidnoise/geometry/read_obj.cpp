@@ -35,7 +35,7 @@ class ObjReader {
       } else if (keyword == "vn") {
         read_normal(text);
       } else if (keyword == "vt") {
-        has_texture_coordinates_ = true;
+        read_texture(text);
       } else if (keyword == "l" || keyword == "p") {
         ++lines_and_points_;
       } else if (is_any_of(keyword, {"g", "o", "s", "usemtl", "mtllib"})) {
@@ -44,7 +44,8 @@ class ObjReader {
     }
     add_colors();
     add_normals();
-    if (has_texture_coordinates_) note("texture coordinates are dropped");
+    add_texture();
+    if (!texture_.empty()) note("texture coordinates are dropped");
     if (lines_and_points_ > 0) note(fmt::format("{} lines or points are dropped", lines_and_points_));
     if (has_parts_) note("groups and materials are dropped");
     return std::move(reading_);
@@ -140,18 +141,47 @@ class ObjReader {
     }
   }
 
+  // What is no number is none; whoever needs it says so.
+  void read_texture(std::string_view text) {
+    const double u = parse_double(take_word(text)).value_or(kNoNumber);
+    const double v = parse_double(take_word(text)).value_or(kNoNumber);
+    texture_.emplace_back(u, v);
+  }
+
+  void add_texture() {
+    const auto missing = [](const Vec<2>& place) { return std::isnan(place.x); };
+    if (!std::all_of(reading_.texture.begin(), reading_.texture.end(), missing)) return;
+    reading_.texture.clear();
+  }
+
+  Vec<2> texture_at(std::string_view word) const {
+    const std::optional<std::int64_t> number = parse_number<std::int64_t>(word);
+    const auto count = static_cast<std::int64_t>(texture_.size());
+    const bool in_range = number && (*number > 0 ? *number <= count : *number < 0 && *number >= -count);
+    if (!in_range) return Vec<2>(kNoNumber);
+    return texture_[static_cast<std::size_t>(*number > 0 ? *number - 1 : count + *number)];
+  }
+
   // Corners are v, v/t, v//n or v/t/n.
   void read_face(std::string_view text) {
     corners_.clear();
+    corner_texture_.clear();
     for (std::string_view word = take_word(text); !word.empty(); word = take_word(text)) {
       const std::size_t first = word.find('/');
       corners_.push_back(vertex_index(word.substr(0, first)));
       const std::size_t second = first == std::string_view::npos ? first : word.find('/', first + 1);
+      if (!texture_.empty()) {
+        reading_.texture.resize(reading_.mesh.corners.size(), Vec<2>(kNoNumber));  // of faces before any vt
+        corner_texture_.push_back(first == std::string_view::npos
+                                      ? Vec<2>(kNoNumber)
+                                      : texture_at(word.substr(first + 1, second - first - 1)));
+      }
       const bool same = second != std::string_view::npos && is_own_normal(word.substr(second + 1));
       normals_of_vertices_ = normals_of_vertices_ && same;
     }
     if (corners_.empty()) refuse_face("it has no vertices");
     reading_.mesh.add_face(corners_);
+    reading_.texture.insert(reading_.texture.end(), corner_texture_.begin(), corner_texture_.end());
   }
 
   // Indices count from 1, or, if negative, back from the last vertex so far.
@@ -198,7 +228,8 @@ class ObjReader {
   bool has_alpha_ = false;
   std::vector<Vec<3>> normals_;
   bool normals_of_vertices_ = true;
-  bool has_texture_coordinates_ = false;
+  std::vector<Vec<2>> texture_;
+  std::vector<Vec<2>> corner_texture_;  // of a face
   bool has_parts_ = false;
 };
 

@@ -125,7 +125,10 @@ void rewrite_mesh(std::ostream& stream, std::string_view bytes, MeshFormat forma
                   const PolygonMesh& mesh, const MeshWriteOptions& options) {
   if (format == MeshFormat::obj) return rewrite_obj(stream, bytes, name, mesh, options.comments);
   if (format == MeshFormat::ply) return rewrite_ply(stream, bytes, name, mesh, options);
-  throw std::invalid_argument(fmt::format("{}: only .ply and .obj files are written again in part", name));
+  if (format == MeshFormat::glb || format == MeshFormat::gltf)
+    return rewrite_gltf(stream, bytes, format, name, mesh, options);
+  throw std::invalid_argument(
+      fmt::format("{}: only .ply, .obj and glTF files are written again in part", name));
 }
 
 bool is_kept(const std::string& note) {

@@ -71,6 +71,23 @@ std::vector<const VertexProperty*> plain_numbers(const PolygonMesh& mesh) {
   return result;
 }
 
+std::vector<MeshNumber> plain_vectors(const PolygonMesh& mesh) {
+  const std::vector<const VertexProperty*> numbers = plain_numbers(mesh);
+  std::vector<MeshNumber> result;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const std::string& name = numbers[i]->name;
+    const std::string stem = name.ends_with("_x") ? name.substr(0, name.size() - 2) : std::string();
+    if (!stem.empty() && i + 2 < numbers.size() && numbers[i + 1]->name == stem + "_y" &&
+        numbers[i + 2]->name == stem + "_z") {
+      result.push_back({stem, {numbers[i], numbers[i + 1], numbers[i + 2]}});
+      i += 2;
+    } else {
+      result.push_back({name, {numbers[i]}});
+    }
+  }
+  return result;
+}
+
 FloatBox float_box(const PolygonMesh& mesh) {
   FloatBox box{Vec<3>(kLargestFloat), Vec<3>(-kLargestFloat)};
   for (const Vec<3>& position : mesh.positions) {

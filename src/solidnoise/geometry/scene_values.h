@@ -25,6 +25,13 @@ std::vector<Vec<3>> unit_normals(const PolygonMesh& mesh);
 // Properties that are no part of a colour, a normal or texture coordinates.
 std::vector<const VertexProperty*> plain_numbers(const PolygonMesh& mesh);
 
+// The same, where those of NAME_x, NAME_y and NAME_z that follow each other are one vector.
+struct MeshNumber {
+  std::string name;
+  std::vector<const VertexProperty*> parts;  // 1, or 3 of a vector
+};
+std::vector<MeshNumber> plain_vectors(const PolygonMesh& mesh);
+
 // The lower and the upper corner of the box of all positions, as float32.
 struct FloatBox {
   Vec<3> lower{0.0};

@@ -84,14 +84,15 @@ void write_primvars(PrimWriter& prim, const PolygonMesh& mesh) {
     prim.of_vertices();
   }
   std::set<std::string> names{"displayColor", "displayOpacity", "st"};
-  for (const VertexProperty* number : plain_numbers(mesh)) {
-    const std::string name = usd_name(number->name);
+  for (const MeshNumber& number : plain_vectors(mesh)) {
+    const std::string name = usd_name(number.name);
     if (!names.insert(name).second) {
       throw std::invalid_argument(
-          fmt::format("two properties are primvars:{} in a .usda, one of them {}", name, number->name));
+          fmt::format("two properties are primvars:{} in a .usda, one of them {}", name, number.name));
     }
-    prim.floats("float[] primvars:" + name, count, 1,
-                [&](std::size_t vertex, std::size_t) { return number->values[vertex]; });
+    const char* const type = number.parts.size() == 3 ? "vector3f" : "float";
+    prim.floats(fmt::format("{}[] primvars:{}", type, name), count, number.parts.size(),
+                [&](std::size_t vertex, std::size_t part) { return number.parts[part]->values[vertex]; });
     prim.of_vertices();
   }
 }

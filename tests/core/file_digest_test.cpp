@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "solidnoise/volume/vdb/grid_file.h"
+#include "solidnoise/core/digest.h"
 #include "support/temporary_folder.h"
 
 namespace solidnoise {

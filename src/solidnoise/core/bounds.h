@@ -1,0 +1,21 @@
+#pragma once
+
+#include <span>
+
+#include <glm/common.hpp>
+
+#include "solidnoise/core/vec.h"
+
+namespace solidnoise {
+
+// The least box that holds all positions; {0, 0} where there are none.
+template <int Dim>
+Box<Dim> bounds_of(std::span<const Vec<Dim>> positions) {
+  if (positions.empty()) return {};
+  Box<Dim> box{positions.front(), positions.front()};
+  for (const Vec<Dim>& position : positions)
+    box = {glm::min(box.lower, position), glm::max(box.upper, position)};
+  return box;
+}
+
+}  // namespace solidnoise

@@ -1,0 +1,2 @@
+#define TINYGLTF_IMPLEMENTATION
+#include "solidnoise/geometry/gltf_library.h"
