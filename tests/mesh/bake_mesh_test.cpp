@@ -46,6 +46,34 @@ TEST(BakeMesh, KeepsTheMeshAndAddsColorsAndValues) {
   EXPECT_EQ(baked.mesh.property("red")->type, ScalarType::uint8);
 }
 
+TEST(BakeMesh, KeepsGradientsAndCurlsForRenderers) {
+  BakeRecipe recipe;
+  recipe.properties["height"] = {.use = "value", .weight = 3.0};
+  recipe.smooth_radius = 0.0;  // the noise lies in the surface's own planes
+  const PolygonMesh mesh = test_mesh();
+  const BakePlan plan = plan_bake(mesh, recipe);
+  const BakedMesh baked = bake(plan, recipe, {"gradient", "curl"});
+  const auto vector = [&](const std::string& name, std::size_t v) {
+    return Vec<3>(baked.mesh.property(name + "_x")->values[v], baked.mesh.property(name + "_y")->values[v],
+                  baked.mesh.property(name + "_z")->values[v]);
+  };
+  constexpr double kStep = 1e-3;  // world units: of a wave of a tenth
+  for (std::size_t v = 0; v < mesh.positions.size(); v += 97) {
+    const Vec<3> gradient = vector("gradient", v);
+    const Vec<3> normal = plan.guides.normals[v];
+    const double length = glm::length(gradient);
+    EXPECT_LT(std::abs(glm::dot(gradient, normal)), 1e-5 * length);
+    EXPECT_LT(glm::length(glm::cross(normal, gradient) - vector("curl", v)), 1e-5 * length);
+    // The height a step further along the surface, of a plan whose vertex is there.
+    BakePlan moved = plan;
+    moved.mesh.positions[v] += kStep / length * gradient;
+    const double there = bake(moved, recipe).mesh.property("height")->values[v];
+    moved.mesh.positions[v] = plan.mesh.positions[v] - kStep / length * gradient;
+    const double here = bake(moved, recipe).mesh.property("height")->values[v];
+    EXPECT_NEAR((there - here) / (2.0 * kStep), length, 0.02 * length + 0.05);
+  }
+}
+
 TEST(BakeMesh, ColorsAreTheRampsAtTheValues) {
   BakeRecipe recipe;
   recipe.ramp = "viridis";
@@ -181,7 +209,7 @@ TEST(BakeMesh, KeepsWhatItIsAskedToKeep) {
     EXPECT_NE(baked.mesh.property(name), nullptr) << name;
   EXPECT_EQ(message_of<std::invalid_argument>([&] { bake_all(test_mesh(), recipe, {"weather"}); }),
             "keep is weather; it must be one of frequency, bandwidth, magnitude, bias, weight, steering, "
-            "direction");
+            "direction, gradient, curl");
   EXPECT_EQ(message_of<std::invalid_argument>([&] { bake_all(test_mesh(), BakeRecipe(), {"weight"}); }),
             "keep is weight; there is none where no parameter is a range");
 }

@@ -58,8 +58,8 @@ TEST_P(MeshnoiseBadInput, IsRefusedInOneLineAndLeavesNothing) {
 }
 
 const Refusal kUsage[] = {
-    {"NoCommand", 2, {}, {"bake, curvature or info"}},
-    {"UnknownCommand", 2, {"frobnicate", "in.ply"}, {"frobnicate", "bake, curvature or info"}},
+    {"NoCommand", 2, {}, {"bake, curvature, info or farm"}},
+    {"UnknownCommand", 2, {"frobnicate", "in.ply"}, {"frobnicate", "bake, curvature, info or farm"}},
     {"NoMesh", 2, {"bake"}, {"IN is missing"}},
     {"UnknownFlag", 2, {"--out", "x.ply", "--frequncy", "3"}, {"--frequncy", "did you mean --frequency"}},
     {"StrayWord", 2, {"--out", "x.ply", "stray"}, {"stray"}},

@@ -18,6 +18,7 @@ TEST(MeshnoiseEstimatedMemory, IsWhatABakeTakes) {
   };
   for (const std::vector<std::string>& options :
        {std::vector<std::string>{"--noise", "surface", "--octaves", "4", "--detail", "0.5..1.8"},
+        {"--noise", "oriented", "--impulses", "5000"},
         {"--refine", "3"},
         {"--preset", "bark", "--refine", "3"},
         {"--refine", "auto", "--frequency", "8"}}) {

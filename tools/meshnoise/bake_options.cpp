@@ -19,6 +19,7 @@
 #include "solidnoise/core/check.h"
 #include "solidnoise/core/printable.h"
 #include "solidnoise/image/color.h"
+#include "solidnoise/mesh/bake_fields.h"
 #include "solidnoise/mesh/bake_mesh.h"
 #include "solidnoise/mesh/bake_recipe_json.h"
 #include "solidnoise/recipe/exemplar_file.h"
@@ -100,6 +101,17 @@ void declare_output(FlagSet& flags, BakeOptions& options) {
              "a .ply on the standard output",
              options.out);
   flags.toggle("--usd", "Write the mesh as USD too: a .usda beside --out", [&] { options.usd = true; });
+  flags.keep("--uv", "FILE",
+             "Textures instead, or too, of a mesh that has texture coordinates: .png and .tif of 16 bits, "
+             ".exr; one of "
+             "the coordinates from 0 to 1, or of each tile where its name has <UDIM> in it",
+             options.uv);
+  flags.text(
+      "--map", "NAMES",
+      "What textures show, with commas between: color, normal, height, noise, or a property of the recipe, "
+      "such as roughness; of several, <MAP> in --uv is the name (default color)",
+      [&](const std::string& text) { options.maps = parse_names("--map", text); });
+  declare_fields(flags, options.textures);
   flags.keep("--preview", "FILE.png", "A picture of the mesh in its colours, rendered by Embree",
              options.preview);
   declare_fields(flags, options.view);
@@ -233,8 +245,8 @@ void declare_look(FlagSet& flags, BakeRecipe& recipe) {
 }  // namespace
 
 void declare_bake_flags(FlagSet& flags, BakeOptions& options) {
-  flags.show_first({"--out", "--preset", "--preview", "--noise", "--frequency", "--seed", "--by", "--ramp",
-                    "--refine", "--displace"});
+  flags.show_first({"--out", "--uv", "--preset", "--preview", "--noise", "--frequency", "--seed", "--by",
+                    "--ramp", "--refine", "--displace"});
   declare_output(flags, options);
   declare_recipe_flags(flags, "a .ply, .obj or .off made by meshnoise", options.write_recipe,
                        bake_recipe_schema);

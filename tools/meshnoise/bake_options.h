@@ -7,14 +7,18 @@
 #include "common/run_options.h"
 #include "meshnoise/mesh_files.h"
 #include "solidnoise/mesh/bake_recipe.h"
+#include "solidnoise/mesh/texture_plan.h"
 
 namespace solidnoise {
 
 // What the command line of `meshnoise bake` says, beside the recipe.
 struct BakeOptions : RunOptions {
   BakeRecipe recipe;
-  std::string out;      // of any MeshFormat; "-" for a .ply on the standard output; empty: none
-  bool usd = false;     // and as a .usda beside it
+  std::string out;   // of any MeshFormat; "-" for a .ply on the standard output; empty: none
+  bool usd = false;  // and as a .usda beside it
+  std::string uv;    // of textures, with <UDIM> or <MAP> where they are several; empty: none
+  std::vector<std::string> maps{"color"};  // that are baked into textures
+  TextureOptions textures;
   std::string preview;  // .png; empty: none
   PreviewOptions view;
   std::string write_recipe;       // .json, "-" for the standard output; empty: none

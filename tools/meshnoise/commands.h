@@ -11,6 +11,7 @@ inline constexpr char kMeshnoise[] = "meshnoise " SOLIDNOISE_VERSION;  // name a
 // what run_tool() expects.
 int run_bake(const std::vector<std::string>& arguments);
 int run_curvature(const std::vector<std::string>& arguments);
+int run_farm(const std::vector<std::string>& arguments);
 int run_info(const std::vector<std::string>& arguments);
 
 }  // namespace solidnoise

@@ -63,7 +63,7 @@ int run_curvature(const std::vector<std::string>& arguments) {
   const MeshReading reading = read_input_mesh(in, options.quiet ? Notes::keep_quiet : Notes::print);
   const bool keeps = keeps_the_rest(in, out) && has_rest(reading);
   if (!keeps && !options.quiet) print_dropped(in, reading);
-  TaskProgress progress(ProgressBar::Visibility::hidden);
+  TaskProgress progress(TaskProgress::Visibility::hidden);
   const ShownCurvature shown = show_curvature(reading.mesh, recipe);
   std::optional<Image> picture;
   if (!preview.empty())

@@ -1,13 +1,16 @@
 #include "meshnoise/mesh_files.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "common/outputs.h"
 #include "common/run_tool.h"
 #include "solidnoise/core/input_file.h"
+#include "solidnoise/core/printable.h"
 #include "solidnoise/geometry/inspect_mesh.h"
 #include "solidnoise/geometry/mesh_file.h"
 #include "solidnoise/geometry/rewrite_mesh.h"
@@ -27,12 +30,28 @@ MeshReading read_input_mesh(const std::string& path, Notes notes, Faces faces) {
 }
 
 bool keeps_the_rest(const std::string& in, const std::string& out) {
-  if (!is_mesh_path(in) || !is_mesh_path(out) || mesh_format(in) != mesh_format(out)) return false;
-  return mesh_format(in) == MeshFormat::ply || mesh_format(in) == MeshFormat::obj;
+  if (!is_mesh_path(in) || !is_mesh_path(out)) return false;
+  const MeshFormat from = mesh_format(in);
+  const MeshFormat to = mesh_format(out);
+  if (to == MeshFormat::glb) return from == MeshFormat::glb || from == MeshFormat::gltf;
+  return from == to && (to == MeshFormat::ply || to == MeshFormat::obj);
+}
+
+bool has_scene(const std::string& in) {
+  return is_mesh_path(in) && (mesh_format(in) == MeshFormat::glb || mesh_format(in) == MeshFormat::gltf);
 }
 
 bool has_rest(const MeshReading& reading) {
   return std::ranges::any_of(reading.notes, is_kept);
+}
+
+void require_files_beside(const std::string& in, const std::string& out, const MeshReading& reading) {
+  const auto folder_of = [](const std::string& path) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(path).parent_path());
+  };
+  if (reading.files.empty() || folder_of(in) == folder_of(out)) return;
+  throw std::runtime_error(fmt::format("{}: it refers to {}, in its folder; --out must be there too", in,
+                                       printable(reading.files.front())));
 }
 
 void print_dropped(const std::string& path, const MeshReading& reading) {
@@ -44,7 +63,7 @@ void print_dropped(const std::string& path, const MeshReading& reading) {
 void require_mesh_name(const std::string& out, Shows shows) {
   require_no_terminal("--out", out);
   if (out == "-") return;
-  if (!is_mesh_path(out)) {
+  if (!is_mesh_path(out) || mesh_format(out) == MeshFormat::gltf) {
     throw UsageError(
         fmt::format("--out is {}; it must end in .ply, .obj, .off or .om, for scenes in .glb or .usda, or be "
                     "- for the standard output",

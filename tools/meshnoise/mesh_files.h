@@ -24,8 +24,14 @@ MeshReading read_input_mesh(const std::string& path, Notes notes, Faces faces = 
 // faces stay.
 bool keeps_the_rest(const std::string& in, const std::string& out);
 
+// Whether an input is a scene, whose nodes say where its vertices are: then they cannot be moved.
+bool has_scene(const std::string& in);
+
 // Whether there is something to keep.
 bool has_rest(const MeshReading& reading);
+
+// Refuses an output that would have the names of files which are not beside it: throws std::runtime_error.
+void require_files_beside(const std::string& in, const std::string& out, const MeshReading& reading);
 
 // Says what is lost where it is not kept.
 void print_dropped(const std::string& path, const MeshReading& reading);

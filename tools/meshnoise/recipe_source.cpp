@@ -26,7 +26,7 @@ std::string text_of(const std::filesystem::path& path) {
 BakeRecipe choose_bake_recipe(const FlagSet& flags) {
   BakeRecipe recipe;
   const char* const standard = flags.given("--noise") ? "raw" : "rust";
-  load_recipe(flags, standard, text_of, [&](const Json& json) { recipe = bake_recipe_from_json(json); });
+  load_recipe(flags, {standard, text_of}, [&](const Json& json) { recipe = bake_recipe_from_json(json); });
   return recipe;
 }
 

@@ -12,9 +12,10 @@ struct BakeCost {
 };
 
 // Bytes that planning and baking take at most for a mesh of so many vertices and faces; a preview takes two
-// thirds more (kPreviewMemory).
+// thirds more (kPreviewMemory). The libraries that images are rendered and written by are kImageMemory.
 double bake_memory(double vertices, double faces);
 inline constexpr double kPreviewMemory = 5.0 / 3.0;
+inline constexpr double kImageMemory = 128.0 * 0x1p20;
 
 // Of a plan, from here to the file, without a preview.
 BakeCost bake_cost(const BakePlan& plan, const BakeRecipe& recipe);

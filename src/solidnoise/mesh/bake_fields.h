@@ -5,6 +5,7 @@
 
 #include "solidnoise/core/fields.h"
 #include "solidnoise/mesh/bake_recipe.h"
+#include "solidnoise/mesh/texture_plan.h"
 #include "solidnoise/mesh/vertex_colors.h"
 #include "solidnoise/noise/gabor/gabor_entries.h"
 #include "solidnoise/noise/noise_entry.h"
@@ -193,6 +194,13 @@ constexpr auto fields_of(std::type_identity<BakeRecipe>) {
           "Move vertices along their normals, by this for a value of 1, or a height of 1 where a recipe has "
           "that property"),
       field("up", &Recipe::up, kUpAxisChoices, "The up axis: of height, of directions, and of the preview"));
+}
+
+constexpr auto fields_of(std::type_identity<TextureOptions>) {
+  return list_fields(
+      field("uv_size", &TextureOptions::size, between(1, 32768), "texels", "Of each side of a texture"),
+      field("uv_padding", &TextureOptions::padding, between(0, 1024), "texels",
+            "By which textures continue beyond the edges of faces"));
 }
 
 constexpr auto fields_of(std::type_identity<CurvatureRecipe>) {

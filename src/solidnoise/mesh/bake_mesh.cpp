@@ -15,8 +15,10 @@
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 
+#include "solidnoise/core/bounds.h"
 #include "solidnoise/image/color.h"
 #include "solidnoise/mesh/bake_cost.h"
+#include "solidnoise/mesh/bake_values.h"
 #include "solidnoise/mesh/displace.h"
 #include "solidnoise/mesh/refine.h"
 #include "solidnoise/mesh/surface_mesh.h"
@@ -31,14 +33,8 @@ double at(const VertexNumber& number, std::size_t vertex) {
 }
 
 double diagonal_of(const PolygonMesh& mesh) {
-  if (mesh.positions.empty()) return 0.0;
-  Vec<3> lower = mesh.positions.front();
-  Vec<3> upper = lower;
-  for (const Vec<3>& position : mesh.positions) {
-    lower = glm::min(lower, position);
-    upper = glm::max(upper, position);
-  }
-  return glm::length(upper - lower);
+  const Box<3> box = bounds_of<3>(mesh.positions);
+  return glm::length(box.upper - box.lower);
 }
 
 // Cycles per edge of the highest frequency, mean over all edges.
@@ -62,13 +58,13 @@ double mean_cycles_per_edge(const PolygonMesh& mesh, const VertexNumber& frequen
 }
 
 // What a keepable number needs of the recipe.
-enum class Needs { nothing, steering, directions };
+enum class Needs { nothing, steering, directions, slopes };
 
 // What can be kept: a name, and the numbers of all vertices under one or more property names.
 struct Keepable {
   std::string_view name;
   Needs needs;
-  std::function<std::vector<VertexProperty>(const BakePlan&)> properties;
+  std::function<std::vector<VertexProperty>(const BakePlan&, const BakedValues&)> properties;
 };
 
 VertexProperty property_of(std::string name, std::size_t count,
@@ -79,11 +75,21 @@ VertexProperty property_of(std::string name, std::size_t count,
 }
 
 Keepable parameter(std::string_view name, VertexNumber VertexParameters::*member) {
-  return {name, Needs::nothing, [=](const BakePlan& plan) {
+  return {name, Needs::nothing, [=](const BakePlan& plan, const BakedValues&) {
             const VertexNumber& number = plan.parameters.*member;
             return std::vector{property_of(std::string(name), plan.mesh.positions.size(),
                                            [&](std::size_t i) { return at(number, i); })};
           }};
+}
+
+std::vector<VertexProperty> vector_properties(const std::string& name, std::size_t count,
+                                              const std::function<Vec<3>(std::size_t)>& vector) {
+  std::vector<VertexProperty> properties;
+  for (int axis = 0; axis < 3; ++axis) {
+    properties.push_back(property_of(fmt::format("{}_{}", name, "xyz"[axis]), count,
+                                     [&](std::size_t i) { return vector(i)[axis]; }));
+  }
+  return properties;
 }
 
 const std::vector<Keepable>& keepables() {
@@ -93,25 +99,32 @@ const std::vector<Keepable>& keepables() {
       parameter("magnitude", &VertexParameters::magnitude),
       parameter("bias", &VertexParameters::bias),
       {"weight", Needs::steering,
-       [](const BakePlan& plan) {
+       [](const BakePlan& plan, const BakedValues&) {
          const auto& weights = plan.guides.steering.weights;
          return std::vector{property_of("weight", weights.size(), [&](std::size_t i) { return weights[i]; })};
        }},
       {"steering", Needs::steering,
-       [](const BakePlan& plan) {
+       [](const BakePlan& plan, const BakedValues&) {
          const auto& numbers = plan.guides.numbers;
          return std::vector{
              property_of("steering", numbers.size(), [&](std::size_t i) { return numbers[i]; })};
        }},
       {"direction", Needs::directions,
-       [](const BakePlan& plan) {
+       [](const BakePlan& plan, const BakedValues&) {
          const auto& directions = plan.guides.directions;
-         std::vector<VertexProperty> properties;
-         for (int axis = 0; axis < 3; ++axis) {
-           properties.push_back(property_of(fmt::format("direction_{}", "xyz"[axis]), directions.size(),
-                                            [&](std::size_t i) { return directions[i][axis]; }));
-         }
-         return properties;
+         return vector_properties("direction", directions.size(),
+                                  [&](std::size_t i) { return directions[i]; });
+       }},
+      {"gradient", Needs::slopes,
+       [](const BakePlan&, const BakedValues& values) {
+         const auto& slopes = values.slopes;
+         return vector_properties("gradient", slopes.size(), [&](std::size_t i) { return slopes[i]; });
+       }},
+      {"curl", Needs::slopes,
+       [](const BakePlan& plan, const BakedValues& values) {
+         return vector_properties("curl", values.slopes.size(), [&](std::size_t i) {
+           return glm::cross(plan.guides.normals[i], values.slopes[i]);
+         });
        }},
   };
   return all;
@@ -213,84 +226,6 @@ RefinedMesh refine_mesh(const PolygonMesh& mesh, const RefineRecipe& recipe, std
   return refine(mesh, targets, options);
 }
 
-BakeVertices vertices_of(const BakePlan& plan) {
-  BakeVertices vertices;
-  vertices.positions = plan.mesh.positions;
-  vertices.normals = plan.guides.planes();
-  vertices.frequency = plan.parameters.frequency;
-  vertices.bandwidth = plan.parameters.bandwidth;
-  vertices.magnitude = plan.parameters.magnitude;
-  vertices.directions = plan.guides.directions;
-  vertices.weights = plan.guides.steering.weights;
-  return vertices;
-}
-
-// Of a recipe, in world units.
-SurfaceLayers surface_layers(const BakePlan& plan, const BakeRecipe& recipe, std::vector<Layer> layers) {
-  SurfaceLayers result{std::move(layers), recipe.up, recipe.fields};
-  if (recipe.layer_unit == LayerUnit::world) return result;
-  result.layers = in_units(std::move(result.layers), plan.feature_size);
-  for (auto& [name, layer] : result.fields) layer = in_units({layer}, plan.feature_size).front();
-  return result;
-}
-
-// Noise times magnitude plus bias at each vertex. `noise` takes the place of the recipe's.
-std::vector<float> bake_values(const BakePlan& plan, const BakeRecipe& recipe,
-                               const SurfaceNoiseRecipe& noise, Progress* progress) {
-  const BakeVertices vertices = vertices_of(plan);
-  std::vector<float> values =
-      recipe.layers.empty()
-          ? bake_noise(noise, vertices, progress)
-          : bake_layers(noise, surface_layers(plan, recipe, recipe.layers), vertices, progress);
-  for (std::size_t i = 0; i < values.size(); ++i)
-    values[i] += static_cast<float>(at(plan.parameters.bias, i));
-  return values;
-}
-
-// Sets the recipe's properties, and returns what vertices are displaced by.
-std::vector<float> set_properties(const BakePlan& plan, const BakeRecipe& recipe, std::vector<float> values,
-                                  PolygonMesh& mesh, Progress* progress) {
-  BakeVertices vertices = vertices_of(plan);
-  vertices.magnitude = {1.0, {}};
-  vertices.values = values;
-  std::optional<std::vector<float>> height;
-  for (const auto& [name, layer] : recipe.properties) {
-    std::vector<float> numbers =
-        bake_layers(recipe.noise, surface_layers(plan, recipe, {layer}), vertices, progress);
-    mesh.set_property({name, ScalarType::float32, {numbers.begin(), numbers.end()}});
-    if (name == kHeightProperty) height = std::move(numbers);
-  }
-  return height ? *std::move(height) : std::move(values);
-}
-
-std::vector<Color> ramp_colors(const BakeRecipe& recipe, const std::vector<float>& values) {
-  const ColorRamp ramp = parse_color_ramp(recipe.ramp);
-  std::vector<Color> colors(values.size());
-  tbb::parallel_for(std::size_t{0}, values.size(), [&](std::size_t i) {
-    colors[i] = ramp.linear(place_on_ramp(values[i], recipe.contrast));
-  });
-  return colors;
-}
-
-// The exemplar's own, of the values of its first channel and of the others.
-std::vector<Color> exemplar_colors(const BakePlan& plan, const BakeRecipe& recipe,
-                                   const std::vector<float>& first, Progress* progress) {
-  const ExemplarModel& exemplar = recipe.noise.exemplar;
-  std::vector<std::vector<float>> others;
-  for (std::size_t k = 1; k < exemplar.channels.size(); ++k) {
-    others.push_back(bake_values(plan, recipe, channel_of(recipe.noise, static_cast<int>(k)), progress));
-  }
-  std::vector<Color> colors(first.size());
-  std::vector<double> values(exemplar.channels.size());
-  for (std::size_t i = 0; i < first.size(); ++i) {
-    values[0] = recipe.contrast * first[i];
-    for (std::size_t k = 0; k < others.size(); ++k) values[k + 1] = recipe.contrast * others[k][i];
-    const Color color(exemplar.color(values));
-    colors[i] = exemplar.raw_values ? linear_from_srgb(color) : color;
-  }
-  return colors;
-}
-
 }  // namespace
 
 BakePlan plan_bake(PolygonMesh mesh, const BakeRecipe& recipe, std::uint64_t most_memory) {
@@ -352,21 +287,29 @@ BakedMesh bake(const BakePlan& plan, const BakeRecipe& recipe, const std::vector
   BakedMesh baked;
   baked.mesh = plan.mesh;
   baked.normals = plan.guides.normals;
+  BakeWishes wishes{.colors = true};
+  for (const auto& [name, layer] : recipe.properties) wishes.properties.push_back(name);
+  wishes.slopes = std::any_of(keep.begin(), keep.end(), [](const std::string& name) {
+    return find_keepable(name).needs == Needs::slopes;
+  });
+  BakedValues values = bake_values(plan, recipe, wishes, progress);
   for (const std::string& name : keep) {
-    for (VertexProperty& property : find_keepable(name).properties(plan))
+    for (VertexProperty& property : find_keepable(name).properties(plan, values))
       baked.mesh.set_property(std::move(property));
   }
-
-  std::vector<float> values = bake_values(plan, recipe, recipe.noise, progress);
-  baked.moments = Moments::of(values);
-  baked.colors = recipe.has_exemplar_colors() ? exemplar_colors(plan, recipe, values, progress)
-                                              : ramp_colors(recipe, values);
+  baked.moments = Moments::of(values.noise);
+  baked.colors = std::move(values.colors);
   set_vertex_colors(baked.mesh, baked.colors);
-  baked.mesh.set_property({"noise", ScalarType::float32, {values.begin(), values.end()}});
-  std::vector<float> heights = set_properties(plan, recipe, std::move(values), baked.mesh, progress);
+  baked.mesh.set_property({"noise", ScalarType::float32, {values.noise.begin(), values.noise.end()}});
+  std::vector<float>* heights = &values.noise;
+  for (std::size_t i = 0; i < wishes.properties.size(); ++i) {
+    std::vector<float>& numbers = values.properties[i];
+    baked.mesh.set_property({wishes.properties[i], ScalarType::float32, {numbers.begin(), numbers.end()}});
+    if (wishes.properties[i] == kHeightProperty) heights = &numbers;
+  }
   if (recipe.displace != 0.0) {
-    for (float& height : heights) height *= static_cast<float>(recipe.displace);
-    displace(baked.mesh, baked.normals, heights);
+    for (float& height : *heights) height *= static_cast<float>(recipe.displace);
+    displace(baked.mesh, baked.normals, *heights);
     const SurfaceMesh surface(baked.mesh);
     baked.normals = surface.to_vertices(surface.normals());
   }

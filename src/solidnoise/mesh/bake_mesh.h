@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,8 @@ struct BakePlan {
   VertexGuides guides;
   VertexParameters parameters;
   std::size_t original_vertices = 0;
+  std::optional<Box<3>> bounds{};     // BakeVertices::bounds
+  double filter = 0.0;                // BakeVertices::filter
   double feature_size = 1.0;          // feature_size_of(), world units
   double mean_edge = 0.0;             // of `mesh`, world units; 0 without edges
   double highest_frequency = 0.0;     // of the noise's band, where it is highest, cycles per world unit
@@ -53,7 +56,10 @@ struct BakedMesh {
 };
 
 // The numbers that bake() can keep in the mesh, by name: frequency, bandwidth, magnitude, bias, weight (what
-// steers, 0 to 1), steering (the number that it is made of), direction (as direction_x, _y, _z).
+// steers, 0 to 1), steering (the number that it is made of), direction (as direction_x, _y, _z); and for
+// renderers that displace by vectors, in the same way gradient, the height's along the surface per world
+// unit, and curl, that vector turned by a right angle around the normal, which has no divergence along the
+// surface.
 std::vector<std::string_view> keepable_names();
 
 // Throws std::invalid_argument if one of the names is not keepable, or not there with this recipe: no

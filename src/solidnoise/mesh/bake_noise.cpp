@@ -1,7 +1,6 @@
 #include "solidnoise/mesh/bake_noise.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -11,20 +10,22 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <glm/common.hpp>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_for_each.h>
-#include <tbb/parallel_sort.h>
+#include <glm/geometric.hpp>
 
+#include "solidnoise/core/bounds.h"
 #include "solidnoise/core/check.h"
 #include "solidnoise/core/random.h"
+#include "solidnoise/field/combined_field.h"
 #include "solidnoise/field/layered_field.h"
 #include "solidnoise/field/moved_field.h"
+#include "solidnoise/field/value_maps.h"
 #include "solidnoise/mesh/bake_fields.h"
 #include "solidnoise/mesh/bake_recipe.h"
 #include "solidnoise/mesh/surface_field.h"
+#include "solidnoise/mesh/vertex_batches.h"
 #include "solidnoise/noise/convolution/kernel_cells.h"
 #include "solidnoise/noise/gabor/spectrum_noise.h"
+#include "solidnoise/noise/point/point_parameters.h"
 
 namespace solidnoise {
 
@@ -132,6 +133,7 @@ SurfaceKernel kernel_of(const SurfaceNoiseRecipe& recipe, const BakeVertices& ve
                         const Components& directions) {
   SurfaceKernel kernel{
       typical(vertices.frequency, kFrequencies), typical(vertices.bandwidth, kBandwidths), {}};
+  kernel.filter = vertices.filter;
   kernel.fields.frequency = as_parameter(vertices.frequency);
   kernel.fields.bandwidth = as_parameter(vertices.bandwidth);
   if (has_direction(recipe)) {
@@ -139,19 +141,6 @@ SurfaceKernel kernel_of(const SurfaceNoiseRecipe& recipe, const BakeVertices& ve
         std::vector<std::span<const float>>{directions[0], directions[1], directions[2]});
   }
   return kernel;
-}
-
-// The least box that holds the vertices, and has a volume.
-Box<3> bounds_of(std::span<const Vec<3>> positions) {
-  if (positions.empty()) return {Vec<3>(0.0), Vec<3>(1.0)};
-  Box<3> box{positions.front(), positions.front()};
-  for (const Vec<3>& position : positions) {
-    box = {glm::min(box.lower, position), glm::max(box.upper, position)};
-  }
-  for (int axis = 0; axis < 3; ++axis) {
-    if (box.lower[axis] == box.upper[axis]) box.upper[axis] += 1.0;
-  }
-  return box;
 }
 
 LayerNoise own_layer_noise(const SurfaceNoiseRecipe& recipe, const SurfaceKernel& kernel,
@@ -172,24 +161,27 @@ FieldPtr numbers_of(std::string_view name, std::span<const float> numbers, const
   return std::make_shared<VertexField>(std::vector<std::span<const float>>{numbers});
 }
 
-// Of `vertices`, to whose numbers it refers.
+// Of `vertices`, to whose numbers it refers; `value` is the field of that name, null: their values.
 FieldPtr layered_field(const SurfaceNoiseRecipe& recipe, const SurfaceLayers& layers,
-                       const SurfaceKernel& kernel, const BakeVertices& vertices) {
+                       const SurfaceKernel& kernel, const BakeVertices& vertices,
+                       const FieldPtr& value = nullptr) {
   const NoiseRecipe own = noise_of_layers(recipe);
   NamedLayers known = layers.fields;
-  if (!vertices.values.empty()) known.try_emplace(kValueField, Layer{.place = Layer::Place::weight});
+  if (value || !vertices.values.empty()) known.try_emplace(kValueField, Layer{.place = Layer::Place::weight});
   validate_layers(layers.layers, own, known, LayerSpace::surface);
-  const Box<3> box = bounds_of(vertices.positions);
+  const Box<3> box = vertices.bounds ? *vertices.bounds : place_bounds(vertices.positions);
   LayerLeaves leaves;
   leaves.noise = [&](const std::optional<NoiseRecipe>& noise, const Vec<3>& stretch, double turn) {
     if (!noise) return own_layer_noise(recipe, kernel, stretch, turn);
-    return layer_noise(noise_of_layer(noise, own), [&recipe, stretch](const NoiseRecipe& solid) {
-      return stretched(solid_noise_of(recipe, solid), stretch);
+    const double filter = kernel.filter / std::cbrt(stretch.x * stretch.y * stretch.z);
+    return layer_noise(noise_of_layer(noise, own), [&recipe, stretch, filter](const NoiseRecipe& solid) {
+      return stretched(solid_noise_of(recipe, solid, filter), stretch);
     });
   };
   leaves.named = [&](const std::string& name) {
     const auto named = layers.fields.find(name);
     if (named != layers.fields.end()) return make_layered_field({named->second}, leaves);
+    if (value) return value;
     return numbers_of(name, vertices.values, vertices);
   };
   leaves.place = [&](Layer::Place place) {
@@ -199,65 +191,80 @@ FieldPtr layered_field(const SurfaceNoiseRecipe& recipe, const SurfaceLayers& la
   return make_layered_field(layers.layers, leaves);
 }
 
-void magnify(const VertexNumber& magnitude, std::vector<float>& values) {
+float number_at(const VertexNumber& number, std::size_t vertex) {
+  return number.varies() ? number.values[vertex] : static_cast<float>(number.constant);
+}
+
+// The noise, or the layers that take its place, times magnitude plus bias.
+void magnify(const BakeVertices& vertices, std::vector<float>& values) {
   for (std::size_t i = 0; i < values.size(); ++i) {
-    values[i] *= magnitude.varies() ? magnitude.values[i] : static_cast<float>(magnitude.constant);
+    values[i] *= number_at(vertices.magnitude, i);
+    values[i] += number_at(vertices.bias, i);
   }
 }
 
-constexpr std::size_t kLargestBatch = 8192;  // vertices of a batch
-constexpr double kParts = 8.0;               // along each side of a cube, in whose order its vertices are
+FieldPtr field_of(const VertexNumber& number, FieldPtr factor) {
+  return combine(Layer::Combine::product,
+                 {std::move(factor), std::make_shared<VertexField>(std::vector{std::span(number.values)})});
+}
 
-// Vertices that are near each other, by index.
-using VertexBatch = std::vector<std::uint32_t>;
-
-// Sorts vertices into batches of up to some thousand: those of each cube of a grid, of this side, > 0.
-// Positions must be finite.
-std::vector<VertexBatch> make_batches(std::span<const Vec<3>> positions, double cube) {
-  // In the order of the cubes, and in each in the order of its parts.
-  struct Place {
-    Vec<3> cube;
-    Vec<3> part;
-    std::uint32_t vertex;
-  };
-  const auto memory = std::make_unique_for_overwrite<Place[]>(positions.size());
-  const std::span places(memory.get(), positions.size());
-  tbb::parallel_for(std::size_t{0}, positions.size(), [&](std::size_t i) {
-    const Vec<3> scaled = positions[i] / cube;
-    const Vec<3> corner = glm::floor(scaled);
-    places[i] = {corner, glm::floor((scaled - corner) * kParts), static_cast<std::uint32_t>(i)};
-  });
-  const auto before = [](const Vec<3>& a, const Vec<3>& b) {
-    return std::lexicographical_compare(&a.x, &a.x + 3, &b.x, &b.x + 3);
-  };
-  tbb::parallel_sort(places.begin(), places.end(), [&](const Place& a, const Place& b) {
-    if (a.cube != b.cube) return before(a.cube, b.cube);
-    if (a.part != b.part) return before(a.part, b.part);
-    return a.vertex < b.vertex;
-  });
-
-  std::vector<std::size_t> starts;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    if (i == 0 || places[i].cube != places[i - 1].cube || i - starts.back() == kLargestBatch)
-      starts.push_back(i);
-  }
-  std::vector<VertexBatch> batches(starts.size());
-  starts.push_back(places.size());
-  tbb::parallel_for(std::size_t{0}, batches.size(), [&](std::size_t k) {
-    const auto batch = places.subspan(starts[k], starts[k + 1] - starts[k]);
-    batches[k].reserve(batch.size());
-    for (const Place& place : batch) batches[k].push_back(place.vertex);
-  });
-  return batches;
+// The same of a field; of `vertices`, to whose numbers it refers.
+FieldPtr magnified(FieldPtr field, const BakeVertices& vertices) {
+  const VertexNumber& magnitude = vertices.magnitude;
+  const VertexNumber& bias = vertices.bias;
+  field = magnitude.varies() ? field_of(magnitude, std::move(field)) : affine(field, magnitude.constant, 0.0);
+  if (!bias.varies()) return affine(field, 1.0, bias.constant);
+  const auto added = std::make_shared<VertexField>(std::vector{std::span<const float>(bias.values)});
+  return combine(Layer::Combine::sum, {std::move(field), added});
 }
 
 // The side of the cubes that vertices are put together in, world units: some wavelengths.
-double cube_side(double frequency) {
+double cube_of(const BakeVertices& vertices) {
   constexpr double kWavelengths = 16.0;
-  return kWavelengths / frequency;
+  return kWavelengths / typical(vertices.frequency, kFrequencies);
+}
+
+// The part of a field's gradient that is along the surface; by differences over `step` if it has none.
+std::vector<Vec<3>> slopes_of(const Field<3>& field, const Points<3>& points, double step) {
+  const std::size_t count = points.size();
+  std::vector<Vec<3>> slopes(count, Vec<3>(0.0));
+  std::vector<float> values(count);
+  if (field.has_gradient()) {
+    Components gradient;
+    for (auto& derivative : gradient) derivative.resize(count);
+    field.evaluate(points, {values, {gradient[0], gradient[1], gradient[2]}});
+    for (std::size_t i = 0; i < count; ++i) {
+      const Vec<3> normal = glm::normalize(points.normals[i]);
+      const Vec<3> slope(gradient[0][i], gradient[1][i], gradient[2][i]);
+      slopes[i] = slope - glm::dot(slope, normal) * normal;
+    }
+    return slopes;
+  }
+  std::vector<Vec<3>> moved(count);
+  for (const bool across : {false, true}) {
+    for (const double sign : {1.0, -1.0}) {
+      const auto tangent = [&](std::size_t i) {
+        const Vec<3> normal = glm::normalize(points.normals[i]);
+        const Vec<3> along = unit_tangent(Vec<3>(1.0, 0.0, 0.0), normal);
+        return across ? glm::cross(normal, along) : along;
+      };
+      for (std::size_t i = 0; i < count; ++i) moved[i] = points.positions[i] + sign * step * tangent(i);
+      field.evaluate({moved, points.normals, points.vertices}, {values, {}});
+      for (std::size_t i = 0; i < count; ++i) slopes[i] += sign * values[i] / (2.0 * step) * tangent(i);
+    }
+  }
+  return slopes;
 }
 
 }  // namespace
+
+Box<3> place_bounds(std::span<const Vec<3>> positions) {
+  Box<3> box = bounds_of(positions);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (box.lower[axis] == box.upper[axis]) box.upper[axis] += 1.0;
+  }
+  return box;
+}
 
 std::vector<float> bake_noise(const SurfaceNoiseRecipe& recipe, const BakeVertices& vertices,
                               Progress* progress) {
@@ -265,7 +272,7 @@ std::vector<float> bake_noise(const SurfaceNoiseRecipe& recipe, const BakeVertic
   const Components directions = components_of(vertices.directions);
   const FieldPtr field = make_surface_field(recipe, kernel_of(recipe, vertices, directions));
   std::vector<float> values = bake_field(*field, vertices, progress);
-  magnify(vertices.magnitude, values);
+  magnify(vertices, values);
   return values;
 }
 
@@ -275,27 +282,38 @@ std::vector<float> bake_layers(const SurfaceNoiseRecipe& recipe, const SurfaceLa
   const Components directions = components_of(vertices.directions);
   const FieldPtr field = layered_field(recipe, layers, kernel_of(recipe, vertices, directions), vertices);
   std::vector<float> values = bake_field(*field, vertices, progress);
-  magnify(vertices.magnitude, values);
+  magnify(vertices, values);
   return values;
 }
 
+std::vector<Vec<3>> bake_slopes(const SurfaceNoiseRecipe& recipe, const SurfaceLayers& layers,
+                                const std::optional<Layer>& of_value, const BakeVertices& vertices,
+                                Progress* progress) {
+  validate(recipe, vertices);
+  const Components directions = components_of(vertices.directions);
+  const SurfaceKernel kernel = kernel_of(recipe, vertices, directions);
+  FieldPtr field = magnified(layers.layers.empty() ? make_surface_field(recipe, kernel)
+                                                   : layered_field(recipe, layers, kernel, vertices),
+                             vertices);
+  if (of_value) {
+    field = layered_field(recipe, {{*of_value}, layers.up, layers.fields}, kernel, vertices, field);
+  }
+  const double wave = 1.0 / (typical(vertices.frequency, kFrequencies));
+  const double step = std::max(0.5 * vertices.filter, 0.002 * wave);
+  std::vector<Vec<3>> slopes(vertices.positions.size());
+  for_each_batch(vertices, cube_of(vertices), progress, [&](const Points<3>& points) {
+    const std::vector<Vec<3>> of_batch = slopes_of(*field, points, step);
+    for (std::size_t i = 0; i < points.size(); ++i) slopes[points.vertices[i]] = of_batch[i];
+  });
+  return slopes;
+}
+
 std::vector<float> bake_field(const Field<3>& field, const BakeVertices& vertices, Progress* progress) {
-  const std::vector<VertexBatch> batches =
-      make_batches(vertices.positions, cube_side(typical(vertices.frequency, kFrequencies)));
   std::vector<float> values(vertices.positions.size());
-  std::atomic<std::uint64_t> done{0};
-  tbb::parallel_for_each(batches, [&](const VertexBatch& batch) {
-    throw_if_cancelled(progress);
-    std::vector<Vec<3>> positions;
-    std::vector<Vec<3>> normals;
-    for (const std::uint32_t vertex : batch) {
-      positions.push_back(vertices.positions[vertex]);
-      normals.push_back(vertices.normals[vertex]);
-    }
-    std::vector<float> of_batch(batch.size());
-    field.evaluate({positions, normals, batch}, {of_batch, {}});
-    for (std::size_t i = 0; i < batch.size(); ++i) values[batch[i]] = of_batch[i];
-    if (progress) progress->advance(done += batch.size(), values.size());
+  for_each_batch(vertices, cube_of(vertices), progress, [&](const Points<3>& points) {
+    std::vector<float> of_batch(points.size());
+    field.evaluate(points, {of_batch, {}});
+    for (std::size_t i = 0; i < points.size(); ++i) values[points.vertices[i]] = of_batch[i];
   });
   return values;
 }

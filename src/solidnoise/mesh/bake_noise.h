@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -86,16 +87,24 @@ struct BakeVertices {
   VertexNumber bandwidth{1.0, {}};     // octaves; 0.1 to 4
   VertexNumber magnitude{1.0, {}};     // standard deviation of the value; >= 0
   std::span<const Vec<3>> directions;  // where has_direction(); tangential or not, either sign
+  VertexNumber bias{0.0, {}};          // added to the value
   // Of layers: where one is the place `weight`, what steers, 0 to 1; where one uses kValueField, that.
   std::span<const float> weights{};
   std::span<const float> values{};
+  std::optional<Box<3>> bounds{};  // that places of layers are in; none: that of the positions
+  // What a vertex stands for: a Gaussian of this standard deviation, world units, that noises are convolved
+  // with in closed form, those that may_filter(), before layers fold and combine them; 0: a point.
+  double filter = 0.0;
 };
 
-// Evaluates a noise at all vertices, in parallel: one value per vertex, of mean 0 and variance magnitude^2
-// (times the octaves' powers where they are not renormalised). A value depends on the recipe, and on the
-// position, normal and parameters of the vertex only: not on the mesh around it, the order of the vertices or
-// the number of threads. Where nothing varies, `solid` is the field of GaborNoise<3>, and `kensler_solid`
-// that of GradientNoise<3>.
+// Where places of layers are: the least box that holds all positions, a unit long where they are flat.
+Box<3> place_bounds(std::span<const Vec<3>> positions);
+
+// Evaluates a noise at all vertices, in parallel: one value per vertex, of mean `bias` and variance
+// magnitude^2 (times the octaves' powers where they are not renormalised, and what a filter leaves). A value
+// depends on the recipe, and on the position, normal and parameters of the vertex only: not on the mesh
+// around it, the order of the vertices or the number of threads. Where nothing varies, `solid` is the field
+// of GaborNoise<3>, and `kensler_solid` that of GradientNoise<3>.
 //
 // Throws std::invalid_argument naming the field or vertex: recipe.validate(); spans whose sizes differ; a
 // parameter that is out of range, or that varies where may_vary() says no; a noise that has_direction()
@@ -116,6 +125,14 @@ inline constexpr char kValueField[] = "value";
 // The same of layers, which take the noise's place.
 std::vector<float> bake_layers(const SurfaceNoiseRecipe& recipe, const SurfaceLayers& layers,
                                const BakeVertices& vertices, Progress* progress = nullptr);
+
+// The derivatives along the surface, per world unit, of what bake_noise() or, of layers, bake_layers() gives,
+// or of a layer that is made of it (kValueField), with normals, kernels and what steers held fixed: in closed
+// form where all that the layers are made of has a gradient, else by differences over half the filter's
+// deviation or a 500th of a wave, the larger.
+std::vector<Vec<3>> bake_slopes(const SurfaceNoiseRecipe& recipe, const SurfaceLayers& layers,
+                                const std::optional<Layer>& of_value, const BakeVertices& vertices,
+                                Progress* progress = nullptr);
 
 // A field at all vertices, in parallel; parameters do not count, but for the frequency, which says how near
 // vertices should be to be evaluated together. Throws Cancelled, and what the field throws.

@@ -1,6 +1,7 @@
 #include "solidnoise/mesh/curvature.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <complex>
 #include <cstdint>
@@ -35,12 +36,15 @@ void gather(const SurfaceMesh& surface, const TangentFrame& frame, std::uint32_t
   }
 }
 
-std::vector<ShapeOperator> fit_shapes(const SurfaceMesh& surface, const TangentFrames& frames) {
+std::vector<ShapeOperator> fit_shapes(const SurfaceMesh& surface, const TangentFrames& frames,
+                                      Progress& progress) {
   constexpr std::size_t kNeighbours = 16;
+  std::atomic<std::size_t> done = 0;
   std::vector<ShapeOperator> shapes(surface.point_count());
   tbb::enumerable_thread_specific<RingSearch> searches([&] { return RingSearch(surface.neighbours()); });
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, surface.point_count(), 256),
                     [&](const tbb::blocked_range<std::size_t>& range) {
+                      throw_if_cancelled(&progress);
                       RingSearch& search = searches.local();
                       std::vector<Neighbour> neighbours;
                       for (std::size_t p = range.begin(); p < range.end(); ++p) {
@@ -48,6 +52,7 @@ std::vector<ShapeOperator> fit_shapes(const SurfaceMesh& surface, const TangentF
                         gather(surface, frames[p], centre, search.around(centre, kNeighbours), neighbours);
                         shapes[p] = fit_shape(neighbours);
                       }
+                      progress.advance(done += range.end() - range.begin(), surface.point_count());
                     });
   return shapes;
 }
@@ -59,15 +64,22 @@ void CurvatureOptions::validate() const {
   require_at_least("the smoothing radius", radius, 0.0, "world units");
 }
 
-Curvature measure_curvature(const SurfaceMesh& surface, const CurvatureOptions& options) {
+Curvature measure_curvature(const SurfaceMesh& surface, const CurvatureOptions& options, Progress* progress) {
   options.validate();
+  // Fitting takes as long as twenty rounds, a radius as ten.
+  const double all = 20.0 + options.rounds + (options.radius > 0.0 ? 10.0 : 0.0);
+  PartialProgress fitting(progress, 0.0, 20.0 / all);
+  PartialProgress rounds(progress, 20.0 / all, (20.0 + options.rounds) / all);
   const TangentFrames frames(surface.normals());
-  std::vector<ShapeOperator> shapes = fit_shapes(surface, frames);
+  std::vector<ShapeOperator> shapes = fit_shapes(surface, frames, fitting);
   if (options.rounds > 0 || options.radius > 0.0) {
     SurfaceSmoothing smoothing(surface);
     for (int round = 0; round < options.rounds; ++round) {
+      throw_if_cancelled(progress);
       smoothing.average(shapes, surface.areas());
+      rounds.advance(static_cast<std::uint64_t>(round) + 1, static_cast<std::uint64_t>(options.rounds));
     }
+    throw_if_cancelled(progress);
     smoothing.diffuse(shapes, options.radius);
   }
 

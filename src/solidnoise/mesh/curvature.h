@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "solidnoise/core/progress.h"
 #include "solidnoise/core/vec.h"
 #include "solidnoise/mesh/surface_mesh.h"
 
@@ -40,7 +41,8 @@ struct Curvature {
 // have neighbours on one side only and errors three times as large. 0 at isolated points. Without smoothing,
 // if vertices are on a smooth surface the error is O(h^2) for edges of length h, whatever the connectivity,
 // but noise of sigma in the positions is one of about sigma / h^2. Takes 2 s for a million vertices (two
-// cores), and 10 rounds, or a radius of ten edges, one more.
-Curvature measure_curvature(const SurfaceMesh& surface, const CurvatureOptions& options = {});
+// cores), and 10 rounds, or a radius of ten edges, one more. Throws Cancelled where `progress` asks for it.
+Curvature measure_curvature(const SurfaceMesh& surface, const CurvatureOptions& options = {},
+                            Progress* progress = nullptr);
 
 }  // namespace solidnoise

@@ -14,12 +14,12 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-struct Corner {
+struct SplitCorner {
   Vec<3> position;
   double target = 0.0;
 };
 
-bool is_too_long(const Corner& a, const Corner& b) {
+bool is_too_long(const SplitCorner& a, const SplitCorner& b) {
   return glm::distance(a.position, b.position) > std::min(a.target, b.target);
 }
 
@@ -29,24 +29,24 @@ class PartCount {
   explicit PartCount(double most) : most_(most) {}
 
   // Infinity if there are more.
-  double of(const std::array<Corner, 3>& triangle) {
+  double of(const std::array<SplitCorner, 3>& triangle) {
     parts_ = 0.0;
     cut(triangle, 0);
     return parts_ > most_ ? kInfinite : parts_;
   }
 
  private:
-  void cut(const std::array<Corner, 3>& triangle, int depth) {
+  void cut(const std::array<SplitCorner, 3>& triangle, int depth) {
     // Deeper, edges are too short for their ends' coordinates to differ.
     constexpr int kDeepest = 200;
     if (depth > kDeepest) parts_ = kInfinite;
     if (parts_ > most_) return;
-    std::array<Corner, 6> corners{triangle[0], triangle[1], triangle[2]};
+    std::array<SplitCorner, 6> corners{triangle[0], triangle[1], triangle[2]};
     std::array<std::uint32_t, 3> middles{kWhole, kWhole, kWhole};
     int split = 0;
     for (std::uint32_t k = 0; k < 3; ++k) {
-      const Corner& a = triangle[k];
-      const Corner& b = triangle[(k + 1) % 3];
+      const SplitCorner& a = triangle[k];
+      const SplitCorner& b = triangle[(k + 1) % 3];
       if (!is_too_long(a, b)) continue;
       corners[3 + k] = {0.5 * (a.position + b.position), 0.5 * (a.target + b.target)};
       middles[k] = 3 + k;
@@ -80,7 +80,7 @@ double count_parts(const PolygonMesh& mesh, const std::vector<double>& targets, 
     double parts = 0.0;
     for (std::size_t t = range.begin(); t < range.end() && parts <= most; ++t) {
       const auto& [a, b, c] = triangles[t];
-      const auto corner = [&](std::uint32_t v) { return Corner{mesh.positions[v], targets[v]}; };
+      const auto corner = [&](std::uint32_t v) { return SplitCorner{mesh.positions[v], targets[v]}; };
       parts += count.of({corner(a), corner(b), corner(c)});
     }
     faces += static_cast<std::uint64_t>(std::min(parts, kMost));

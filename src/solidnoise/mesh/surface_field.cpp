@@ -85,6 +85,7 @@ class TangentField final : public PointwiseField {
   std::optional<Statistics> statistics() const override {
     const auto band = noise_.band();
     Statistics statistics{0.0, 1.0, 0.0, {band.lower, band.upper}};
+    if constexpr (requires { noise_.variance(); }) statistics.variance = noise_.variance();
     if constexpr (requires { noise_.excess_kurtosis(); })
       statistics.excess_kurtosis = noise_.excess_kurtosis();
     return statistics;
@@ -126,6 +127,7 @@ std::optional<NoiseRecipe> solid_recipe(const SurfaceNoiseRecipe& recipe, const 
     case SurfaceNoiseKind::solid: {
       auto options = common_options<GaborNoiseOptions>(recipe, kernel.frequency);
       options.bandwidth = kernel.bandwidth;
+      if (may_filter(recipe)) options.filter = kernel.filter;
       return NoiseRecipe{options, recipe.fractal};
     }
     case SurfaceNoiseKind::kensler_solid:
@@ -135,6 +137,7 @@ std::optional<NoiseRecipe> solid_recipe(const SurfaceNoiseRecipe& recipe, const 
       auto options = common_options<SpectrumNoiseOptions>(recipe, kernel.frequency);
       options.model = recipe.exemplar;
       options.channel = recipe.channel;
+      if (may_filter(recipe)) options.filter = kernel.filter;
       return NoiseRecipe{options, recipe.fractal};
     }
     case SurfaceNoiseKind::surface:
@@ -156,11 +159,13 @@ auto with_tangent_noise(const SurfaceNoiseRecipe& recipe, const SurfaceKernel& k
     auto options = common_options<SpectrumNoiseOptions>(recipe, kernel.frequency);
     options.model = recipe.exemplar;
     options.channel = recipe.channel;
+    options.filter = kernel.filter;
     return use(SurfaceSpectrumNoise(options, recipe.layer), kernel.fields);
   }
   auto options = common_options<SurfaceGaborOptions>(recipe, kernel.frequency);
   options.bandwidth = kernel.bandwidth;
   options.layer = recipe.layer;
+  options.filter = kernel.filter;
   if (recipe.kind == SurfaceNoiseKind::oriented) options.waves = GaborWaves::oriented;
   return use(SurfaceGaborNoise(options), kernel.fields);
 }
@@ -237,11 +242,23 @@ void VertexField::evaluate(const Points<3>& points, const Samples<3>& samples) c
   for (const std::span<const float> numbers : channels_) {
     for (const std::uint32_t vertex : points.vertices) *value++ = numbers[vertex];
   }
+  for (const auto& derivative : samples.gradient) std::fill(derivative.begin(), derivative.end(), 0.0f);
 }
 
-std::shared_ptr<const Noise<3>> solid_noise_of(const SurfaceNoiseRecipe& recipe, const NoiseRecipe& noise) {
+bool may_filter(const SurfaceNoiseRecipe& recipe) {
+  const bool is_filtered = has_bandwidth(recipe.kind) || recipe.kind == SurfaceNoiseKind::spectrum;
+  return is_filtered && recipe.dims == 3;
+}
+
+bool may_filter(const SurfaceNoiseRecipe& recipe, const NoiseRecipe& noise) {
+  return recipe.dims == 3 && can_filter(noise);
+}
+
+std::shared_ptr<const Noise<3>> solid_noise_of(const SurfaceNoiseRecipe& recipe, const NoiseRecipe& noise,
+                                               double filter) {
   if (recipe.dims == 4) return slice(make_noise<4>(noise), recipe.time);
-  return make_noise<3>(at_time(noise, recipe.time));
+  const NoiseRecipe now = at_time(noise, recipe.time);
+  return make_noise<3>(filter > 0.0 && may_filter(recipe, noise) ? filtered(now, filter) : now);
 }
 
 FieldPtr make_surface_field(const SurfaceNoiseRecipe& recipe, const SurfaceKernel& kernel) {

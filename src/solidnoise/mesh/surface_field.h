@@ -18,13 +18,14 @@ using Components = std::array<std::vector<float>, 3>;
 Components components_of(std::span<const Vec<3>> vectors);
 
 // Numbers that a mesh's vertices have, as a field of the points that are vertices (Points::vertices): one
-// channel for each span. The numbers belong to somebody else. Throws std::invalid_argument where points are
-// no vertices.
+// channel for each span. The numbers belong to somebody else. As a point's kernel is, they are held fixed by
+// the gradient, which is 0. Throws std::invalid_argument where points are no vertices.
 class VertexField final : public PointwiseField {
  public:
   explicit VertexField(std::vector<std::span<const float>> channels) : channels_(std::move(channels)) {}
 
   int channels() const override { return static_cast<int>(channels_.size()); }
+  bool has_gradient() const override { return true; }
   void evaluate(const Points<3>& points, const Samples<3>& samples) const override;
 
  private:
@@ -36,6 +37,7 @@ struct SurfaceKernel {
   double frequency = 8.0;  // principal frequency, cycles per world unit; > 0
   double bandwidth = 1.0;  // octaves
   KernelFields fields{};   // the direction is needed where has_direction(); of the others those that vary
+  double filter = 0.0;     // BakeVertices::filter
 };
 
 // The noise of a recipe as a field of points of a surface: of unit variance, or that of the octaves where
@@ -44,8 +46,15 @@ struct SurfaceKernel {
 // of solid noises is the one in space. Throws std::invalid_argument: recipe.validate().
 FieldPtr make_surface_field(const SurfaceNoiseRecipe& recipe, const SurfaceKernel& kernel);
 
-// A noise of space as it is at the time of a noise on a surface, and of as many dimensions.
-std::shared_ptr<const Noise<3>> solid_noise_of(const SurfaceNoiseRecipe& recipe, const NoiseRecipe& noise);
+// A noise of space as it is at the time of a noise on a surface, and of as many dimensions; convolved with a
+// Gaussian of this deviation, world units, if it may_filter().
+std::shared_ptr<const Noise<3>> solid_noise_of(const SurfaceNoiseRecipe& recipe, const NoiseRecipe& noise,
+                                               double filter = 0.0);
+
+// Whether a filter takes anything from a noise on a surface, and from one of space beside it: of Gabor noises
+// and those by example, but not of slices of 4 dimensions, of which it would blur time.
+bool may_filter(const SurfaceNoiseRecipe& recipe);
+bool may_filter(const SurfaceNoiseRecipe& recipe, const NoiseRecipe& noise);
 
 // The same as layers are made of it.
 LayerNoise surface_layer_noise(const SurfaceNoiseRecipe& recipe, const SurfaceKernel& kernel);

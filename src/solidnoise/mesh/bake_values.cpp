@@ -1,0 +1,124 @@
+#include "solidnoise/mesh/bake_values.h"
+
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+#include <tbb/parallel_for.h>
+
+#include "solidnoise/mesh/bake_noise.h"
+
+namespace solidnoise {
+namespace {
+
+BakeVertices vertices_of(const BakePlan& plan) {
+  BakeVertices vertices;
+  vertices.positions = plan.mesh.positions;
+  vertices.normals = plan.guides.planes();
+  vertices.frequency = plan.parameters.frequency;
+  vertices.bandwidth = plan.parameters.bandwidth;
+  vertices.magnitude = plan.parameters.magnitude;
+  vertices.bias = plan.parameters.bias;
+  vertices.directions = plan.guides.directions;
+  vertices.weights = plan.guides.steering.weights;
+  vertices.bounds = plan.bounds;
+  vertices.filter = plan.filter;
+  return vertices;
+}
+
+// Of a recipe, in world units.
+SurfaceLayers surface_layers(const BakePlan& plan, const BakeRecipe& recipe, std::vector<Layer> layers) {
+  SurfaceLayers result{std::move(layers), recipe.up, recipe.fields};
+  if (recipe.layer_unit == LayerUnit::world) return result;
+  result.layers = in_units(std::move(result.layers), plan.feature_size);
+  for (auto& [name, layer] : result.fields) layer = in_units({layer}, plan.feature_size).front();
+  return result;
+}
+
+// `noise` takes the place of the recipe's.
+std::vector<float> noise_values(const BakePlan& plan, const BakeRecipe& recipe,
+                                const SurfaceNoiseRecipe& noise, Progress* progress) {
+  if (recipe.layers.empty()) return bake_noise(noise, vertices_of(plan), progress);
+  return bake_layers(noise, surface_layers(plan, recipe, recipe.layers), vertices_of(plan), progress);
+}
+
+const Layer& property_of(const BakeRecipe& recipe, const std::string& name) {
+  const auto found = recipe.properties.find(name);
+  if (found != recipe.properties.end()) return found->second;
+  throw std::invalid_argument(fmt::format("property is {}; the recipe has none of this name", name));
+}
+
+std::vector<float> property_values(const BakePlan& plan, const BakeRecipe& recipe, const Layer& layer,
+                                   const std::vector<float>& values, Progress* progress) {
+  BakeVertices vertices = vertices_of(plan);
+  vertices.magnitude = {1.0, {}};
+  vertices.bias = {0.0, {}};
+  vertices.values = values;
+  return bake_layers(recipe.noise, surface_layers(plan, recipe, {layer}), vertices, progress);
+}
+
+std::vector<Color> ramp_colors(const BakeRecipe& recipe, const std::vector<float>& values) {
+  const ColorRamp ramp = parse_color_ramp(recipe.ramp);
+  std::vector<Color> colors(values.size());
+  tbb::parallel_for(std::size_t{0}, values.size(), [&](std::size_t i) {
+    colors[i] = ramp.linear(place_on_ramp(values[i], recipe.contrast));
+  });
+  return colors;
+}
+
+// The exemplar's own, of the values of its first channel and of the others.
+std::vector<Color> exemplar_colors(const BakePlan& plan, const BakeRecipe& recipe,
+                                   const std::vector<float>& first, Progress* progress) {
+  const ExemplarModel& exemplar = recipe.noise.exemplar;
+  std::vector<std::vector<float>> others;
+  for (std::size_t k = 1; k < exemplar.channels.size(); ++k) {
+    others.push_back(noise_values(plan, recipe, channel_of(recipe.noise, static_cast<int>(k)), progress));
+  }
+  std::vector<Color> colors(first.size());
+  std::vector<double> values(exemplar.channels.size());
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    values[0] = recipe.contrast * first[i];
+    for (std::size_t k = 0; k < others.size(); ++k) values[k + 1] = recipe.contrast * others[k][i];
+    const Color color(exemplar.color(values));
+    colors[i] = exemplar.raw_values ? linear_from_srgb(color) : color;
+  }
+  return colors;
+}
+
+std::vector<Vec<3>> height_slopes(const BakePlan& plan, const BakeRecipe& recipe, Progress* progress) {
+  const SurfaceLayers layers = surface_layers(plan, recipe, recipe.layers);
+  std::optional<Layer> height;
+  if (recipe.properties.contains(kHeightProperty)) {
+    height = surface_layers(plan, recipe, {recipe.properties.at(kHeightProperty)}).layers.front();
+  }
+  std::vector<Vec<3>> slopes = bake_slopes(recipe.noise, layers, height, vertices_of(plan), progress);
+  // The noise's plane is smoother than the surface.
+  for (std::size_t i = 0; i < slopes.size(); ++i) {
+    const Vec<3> normal = glm::normalize(plan.guides.normals[i]);
+    slopes[i] -= glm::dot(slopes[i], normal) * normal;
+  }
+  return slopes;
+}
+
+}  // namespace
+
+BakedValues bake_values(const BakePlan& plan, const BakeRecipe& recipe, const BakeWishes& wishes,
+                        Progress* progress) {
+  BakedValues baked;
+  baked.noise = noise_values(plan, recipe, recipe.noise, progress);
+  if (wishes.colors) {
+    baked.colors = recipe.has_exemplar_colors() ? exemplar_colors(plan, recipe, baked.noise, progress)
+                                                : ramp_colors(recipe, baked.noise);
+  }
+  for (const std::string& name : wishes.properties) {
+    baked.properties.push_back(
+        property_values(plan, recipe, property_of(recipe, name), baked.noise, progress));
+  }
+  if (wishes.slopes) baked.slopes = height_slopes(plan, recipe, progress);
+  return baked;
+}
+
+}  // namespace solidnoise
