@@ -127,7 +127,14 @@ TEST_F(MergeParts, RefusesMissingDoubleAndForeignParts) {
 
 // A part of which nothing is dense has no leaves in its file: given twice, it must not pass for another one.
 TEST_F(MergeParts, RefusesAnEmptyPartInThePlaceOfAnother) {
-  std::vector<std::filesystem::path> parts = write_shards(cloud(), 40);
+  // Corners of the box, which a cloud is not in.
+  constexpr double kFaces[] = {-9.0, -0.5, 0.0, 0.5, 9.0};
+  std::vector<std::filesystem::path> parts;
+  for (int i = 0; i < 64; ++i) {
+    const auto face = [&](int axis, int next) { return kFaces[(i >> 2 * axis & 3) + next]; };
+    parts.push_back(write_part(cloud(), {.region = Box<3>{{face(0, 0), face(1, 0), face(2, 0)},
+                                                          {face(0, 1), face(1, 1), face(2, 1)}}}));
+  }
   std::map<std::string, std::vector<std::size_t>> empty;  // by the number of leaves before those are dropped
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const GridSummary grid = read_vdb_summary(parts[i]).grids[0];

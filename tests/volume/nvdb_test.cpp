@@ -143,6 +143,14 @@ TEST(Nvdb, IsRefusedWhereItIsDamaged) {
     folder.write("damaged.nvdb", bytes);
     EXPECT_THROW(read_back(folder.file("damaged.nvdb")), std::runtime_error) << tree_field;
   }
+
+  // A name that is said to stand behind the voxels.
+  std::string bytes = whole;
+  const std::uint64_t none = ~std::uint64_t{0};
+  std::memcpy(&bytes[header + 8], &none, sizeof(none));
+  bytes[header + 20] = static_cast<char>(bytes[header + 20] | 1);
+  folder.write("damaged.nvdb", bytes);
+  EXPECT_THROW(read_back(folder.file("damaged.nvdb")), std::runtime_error);
 }
 
 TEST(Nvdb, IsNotWrittenOfWhatItCannotKeep) {

@@ -125,6 +125,37 @@ TEST(ReadVdb, RefusesMetadataThatAreNotOfTheirTypesSize) {
       << refusal;
 }
 
+// A grid's descriptor says where its leaves' values are: OpenVDB goes there, whatever stands there.
+TEST(ReadVdb, RefusesValuesThatAreElsewhere) {
+  const TemporaryFolder folder;
+  write_vdb(folder / "whole.vdb", {wave_grid(0.3)}, {});
+  std::string bytes = folder.read("whole.vdb");
+  // Behind the type's name: the parent's, which is empty, and where the grid, its values and its end are.
+  const std::string type = "Tree_float_5_4_3";
+  const std::size_t at = bytes.find(type) + type.size() + sizeof(std::uint32_t) + sizeof(std::int64_t);
+  std::int64_t position = 0;
+  std::memcpy(&position, bytes.data() + at, sizeof(position));
+  position -= 2;
+  std::memcpy(bytes.data() + at, &position, sizeof(position));
+  folder.write("damaged.vdb", bytes);
+  const auto refusal = message_of<std::runtime_error>([&] { read_grid(folder / "damaged.vdb"); });
+  EXPECT_TRUE(contains(refusal, "a grid's values are not where it says")) << refusal;
+}
+
+// A truth value of any other byte is no value of bool, and whatever is done with it undefined.
+TEST(ReadVdb, RefusesATruthValueThatIsNone) {
+  const TemporaryFolder folder;
+  const auto grid = wave_grid(0.3);
+  grid->insertMeta("a truth", openvdb::BoolMetadata(true));
+  write_vdb(folder / "whole.vdb", {grid}, {});
+  std::string bytes = folder.read("whole.vdb");
+  const std::string before = "a truth" + std::string("\4\0\0\0bool\1\0\0\0", 12);
+  bytes[bytes.find(before) + before.size()] = '!';
+  folder.write("damaged.vdb", bytes);
+  const auto refusal = message_of<std::runtime_error>([&] { read_vdb_summary(folder / "damaged.vdb"); });
+  EXPECT_TRUE(contains(refusal, "a value of type bool in its metadata is neither 0 nor 1")) << refusal;
+}
+
 // What OpenVDB before version 13 writes for readers that load leaves when they are asked for.
 TEST(ReadVdb, ReadsListsForDelayedLoadingAndRefusesThoseOfWrongSizes) {
   const TemporaryFolder folder;

@@ -1,6 +1,9 @@
 #include "solidnoise/volume/topology/volume_part.h"
 
+#include <cstdint>
+#include <numeric>
 #include <stdexcept>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -45,6 +48,33 @@ TEST(VolumePart, ShardsAreAboutEqual) {
     const std::uint64_t leaves = take_part(whole, {.shard = shard, .shards = 4}).leaf_count();
     EXPECT_GE(leaves + kLeavesOfABlock, equal);
     EXPECT_LE(leaves, equal + kLeavesOfABlock);
+  }
+}
+
+// What is free counts next to nothing: the shards of what costs something are about equal, up to the leaves
+// of one block at either end and a 64th of those that are free.
+TEST(VolumePart, ShardsCostAboutTheSame) {
+  const Topology whole = ball();
+  const auto is_free = [](const openvdb::CoordBBox& voxels) { return voxels.min().x() >= 0; };
+  std::vector<std::uint64_t> costs;
+  openvdb::MaskTree joined(false);
+  for (int shard = 1; shard <= 4; ++shard) {
+    const Topology part = take_part(whole, {.shard = shard, .shards = 4}, is_free);
+    join(part, joined);
+    std::uint64_t cost = 0;
+    for (auto leaf = part.mask->cbeginLeaf(); leaf; ++leaf)
+      cost += is_free(leaf->getNodeBoundingBox()) ? 0 : 1;
+    costs.push_back(cost);
+  }
+  expect_same_voxels(joined, *whole.mask);
+  const std::uint64_t all = std::accumulate(costs.begin(), costs.end(), std::uint64_t{0});
+  ASSERT_GT(all, 1000u);
+  ASSERT_LT(all, whole.leaf_count() / 2);
+  constexpr std::uint64_t kLeavesOfABlock = 64;
+  const std::uint64_t slack = kLeavesOfABlock + whole.leaf_count() / 64;
+  for (const std::uint64_t cost : costs) {
+    EXPECT_LE(cost, all / 4 + slack);
+    EXPECT_GE(cost + slack, all / 4);
   }
 }
 

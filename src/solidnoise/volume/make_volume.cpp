@@ -159,6 +159,19 @@ std::vector<VolumePart> slabs_of(const Topology& topology, int axis) {
 
 }  // namespace
 
+namespace {
+
+// Where the field is empty, unless a grid keeps those voxels.
+IsFree free_voxels(const VolumeField& field, const GridFrame& frame) {
+  const bool keeps = std::ranges::any_of(
+      field.grids, [](const GridChannels& grid) { return grid.sparsity == Sparsity::keep; });
+  if (keeps) return {};
+  return
+      [&field, frame](const openvdb::CoordBBox& voxels) { return field.field->empty(frame.bounds(voxels)); };
+}
+
+}  // namespace
+
 Volume make_volume(const VolumeRecipe& recipe, const VolumePlan& plan, const std::string& creator,
                    Progress* progress) {
   const VolumeRecipe noted = with_digests(recipe, plan);
@@ -170,7 +183,7 @@ Volume make_volume(const VolumeRecipe& recipe, const VolumePlan& plan, const std
   }
   const auto [topology, cover] = make_shape(recipe, plan, progress);
   const VolumeField field = make_volume_field(recipe, plan, cover);
-  const Topology part = take_part(topology, plan.part);
+  const Topology part = take_part(topology, plan.part, free_voxels(field, topology.frame));
   if (plan.parameters) plan.parameters->require_allowed_at(part);
   Volume volume{fill_grids(part, *field.field, field.grids, progress)};
   if (plan.part.whole()) {
@@ -184,18 +197,22 @@ Volume make_volume(const VolumeRecipe& recipe, const VolumePlan& plan, const std
   return volume;
 }
 
-bool holds_volume(const std::filesystem::path& path, const VolumeRecipe& recipe, const VolumePlan& plan) {
-  const auto text_in = [](const openvdb::GridBase& grid, const char* key) {
-    const auto text = grid.getMetadata<openvdb::StringMetadata>(key);
-    return text == nullptr ? std::string() : text->value();
-  };
+bool holds_volume(const std::filesystem::path& path, const VolumeRecipe& recipe, const VolumePlan& plan,
+                  Reading reading) {
   // It says "algorithm" too.
   const std::string wanted = format_json(to_json(with_digests(recipe, plan)));
   const std::string part = plan.part.whole() ? std::string() : text_of(plan.part);
   try {
-    return std::ranges::any_of(read_grids(path).grids, [&](const openvdb::GridBase::Ptr& grid) {
-      return text_in(*grid, kRecipeKey) == wanted && text_in(*grid, kPartKey) == part;
+    const std::vector<GridSummary> grids = read_vdb_summary(path).grids;
+    const bool says_so = std::ranges::any_of(grids, [&](const GridSummary& grid) {
+      const auto text = [&](const char* key) {
+        const auto found = grid.metadata.find(key);
+        return found == grid.metadata.end() ? std::string() : found->second;
+      };
+      return text(kRecipeKey) == wanted && text(kPartKey) == part;
     });
+    if (!says_so || reading == Reading::headers) return says_so;
+    return plan.part.whole() ? !read_grids(path).grids.empty() : is_sound_part(path);
   } catch (const std::runtime_error&) {
     return false;
   }

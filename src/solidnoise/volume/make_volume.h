@@ -58,8 +58,10 @@ Volume make_volume(const VolumeRecipe& recipe, const VolumePlan& plan, const std
                    Progress* progress = nullptr);
 
 // Whether a file, which exists, is what make_volume() makes of the recipe and the plan, by the recipe, part
-// and version in it, and whole: all of it is read.
-bool holds_volume(const std::filesystem::path& path, const VolumeRecipe& recipe, const VolumePlan& plan);
+// and version in it; where all is read, also whether it is whole, and a part that which was written.
+enum class Reading { headers, all };
+bool holds_volume(const std::filesystem::path& path, const VolumeRecipe& recipe, const VolumePlan& plan,
+                  Reading reading = Reading::all);
 
 // Whether a short form's densities are scaled by something that is to be measured.
 bool measures_density(const VolumeRecipe& recipe);

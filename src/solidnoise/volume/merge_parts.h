@@ -19,6 +19,10 @@ namespace solidnoise {
 void note_part(const VolumeRecipe& recipe, const std::string& creator, const Topology& whole,
                const Topology& part, Volume& volume);
 
+// Whether a file is a part, and what note_part() saw, by a checksum of its topology and values. Throws what
+// read_grids() throws.
+bool is_sound_part(const std::filesystem::path& path);
+
 struct MergedVolume {
   VolumeRecipe recipe;
   std::optional<int> frame;  // of the files, where they have one
@@ -31,5 +35,16 @@ struct MergedVolume {
 // parts overlap, or if any is missing; what read_grids() throws; Cancelled.
 MergedVolume merge_parts(const std::vector<std::filesystem::path>& files, const std::string& creator,
                          Progress* progress = nullptr);
+
+// Joins parts into a file without having all of the volume in memory: the same file, to the byte, as
+// write_volume() of merge_parts(). `options` say where the file is not as the parts say: what may be there
+// already, creator and progress. Memory holds the largest part, then a slab of values that is smaller; less
+// than 100 bytes for each node of 128^3 voxels of each part; and, where densities are scaled by their
+// columns, 8 bytes for each of these. The grids that are returned have all but their values. Throws as both
+// do.
+MergedVolume merge_parts_to_file(const std::vector<std::filesystem::path>& files,
+                                 const std::filesystem::path& path, VdbWriteOptions options);
+// Whether they may be joined so: files that went through a pipe lack what is needed to find nodes.
+bool may_stream_parts(const std::vector<std::filesystem::path>& files);
 
 }  // namespace solidnoise

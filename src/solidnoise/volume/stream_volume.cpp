@@ -1,7 +1,6 @@
 #include "solidnoise/volume/stream_volume.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -9,6 +8,7 @@
 
 #include "solidnoise/volume/finish_volume.h"
 #include "solidnoise/volume/shape_cover.h"
+#include "solidnoise/volume/slab_density.h"
 #include "solidnoise/volume/volume_field.h"
 
 namespace solidnoise {
@@ -32,13 +32,8 @@ void add_voxels(const openvdb::GridBase& grid, openvdb::MaskTree& mask) {
 struct Part {
   OutputGrid output;
   GridChannels channels;
-  openvdb::MaskTree::Ptr mask{};  // its active voxels
-
-  // Of a density:
-  double peak = 0.0;  // before it is scaled
-  std::optional<ColumnSums> columns{};
-  std::optional<double> factor{};
-  std::optional<float> least{};  // what is below is left out
+  std::shared_ptr<openvdb::MaskTree> mask{};  // its active voxels
+  std::optional<SlabDensity> density{};
 };
 
 class VolumeStream {
@@ -76,39 +71,26 @@ class VolumeStream {
     std::vector<Part*> pruned;
     for (Part& part : parts_) {
       part.mask = topology_.mask;
+      if (part.output.is_density()) part.density.emplace(part.output.single, topology_.voxel_bounds());
       if (part.channels.sparsity == Sparsity::keep) continue;
       part.mask = std::make_shared<openvdb::MaskTree>(false);
       sparse.push_back(&part);
-      if (part.output.is_density() && part.output.single.prune > 0.0) pruned.push_back(&part);
-      part.columns.emplace(topology_.voxel_bounds(), vertical_axis(part.output.single));
+      if (part.density && part.density->prunes()) pruned.push_back(&part);
     }
     survey(sparse, [](Part& part, const MeasuredGrid& found) {
-      if (part.output.single.prune == 0.0) add_voxels(*found.grid, *part.mask);
-      if (!part.output.is_density() || found.moments.front().count() == 0) return;
-      part.peak = std::max(part.peak, found.moments.front().max());
-      part.columns->add(dynamic_cast<const openvdb::FloatGrid&>(*found.grid));
+      if (!part.density || !part.density->prunes()) add_voxels(*found.grid, *part.mask);
+      if (!part.density || found.moments.front().count() == 0) return;
+      part.density->look(dynamic_cast<const openvdb::FloatGrid&>(*found.grid), found.moments.front().max());
     });
-    for (Part* part : sparse) scale(*part);
+    for (Part& part : parts_) {
+      if (part.density) part.density->settle(*topology_.frame.transform());
+    }
     survey(pruned, [](Part& part, const MeasuredGrid& found) {
       auto& density = dynamic_cast<openvdb::FloatGrid&>(*found.grid);
-      if (part.factor) scale_values(density, static_cast<float>(*part.factor));
-      drop_below(*part.least, density);
+      part.density->scale(density);
+      part.density->prune(density);
       add_voxels(density, *part.mask);
     });
-  }
-
-  // What scale_density() and finish_volume() would find of the whole.
-  void scale(Part& part) {
-    const VolumeRecipe& single = part.output.single;
-    if (part.output.is_density()) {
-      const double thickest =
-          part.columns->largest() * topology_.frame.transform()->voxelSize()[vertical_axis(single)];
-      part.factor = single.density.factor;
-      if (!part.factor) part.factor = density_factor(single.density, part.peak, thickest);
-      const float peak = static_cast<float>(part.peak) * static_cast<float>(part.factor.value_or(1.0));
-      part.least = static_cast<float>(single.prune * peak);
-    }
-    part.columns.reset();
   }
 
   // Shows what all voxels of the shape are, slab by slab, to each of the parts.
@@ -121,7 +103,7 @@ class VolumeStream {
       channels.push_back(part->channels);
       components += part->channels.count;
     }
-    visit_slabs(*topology_.mask, components, slab_bytes_, [&](const Slab& slab) {
+    visit_slabs(MaskVoxels(topology_.mask), components, slab_bytes_, [&](const Slab& slab) {
       const std::vector<MeasuredGrid> filled = fill(slab, channels, *topology_.mask);
       for (std::size_t i = 0; i < parts.size(); ++i) visit(*parts[i], filled[i]);
     });
@@ -130,10 +112,11 @@ class VolumeStream {
   MeasuredGrid make_grid(std::size_t i) {
     const Part& part = parts_[i];
     const auto grid = make_streamed_grid(
-        part.channels.count, part.mask, [this, i](const Slab& slab) { return values(i, slab); }, slab_bytes_);
+        part.channels.count, std::make_shared<MaskVoxels>(part.mask),
+        [this, i](const Slab& slab) { return values(i, slab); }, slab_bytes_);
     grid->setTransform(topology_.frame.transform());
     MeasuredGrid measured{grid, std::vector<Moments>(static_cast<std::size_t>(part.channels.count))};
-    if (part.output.is_density()) note_density_factor(part.factor.value_or(1.0), *grid);
+    if (part.density) note_density_factor(part.density->factor(), *grid);
     name_grid(part.output, options_.creator, *grid);
     note_recipe(recipe_, measured.moments, *grid);
     return measured;
@@ -145,14 +128,8 @@ class VolumeStream {
     MeasuredGrid& measured = volume_.grids[i];
     const openvdb::GridBase::Ptr grid =
         fill(slab, {{part.channels.first, part.channels.count, Sparsity::keep}}, *part.mask).front().grid;
-    if (part.factor) {
-      scale_values(dynamic_cast<openvdb::FloatGrid&>(*grid), static_cast<float>(*part.factor));
-    }
-    grid->setName(part.output.name);
-    grid->setSaveFloatAsHalf(part.output.single.half);
-    require_storable(path_, *grid);
-    merge_moments(*grid, measured.moments);
-    note_recipe(recipe_, measured.moments, *measured.grid);
+    if (part.density) part.density->scale(dynamic_cast<openvdb::FloatGrid&>(*grid));
+    finish_slab(path_, recipe_, part.output, *grid, measured);
     return grid;
   }
 

@@ -8,6 +8,7 @@
 
 #include <tbb/global_control.h>
 
+#include "solidnoise/noise/convolution/sparse_convolution.h"
 #include "solidnoise/noise/error_budget.h"
 #include "solidnoise/noise/interpolation/coarse_samples.h"
 #include "solidnoise/volume/finish_volume.h"
@@ -106,6 +107,7 @@ double interpolation_bytes(const InterpolationPlan<3>& plan, const WaveMixture<3
     held *= block_side(volume) / step + taps + 2 * CoarseStore<3>::kBrickSide;
     impulses *= kTile * step * lattice.step[axis] + 2.0 * waves.radius;
   }
+  if (impulses > kMostImpulsesInBlock) impulses = 0.0;  // these are made brick by brick
   const double samples = tiles * std::pow(kTile, 3) * sizeof(float) / volume.part.shards;
   return std::min(samples, static_cast<double>(CoarseStore<3>::kMostBytes)) + held * threads +
          kUnfinished * (tiles - inner_tiles) / volume.part.shards * impulses * kBytesPerImpulse;
@@ -169,6 +171,18 @@ Cost volume_cost(const VolumeRecipe& recipe, const VolumePlan& plan, int threads
     cost.bytes += kProgramBytes + kWriting * static_cast<double>(plan.memory);
   }
   return cost;
+}
+
+Cost merge_cost(const VolumeRecipe& recipe, const VolumePlan& whole, int parts) {
+  constexpr double kSecondsPerMergedVoxel =
+      10e-9;                                     // each is read twice, and looked at once, where it is scaled
+  constexpr double kLeastBytes = 48.0 * 0x1p20;  // a slab, and what is being compressed
+  const auto grids = static_cast<double>(output_grids(recipe).size());
+  const double part = kWriting * static_cast<double>(whole.memory) / parts;
+  const openvdb::Coord size = whole.voxels.dim();
+  const double columns = sizeof(double) * static_cast<double>(size.x()) * std::max(size.y(), size.z());
+  return {voxels_of(whole) * grids * kSecondsPerMergedVoxel,
+          kProgramBytes + std::max(part, kLeastBytes) + columns};
 }
 
 MakingPlan plan_making(const VolumeRecipe& recipe, const VolumePlan& plan, int threads, double memory,

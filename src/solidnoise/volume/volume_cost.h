@@ -20,6 +20,9 @@ enum class Making {
 Cost volume_cost(const VolumeRecipe& recipe, const VolumePlan& plan, int threads,
                  Making making = Making::in_memory);
 
+// What merging so many parts of the whole takes, by one thread.
+Cost merge_cost(const VolumeRecipe& recipe, const VolumePlan& whole, int parts);
+
 // What becomes of a volume.
 enum class Target {
   file,

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <memory>
+#include <span>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include "solidnoise/core/check.h"
 
@@ -53,13 +55,56 @@ std::string text_of(const VolumePart& part) {
   return text;
 }
 
-Topology take_part(const Topology& topology, const VolumePart& part) {
+namespace {
+
+// The leaves of a block, [first, end) of all, and what they cost.
+struct Block {
+  std::size_t first = 0;
+  std::size_t end = 0;
+  double cost = 0.0;  // leaves that are not free
+};
+
+using PlacedLeaf = std::pair<openvdb::Coord, const MaskLeaf*>;
+
+// A leaf that is free still has to be looked at.
+constexpr double kCostOfFreeLeaf = 1.0 / 64.0;
+
+double cost_of(std::span<const PlacedLeaf> leaves, const IsFree& is_free) {
+  const auto all = static_cast<double>(leaves.size());
+  if (!is_free) return all;
+  openvdb::CoordBBox voxels;
+  for (const PlacedLeaf& leaf : leaves) voxels.expand(leaf.second->getNodeBoundingBox());
+  if (is_free(voxels)) return kCostOfFreeLeaf * all;
+  double cost = 0.0;
+  for (const PlacedLeaf& leaf : leaves) {
+    cost += is_free(leaf.second->getNodeBoundingBox()) ? kCostOfFreeLeaf : 1.0;
+  }
+  return cost;
+}
+
+// Leaves that are one block after the other.
+std::vector<Block> blocks_of(const std::vector<PlacedLeaf>& leaves, const IsFree& is_free) {
+  std::vector<Block> blocks;
+  for (std::size_t i = 0; i < leaves.size(); ++i) {
+    if (i == 0 || leaves[i].first != leaves[i - 1].first) blocks.push_back({i, i});
+    blocks.back().end = i + 1;
+  }
+  tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t i) {
+    Block& block = blocks[i];
+    block.cost = cost_of(std::span(leaves).subspan(block.first, block.end - block.first), is_free);
+  });
+  return blocks;
+}
+
+}  // namespace
+
+Topology take_part(const Topology& topology, const VolumePart& part, const IsFree& is_free) {
   if (part.whole()) return topology;
   std::vector<const MaskLeaf*> all;
   topology.mask->getNodes(all);
 
   // The region's leaves, block after block.
-  std::vector<std::pair<openvdb::Coord, const MaskLeaf*>> leaves;
+  std::vector<PlacedLeaf> leaves;
   for (const MaskLeaf* leaf : all) {
     const openvdb::Coord& origin = leaf->origin();
     if (part.region && !in_region(topology.frame, *part.region, origin)) continue;
@@ -70,13 +115,16 @@ Topology take_part(const Topology& topology, const VolumePart& part) {
                    [](const auto& a, const auto& b) { return a.first < b.first; });
 
   // A block belongs to the shard that its first leaf falls to.
+  const std::vector<Block> blocks = blocks_of(leaves, part.shards > 1 ? is_free : IsFree());
+  double total = 0.0;
+  for (const Block& block : blocks) total += block.cost;
   auto mask = std::make_shared<openvdb::MaskTree>(false);
-  std::size_t shard = 0;
-  for (std::size_t i = 0; i < leaves.size(); ++i) {
-    if (i == 0 || leaves[i].first != leaves[i - 1].first) {
-      shard = i * static_cast<std::size_t>(part.shards) / leaves.size() + 1;
-    }
-    if (shard == static_cast<std::size_t>(part.shard)) mask->addLeaf(new MaskLeaf(*leaves[i].second));
+  double before = 0.0;
+  for (const Block& block : blocks) {
+    const int shard = static_cast<int>(before * part.shards / total) + 1;
+    before += block.cost;
+    if (shard != part.shard) continue;
+    for (std::size_t i = block.first; i < block.end; ++i) mask->addLeaf(new MaskLeaf(*leaves[i].second));
   }
   return {topology.frame, mask};
 }

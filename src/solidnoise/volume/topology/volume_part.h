@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -16,7 +17,7 @@ namespace solidnoise {
 struct VolumePart {
   std::optional<Box<3>> region{};  // world units; leaves whose first voxel's centre c has lower <= c < upper
   int shard = 1;                   // of the leaves in the region: 1 to shards
-  int shards = 1;                  // about equal parts, 1 to 65536
+  int shards = 1;                  // parts that cost about the same, 1 to 65536
 
   bool whole() const { return !region && shards == 1; }
 
@@ -27,9 +28,13 @@ struct VolumePart {
 // "3/8", and the corners of the region, if there is one.
 std::string text_of(const VolumePart& part);
 
+// Whether voxels cost nothing, for nothing is to be made in all of a box.
+using IsFree = std::function<bool(const openvdb::CoordBBox& voxels)>;
+
 // The part's leaves of a topology; they may be none. Shards are runs of blocks of 32^3 voxels, the blocks
-// that impulses are made for once, in the order of their coordinates.
-Topology take_part(const Topology& topology, const VolumePart& part);
+// that impulses are made for once, in the order of their coordinates, with as many leaves each that are not
+// free. All leaves are where there is no `is_free`; it is called by many threads.
+Topology take_part(const Topology& topology, const VolumePart& part, const IsFree& is_free = {});
 
 // Bytes that making a part takes at most, where the whole takes `whole_memory`. The topology is made whole.
 std::uint64_t estimate_part_memory(std::uint64_t whole_memory, const GridFrame& frame,

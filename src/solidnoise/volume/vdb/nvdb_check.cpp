@@ -1,6 +1,7 @@
 #include "solidnoise/volume/vdb/nvdb_check.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <nanovdb/NanoVDB.h>
 #include <nanovdb/util/GridValidator.h>
 #include <stdexcept>
@@ -12,15 +13,17 @@ void require(bool fits, const char* what) {
   if (!fits) throw std::runtime_error(what);
 }
 
-// The nodes of a level stand one after the other.
+// The nodes of a level stand one after the other, from a byte of the grid on.
 struct Level {
-  const std::uint8_t* begin = nullptr;
-  std::size_t node_bytes = 0;
-  std::size_t count = 0;
+  std::uint64_t begin = 0;
+  std::uint64_t node_bytes = 1;
+  std::uint64_t count = 0;
 
-  bool has(const std::uint8_t* node) const {
-    return node >= begin && node < begin + node_bytes * count &&
-           static_cast<std::size_t>(node - begin) % node_bytes == 0;
+  // Whether one of them stands at a distance, which may be any, from a byte. Before the first is far behind
+  // the last: unsigned numbers wrap around.
+  bool has(std::uint64_t from, std::int64_t distance) const {
+    const std::uint64_t inside = from + static_cast<std::uint64_t>(distance) - begin;
+    return inside < node_bytes * count && inside % node_bytes == 0;
   }
 };
 
@@ -35,17 +38,17 @@ Level level_of(std::span<const std::uint8_t> bytes, const nanovdb::TreeData<3>& 
   require(offset >= sizeof(tree) && offset <= room && offset % NANOVDB_DATA_ALIGNMENT == 0 &&
               count <= (room - offset) / sizeof(Node),
           "its nodes do not fit in it");
-  return {bytes.data() + tree_at + offset, sizeof(Node), count};
+  return {tree_at + offset, sizeof(Node), count};
 }
 
 // Every child of an inner node is one of the level below.
 template <typename Node>
-void check_children(const Level& level, const Level& children) {
-  for (std::size_t i = 0; i < level.count; ++i) {
-    const auto* const at = level.begin + i * level.node_bytes;
-    const auto& data = *reinterpret_cast<const typename Node::DataType*>(at);
+void check_children(std::span<const std::uint8_t> bytes, const Level& level, const Level& children) {
+  for (std::uint64_t i = 0; i < level.count; ++i) {
+    const std::uint64_t at = level.begin + i * level.node_bytes;
+    const auto& data = *reinterpret_cast<const typename Node::DataType*>(bytes.data() + at);
     for (auto child = data.mChildMask.beginOn(); child; ++child) {
-      require(children.has(at + data.mTable[*child].child), "a node of it points elsewhere");
+      require(children.has(at, data.mTable[*child].child), "a node of it points elsewhere");
     }
   }
 }
@@ -60,13 +63,13 @@ void check_root(std::span<const std::uint8_t> bytes, const nanovdb::TreeData<3>&
   require(offset >= sizeof(tree) && offset <= room && offset % NANOVDB_DATA_ALIGNMENT == 0 &&
               sizeof(Data) <= room - offset,
           "its root does not fit in it");
-  const auto* const at = bytes.data() + tree_at + offset;
-  const auto& data = *reinterpret_cast<const Data*>(at);
+  const std::uint64_t at = tree_at + offset;
+  const auto& data = *reinterpret_cast<const Data*>(bytes.data() + at);
   require(data.mTableSize <= (room - offset - sizeof(Data)) / sizeof(typename Data::Tile),
           "its root does not fit in it");
   for (std::uint32_t i = 0; i < data.mTableSize; ++i) {
     const auto* const tile = data.tile(i);
-    require(!tile->isChild() || children.has(at + tile->child), "its root points elsewhere");
+    require(!tile->isChild() || children.has(at, tile->child), "its root points elsewhere");
   }
 }
 
@@ -84,6 +87,8 @@ void check_nvdb_grid(std::span<const std::uint8_t> bytes) {
   require(grid.mVersion.getMajor() == NANOVDB_MAJOR_VERSION_NUMBER, "it is of another version of NanoVDB");
   require(grid.mGridSize == bytes.size(), "its size is not what it says");
   require(grid.mBlindMetadataCount == 0, "it has data beside its voxels, which is not read");
+  require((grid.mFlags & static_cast<std::uint32_t>(nanovdb::GridFlags::HasLongGridName)) == 0,
+          "its name is beside its voxels, which is not read");
   require(grid.mGridName[nanovdb::GridData::MaxNameSize - 1] == '\0', "its name has no end");
 
   const auto& tree = *reinterpret_cast<const nanovdb::TreeData<3>*>(bytes.data() + sizeof(grid));
@@ -91,8 +96,8 @@ void check_nvdb_grid(std::span<const std::uint8_t> bytes) {
   const Level lower = level_of<Lower>(bytes, tree);
   const Level upper = level_of<Upper>(bytes, tree);
   check_root<Root>(bytes, tree, upper);
-  check_children<Upper>(upper, lower);
-  check_children<Lower>(lower, leaves);
+  check_children<Upper>(bytes, upper, lower);
+  check_children<Lower>(bytes, lower, leaves);
 
   const std::string fault =
       nanovdb::GridValidator<BuildType>::check(*reinterpret_cast<const Grid*>(bytes.data()));

@@ -17,38 +17,34 @@
 namespace solidnoise {
 namespace {
 
-using MaskLeaf = openvdb::MaskTree::LeafNodeType;
+using UpperMask = openvdb::MaskTree::RootNodeType::ChildNodeType;
 
-// A node of a tree of `Value`s that has the children of the mask's node, no active tile, and values of 0.
-template <typename Value, typename MaskNode>
-void write_node(std::ostream& stream, const MaskNode& node, bool half) {
-  if constexpr (MaskNode::LEVEL == 0) {
-    node.valueMask().save(stream);
-  } else {
-    node.getChildMask().save(stream);
-    node.getValueMask().save(stream);
-    const std::vector<Value> values(MaskNode::NUM_VALUES, openvdb::zeroVal<Value>());
-    openvdb::io::writeCompressedValues(stream, const_cast<Value*>(values.data()), MaskNode::NUM_VALUES,
-                                       node.getValueMask(), node.getChildMask(), half);
-    for (auto child = node.cbeginChildOn(); child; ++child) write_node<Value>(stream, *child, half);
-  }
+// What is its own of an inner node of `Value`s that has these children, no active tile, and values of 0.
+template <typename Value, typename Mask>
+void write_inner(std::ostream& stream, const Mask& children, bool half) {
+  const Mask active;
+  children.save(stream);
+  active.save(stream);
+  std::vector<Value> values(Mask::SIZE, openvdb::zeroVal<Value>());
+  openvdb::io::writeCompressedValues(stream, values.data(), Mask::SIZE, active, children, half);
+}
+
+// Where the parent of a node, of 4096^3 voxels, begins.
+openvdb::Coord parent_of(const VoxelSource::Node& node) {
+  return node.origin & ~(static_cast<openvdb::Int32>(UpperMask::DIM) - 1);
 }
 
 template <typename Grid>
 class TypedStreamedGrid final : public Grid, public StreamedGrid {
  public:
-  TypedStreamedGrid(openvdb::MaskTree::ConstPtr mask, FillSlab fill, std::size_t slab_bytes)
-      : mask_(std::move(mask)), fill_(std::move(fill)), slab_bytes_(slab_bytes) {}
+  TypedStreamedGrid(std::shared_ptr<const VoxelSource> voxels, FillSlab fill, std::size_t slab_bytes)
+      : voxels_(std::move(voxels)), fill_(std::move(fill)), slab_bytes_(slab_bytes) {}
   TypedStreamedGrid(const TypedStreamedGrid& other)
-      : Grid(other), mask_(other.mask_), fill_(other.fill_), slab_bytes_(other.slab_bytes_) {}
+      : Grid(other), voxels_(other.voxels_), fill_(other.fill_), slab_bytes_(other.slab_bytes_) {}
 
-  bool empty() const override { return mask_->empty(); }
-  openvdb::Index64 activeVoxelCount() const override { return mask_->activeVoxelCount(); }
-  openvdb::CoordBBox evalActiveVoxelBoundingBox() const override {
-    openvdb::CoordBBox box;
-    mask_->evalActiveVoxelBoundingBox(box);
-    return box;
-  }
+  bool empty() const override { return voxels_->nodes().empty(); }
+  openvdb::Index64 activeVoxelCount() const override { return voxels_->active_voxels(); }
+  openvdb::CoordBBox evalActiveVoxelBoundingBox() const override { return voxels_->active_bounds(); }
   openvdb::Coord evalActiveVoxelDim() const override { return evalActiveVoxelBoundingBox().dim(); }
 
   // Of the grid with all values, as tools::memUsage() counts it.
@@ -56,9 +52,9 @@ class TypedStreamedGrid final : public Grid, public StreamedGrid {
     using Root = typename Tree::RootNodeType;
     using Upper = typename Root::ChildNodeType;
     using Lower = typename Upper::ChildNodeType;
-    const std::vector<openvdb::Index32> nodes = mask_->nodeCount();  // from the leaves up
-    return sizeof(Tree) + sizeof(Root) + nodes[2] * bytes_of_node<Upper>() +
-           nodes[1] * bytes_of_node<Lower>() + nodes[0] * (sizeof(Leaf) + Leaf::SIZE * sizeof(Value));
+    return sizeof(Tree) + sizeof(Root) + parents().size() * bytes_of_node<Upper>() +
+           voxels_->nodes().size() * bytes_of_node<Lower>() +
+           voxels_->leaf_count() * (sizeof(Leaf) + Leaf::SIZE * sizeof(Value));
   }
 
   // With metadata of its own.
@@ -67,24 +63,31 @@ class TypedStreamedGrid final : public Grid, public StreamedGrid {
 
   void writeTopology(std::ostream& stream) const override {
     const bool half = this->saveFloatAsHalf();
+    const std::vector<VoxelSource::Node>& nodes = voxels_->nodes();
     constexpr std::int32_t kBuffersOfLeaf = 1;
-    const auto& root = mask_->root();
     write_number(stream, kBuffersOfLeaf);
     write_number(stream, this->background());
     openvdb::io::setGridBackgroundValuePtr(stream, &this->background());
+    const std::vector<Run> uppers = parents();
     write_number(stream, openvdb::Index{0});  // tiles
-    write_number(stream, openvdb::Index{root.childCount()});
-    for (auto child = root.cbeginChildOn(); child; ++child) {
-      stream.write(reinterpret_cast<const char*>(child.getCoord().asPointer()), 3 * sizeof(openvdb::Int32));
-      write_node<Value>(stream, *child, half);
+    write_number(stream, static_cast<openvdb::Index>(uppers.size()));
+    for (const Run& upper : uppers) {
+      const openvdb::Coord origin = parent_of(nodes[upper.first]);
+      stream.write(reinterpret_cast<const char*>(origin.asPointer()), 3 * sizeof(openvdb::Int32));
+      UpperMask::NodeMaskType children;
+      for (std::size_t i = upper.first; i < upper.end; ++i) {
+        children.setOn(UpperMask::coordToOffset(nodes[i].origin));
+      }
+      write_inner<Value>(stream, children, half);
+      for (std::size_t i = upper.first; i < upper.end; ++i) write_lower(stream, i, half);
     }
   }
 
   void writeBuffers(std::ostream& stream) const override {
     if (checksum_) throw std::logic_error("a streamed grid is written once");
-    GridChecksum<Grid> sum(*this, mask_->leafCount());
+    GridChecksum<Grid> sum(*this, voxels_->leaf_count());
     constexpr int kComponents = sizeof(Value) / sizeof(float);
-    visit_slabs(*mask_, kComponents, slab_bytes_, [&](const openvdb::MaskTree::Ptr& slab) {
+    visit_slabs(*voxels_, kComponents, slab_bytes_, [&](const openvdb::MaskTree::Ptr& slab) {
       const auto values = openvdb::gridPtrCast<Grid>(fill_(slab));
       std::vector<const Leaf*> leaves;
       values->tree().getNodes(leaves);
@@ -102,13 +105,36 @@ class TypedStreamedGrid final : public Grid, public StreamedGrid {
   using Leaf = typename Tree::LeafNodeType;
   using Value = typename Grid::ValueType;
 
+  // Nodes [first, end) of one parent.
+  struct Run {
+    std::size_t first = 0;
+    std::size_t end = 0;
+  };
+
+  std::vector<Run> parents() const {
+    const std::vector<VoxelSource::Node>& nodes = voxels_->nodes();
+    std::vector<Run> runs;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      if (i == 0 || parent_of(nodes[i]) != parent_of(nodes[i - 1])) runs.push_back({i, i});
+      runs.back().end = i + 1;
+    }
+    return runs;
+  }
+
+  void write_lower(std::ostream& stream, std::size_t node, bool half) const {
+    const openvdb::MaskTree::Ptr voxels = voxels_->voxels(node, node + 1);
+    const auto lower = voxels->root().cbeginChildOn()->cbeginChildOn();
+    write_inner<Value>(stream, lower->getChildMask(), half);
+    for (auto leaf = lower->cbeginChildOn(); leaf; ++leaf) leaf->valueMask().save(stream);
+  }
+
   template <typename Node>
   static std::uint64_t bytes_of_node() {
     return Node::NUM_VALUES * sizeof(typename Node::UnionType) + 2 * sizeof(typename Node::NodeMaskType) +
            sizeof(openvdb::Coord);
   }
 
-  const openvdb::MaskTree::ConstPtr mask_;
+  const std::shared_ptr<const VoxelSource> voxels_;
   const FillSlab fill_;
   const std::size_t slab_bytes_;
   mutable std::optional<std::uint64_t> checksum_;  // writing a grid does not change it, says OpenVDB
@@ -116,32 +142,13 @@ class TypedStreamedGrid final : public Grid, public StreamedGrid {
 
 }  // namespace
 
-void visit_slabs(const openvdb::MaskTree& mask, int components, std::size_t bytes, const VisitSlab& visit) {
-  const std::size_t most = bytes / (MaskLeaf::SIZE * sizeof(float) * static_cast<std::size_t>(components));
-  std::shared_ptr<openvdb::MaskTree> slab;
-  std::size_t leaves = 0;
-  const auto add_node = [&](const auto& node) {
-    if (slab && leaves + node.leafCount() > most) visit(std::exchange(slab, nullptr));
-    if (!slab) {
-      slab = std::make_shared<openvdb::MaskTree>(false);
-      leaves = 0;
-    }
-    for (auto leaf = node.cbeginChildOn(); leaf; ++leaf) slab->addLeaf(new MaskLeaf(*leaf));
-    leaves += node.leafCount();
-  };
-  for (auto upper = mask.root().cbeginChildOn(); upper; ++upper) {
-    for (auto lower = upper->cbeginChildOn(); lower; ++lower) add_node(*lower);
-  }
-  if (slab) visit(slab);
-}
-
-openvdb::GridBase::Ptr make_streamed_grid(int components, openvdb::MaskTree::ConstPtr mask, FillSlab fill,
-                                          std::size_t slab_bytes) {
+openvdb::GridBase::Ptr make_streamed_grid(int components, std::shared_ptr<const VoxelSource> voxels,
+                                          FillSlab fill, std::size_t slab_bytes) {
   if (components == 3) {
-    return std::make_shared<TypedStreamedGrid<openvdb::Vec3SGrid>>(std::move(mask), std::move(fill),
+    return std::make_shared<TypedStreamedGrid<openvdb::Vec3SGrid>>(std::move(voxels), std::move(fill),
                                                                    slab_bytes);
   }
-  return std::make_shared<TypedStreamedGrid<openvdb::FloatGrid>>(std::move(mask), std::move(fill),
+  return std::make_shared<TypedStreamedGrid<openvdb::FloatGrid>>(std::move(voxels), std::move(fill),
                                                                  slab_bytes);
 }
 

@@ -38,6 +38,9 @@ void VdbHeaderWalk::skip_value() {
     if (stream_.tellg() > end) refuse_size(type);
   } else if (type != openvdb::StringMetadata::staticTypeName() && openvdb::Metadata::isRegisteredType(type)) {
     if (openvdb::Metadata::createMetadata(type)->size() != size) refuse_size(type);
+    if (type == openvdb::BoolMetadata::staticTypeName() && stream_.get() > 1) {
+      throw std::runtime_error("a value of type bool in its metadata is neither 0 nor 1");
+    }
   }
   stream_.seekg(end);
 }

@@ -7,8 +7,9 @@
 namespace solidnoise {
 
 // Walks over what comes before a grid's tree in a .vdb, and throws std::exception of any kind if a size in it
-// reaches past the end of the file, or is not that of the value's type: OpenVDB allocates whatever size it
-// finds, and goes by the type, so that it would come to what stands elsewhere in the file.
+// reaches past the end of the file, or is not that of the value's type, or a truth value is neither 0 nor 1:
+// OpenVDB allocates whatever size it finds, and goes by the type, so that it would come to what stands
+// elsewhere in the file.
 class VdbHeaderWalk {
  public:
   VdbHeaderWalk(std::istream& stream, std::int64_t file_size) : stream_(stream), file_size_(file_size) {}

@@ -1,7 +1,9 @@
 #include "solidnoise/volume/vdb/vdb_reader.h"
 
+#include <memory>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "solidnoise/volume/vdb/vdb_structure.h"
 
@@ -112,6 +114,67 @@ openvdb::GridBase::Ptr VdbReader::read_own(std::size_t index) {
   return grid;
 }
 
+std::vector<VdbNode> VdbReader::find_nodes(std::size_t index) {
+  const openvdb::io::GridDescriptor& descriptor = entries_[index].descriptor;
+  descriptor.seekToGrid(stream_);
+  return check_grid(descriptor);
+}
+
+namespace {
+
+template <typename Tree>
+using LowerNode = typename Tree::RootNodeType::ChildNodeType::ChildNodeType;
+
+}  // namespace
+
+template <typename Lower>
+void VdbReader::read_topology(std::size_t index, const VdbNode& node, Lower& lower) {
+  static const auto kBackground = openvdb::zeroVal<typename Lower::ValueType>();
+  const openvdb::io::GridDescriptor& descriptor = entries_[index].descriptor;
+  descriptor.seekToGrid(stream_);
+  readGridCompression(stream_);
+  openvdb::io::setGridBackgroundValuePtr(stream_, &kBackground);
+  stream_.seekg(node.topology);
+  lower.readTopology(stream_, descriptor.saveFloatAsHalf());
+}
+
+template <typename Tree>
+void VdbReader::read_leaves(std::size_t index, const VdbNode& node, Tree& tree) {
+  const auto background = openvdb::zeroVal<typename Tree::ValueType>();
+  LowerNode<Tree> lower(openvdb::PartialCreate(), node.origin, background);
+  read_topology(index, node, lower);
+  stream_.seekg(node.values);
+  lower.readBuffers(stream_, entries_[index].descriptor.saveFloatAsHalf());
+  std::vector<typename Tree::LeafNodeType*> leaves;
+  lower.stealNodes(leaves, background, false);
+  for (auto* const leaf : leaves) tree.addLeaf(leaf);
+}
+
+template <typename Tree>
+void VdbReader::read_masks(std::size_t index, const VdbNode& node, openvdb::MaskTree& mask) {
+  LowerNode<Tree> lower(openvdb::PartialCreate(), node.origin, openvdb::zeroVal<typename Tree::ValueType>());
+  read_topology(index, node, lower);
+  for (auto leaf = lower.cbeginChildOn(); leaf; ++leaf) {
+    auto voxels = std::make_unique<openvdb::MaskTree::LeafNodeType>(openvdb::PartialCreate(), leaf->origin());
+    voxels->setValueMask(leaf->valueMask());
+    mask.addLeaf(voxels.release());
+  }
+}
+
+void VdbReader::read_values(std::size_t index, const VdbNode& node, openvdb::FloatTree& tree) {
+  read_leaves(index, node, tree);
+}
+
+void VdbReader::read_values(std::size_t index, const VdbNode& node, openvdb::Vec3STree& tree) {
+  read_leaves(index, node, tree);
+}
+
+void VdbReader::read_voxels(std::size_t index, const VdbNode& node, openvdb::MaskTree& mask) {
+  const bool floats = entries_[index].descriptor.gridType() == openvdb::FloatGrid::gridType();
+  floats ? read_masks<openvdb::FloatTree>(index, node, mask)
+         : read_masks<openvdb::Vec3STree>(index, node, mask);
+}
+
 std::size_t VdbReader::parent_of(std::size_t index) const {
   for (std::size_t other = 0; other < entries_.size(); ++other) {
     const openvdb::io::GridDescriptor& parent = entries_[other].descriptor;
@@ -140,17 +203,24 @@ void VdbReader::check_grid_header() {
   stream_.seekg(start);
 }
 
-void VdbReader::check_grid(const openvdb::io::GridDescriptor& descriptor) {
+std::vector<VdbNode> VdbReader::check_grid(const openvdb::io::GridDescriptor& descriptor) {
   const auto start = stream_.tellg();
   const std::uint32_t compression = skim_grid_header();
+  std::vector<VdbNode> nodes;
   if (!descriptor.isInstance()) {
     // The transform has no size of its own: OpenVDB must read it to come to the tree.
     stream_.seekg(start);
     const openvdb::GridBase::Ptr header = read_grid_header(descriptor);
     // Its metadata say whether values are halves: OpenVDB goes by them, not by the descriptor.
-    check_vdb_tree(stream_, size_, {descriptor.gridType(), header->saveFloatAsHalf(), compression});
+    nodes = check_vdb_tree(stream_, size_, {descriptor.gridType(), header->saveFloatAsHalf(), compression});
+    // OpenVDB looks for leaves' values where the descriptor says.
+    const std::int64_t values = nodes.empty() ? 0 : nodes.front().values;
+    if (inputHasGridOffsets() && values != 0 && values != descriptor.getBlockPos()) {
+      throw std::runtime_error("a grid's values are not where it says");
+    }
   }
   stream_.seekg(start);
+  return nodes;
 }
 
 std::uint32_t VdbReader::skim_grid_header() {

@@ -11,6 +11,7 @@
 
 #include "solidnoise/volume/vdb/grid_source.h"
 #include "solidnoise/volume/vdb/vdb_header.h"
+#include "solidnoise/volume/vdb/vdb_structure.h"
 
 namespace solidnoise {
 
@@ -30,6 +31,17 @@ class VdbReader final : public openvdb::io::Archive, public GridSource {
   openvdb::GridBase::Ptr read_grid(std::size_t index) override;
   openvdb::GridPtrVec read_grids() override;
 
+  // Whether it is a file that tells where its grids are; what went through a pipe is not, and all of it is
+  // read at once. For the two below it has to be.
+  bool has_offsets() const { return inputHasGridOffsets(); }
+  // The nodes of 128^3 voxels of a grid, in tree order; checks the grid as read_grid() does.
+  std::vector<VdbNode> find_nodes(std::size_t index);
+  // Adds the leaves of one of them, of a grid of floats or of vec3s with a background of 0, to a tree of the
+  // grid's type, with their values; or, to a mask, where they are active.
+  void read_values(std::size_t index, const VdbNode& node, openvdb::FloatTree& tree);
+  void read_values(std::size_t index, const VdbNode& node, openvdb::Vec3STree& tree);
+  void read_voxels(std::size_t index, const VdbNode& node, openvdb::MaskTree& mask);
+
  private:
   struct Entry {
     openvdb::io::GridDescriptor descriptor;
@@ -47,7 +59,15 @@ class VdbReader final : public openvdb::io::Archive, public GridSource {
   void check_metadata();
   void check_descriptor();
   void check_grid_header();
-  void check_grid(const openvdb::io::GridDescriptor& descriptor);
+  std::vector<VdbNode> check_grid(const openvdb::io::GridDescriptor& descriptor);
+
+  // Reads a node's topology into `lower`, one of a tree's; the stream then can read its values.
+  template <typename Lower>
+  void read_topology(std::size_t index, const VdbNode& node, Lower& lower);
+  template <typename Tree>
+  void read_leaves(std::size_t index, const VdbNode& node, Tree& tree);
+  template <typename Tree>
+  void read_masks(std::size_t index, const VdbNode& node, openvdb::MaskTree& mask);
 
   std::uint32_t skim_grid_header();  // goes past it, and gives the grid's compression flags
   VdbHeaderWalk walk();

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include <openvdb/io/Compression.h>
@@ -33,8 +34,9 @@ ValueFormat value_format(const std::string& grid_type) {
 }
 
 // Values of a node on each level, from the root's children to the leaves.
-constexpr int kLevels = 3;
-constexpr std::array<std::uint64_t, kLevels> kValuesOfNode = {32 * 32 * 32, 16 * 16 * 16, 8 * 8 * 8};
+constexpr std::uint64_t kValuesOfUpper = 32 * 32 * 32;
+constexpr std::uint64_t kValuesOfLower = 16 * 16 * 16;
+constexpr std::uint64_t kValuesOfLeaf = 8 * 8 * 8;
 
 class TreeWalk {
  public:
@@ -45,7 +47,7 @@ class TreeWalk {
         value_(value_format(format.grid_type)),
         half_(format.half && value_.as_half > 0) {}
 
-  void run() {
+  std::vector<VdbNode> run() {
     if (take<std::int32_t>() != 1) throw std::runtime_error("a tree's header is wrong");
     skip(value_.in_memory);  // background
     const auto tiles = take<std::uint32_t>();
@@ -56,15 +58,18 @@ class TreeWalk {
       if (take<std::uint8_t>() > 1) throw std::runtime_error("a tile is neither active nor inactive");
     }
     for (std::uint32_t child = 0; child < children; ++child) {
-      take_place();
-      walk_node(0);
+      walk_upper(take_place());
     }
-    if (value_.bits_in_leaves) return;
-    for (std::uint64_t leaf = 0; leaf < leaves_; ++leaf) {
-      // Its mask again, by which OpenVDB then reads its values.
-      const std::uint64_t active = count(take_mask(kValuesOfNode[kLevels - 1]));
-      walk_values(kValuesOfNode[kLevels - 1], active);
+    if (value_.bits_in_leaves) return std::move(nodes_);
+    for (VdbNode& node : nodes_) {
+      node.values = stream_.tellg();
+      for (std::uint64_t leaf = 0; leaf < node.leaves; ++leaf) {
+        // Its mask again, by which OpenVDB then reads its values.
+        const std::uint64_t active = count(take_mask(kValuesOfLeaf));
+        walk_values(kValuesOfLeaf, active);
+      }
     }
+    return std::move(nodes_);
   }
 
  private:
@@ -72,26 +77,36 @@ class TreeWalk {
   using Place = std::array<std::int32_t, 3>;
 
   // Of what the root has: where voxels of such a node begin, and nowhere twice.
-  void take_place() {
+  Place take_place() {
     constexpr std::int32_t kSide = 4096;
     const auto place = take<Place>();
     for (const std::int32_t index : place) {
       if (index % kSide != 0) throw std::runtime_error("a node begins where none can");
     }
     if (!places_.insert(place).second) throw std::runtime_error("two nodes have the same place");
+    return place;
   }
 
-  void walk_node(int level) {
-    const std::uint64_t values = kValuesOfNode[static_cast<std::size_t>(level)];
-    if (level == kLevels - 1) {
-      skip(values / 8);  // its mask
-      ++leaves_;
-      return;
+  void walk_upper(const Place& place) {
+    const Mask children = take_mask(kValuesOfUpper);
+    walk_values(kValuesOfUpper, count(take_mask(kValuesOfUpper)));
+    for (std::uint32_t child = 0; child < kValuesOfUpper; ++child) {
+      if ((children[child / 64] >> child % 64 & 1) == 0) continue;
+      constexpr std::int32_t kSide = 128;
+      const openvdb::Coord at(static_cast<std::int32_t>(child >> 10),
+                              static_cast<std::int32_t>(child >> 5 & 31),
+                              static_cast<std::int32_t>(child & 31));
+      walk_lower(openvdb::Coord(place[0], place[1], place[2]) +
+                 openvdb::Coord(at.x() * kSide, at.y() * kSide, at.z() * kSide));
     }
-    const std::uint64_t children = count(take_mask(values));
-    const std::uint64_t active = count(take_mask(values));
-    walk_values(values, active);
-    for (std::uint64_t child = 0; child < children; ++child) walk_node(level + 1);
+  }
+
+  void walk_lower(const openvdb::Coord& origin) {
+    VdbNode node{origin, 0, stream_.tellg(), 0};
+    node.leaves = count(take_mask(kValuesOfLower));
+    walk_values(kValuesOfLower, count(take_mask(kValuesOfLower)));
+    skip(node.leaves * (kValuesOfLeaf / 8));  // their masks
+    if (node.leaves > 0) nodes_.push_back(node);
   }
 
   // The values of one node: a byte that says what inactive values there are, these, and a chunk.
@@ -156,14 +171,15 @@ class TreeWalk {
   const std::uint32_t compression_;
   const ValueFormat value_;
   const bool half_;
-  std::uint64_t leaves_ = 0;
+  std::vector<VdbNode> nodes_;
   std::set<Place> places_;
 };
 
 }  // namespace
 
-void check_vdb_tree(std::istream& stream, std::int64_t file_size, const VdbTreeFormat& format) {
-  TreeWalk(stream, file_size, format).run();
+std::vector<VdbNode> check_vdb_tree(std::istream& stream, std::int64_t file_size,
+                                    const VdbTreeFormat& format) {
+  return TreeWalk(stream, file_size, format).run();
 }
 
 }  // namespace solidnoise

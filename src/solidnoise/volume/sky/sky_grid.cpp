@@ -1,0 +1,146 @@
+#include "solidnoise/volume/sky/sky_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include <glm/common.hpp>
+#include <nlohmann/json.hpp>
+
+#include "solidnoise/core/numerics.h"
+#include "solidnoise/recipe/json.h"
+#include "solidnoise/volume/finish_volume.h"
+#include "solidnoise/volume/sky/placed_clouds.h"
+#include "solidnoise/volume/topology/fill.h"
+#include "solidnoise/volume/topology/topology.h"
+#include "solidnoise/volume/vdb/vdb_write.h"
+
+namespace solidnoise {
+namespace {
+
+// A turn against the clock about the up axis as seen from above, for rows of coordinates.
+openvdb::Mat4d turn_matrix(double degrees, UpAxis up) {
+  const double c = std::cos(degrees * kPi / 180.0);
+  const double s = std::sin(degrees * kPi / 180.0);
+  const int first = up == UpAxis::y ? 2 : 0;
+  const int second = up == UpAxis::y ? 0 : 1;
+  openvdb::Mat4d matrix = openvdb::Mat4d::identity();
+  matrix[first][first] = matrix[second][second] = c;
+  matrix[first][second] = s;
+  matrix[second][first] = -s;
+  return matrix;
+}
+
+openvdb::Mat4d matrix_of(const SkyInstance& instance, UpAxis up) {
+  openvdb::Mat4d matrix = openvdb::Mat4d::identity();
+  matrix.postScale(openvdb::Vec3d(instance.scale));
+  matrix = matrix * turn_matrix(instance.point.turn, up);
+  matrix.postTranslate(openvdb::Vec3d(instance.point.x, instance.point.y, instance.point.z));
+  return matrix;
+}
+
+Box<3> intersect(const Box<3>& a, const Box<3>& b) {
+  return {glm::max(a.lower, b.lower), glm::min(a.upper, b.upper)};
+}
+
+// All voxels that a cloud may reach.
+Topology voxels_of(const SkyPlan& plan, const GridFrame& frame, const std::optional<Box<3>>& region) {
+  Topology all{frame, std::make_shared<openvdb::MaskTree>(false)};
+  for (const SkyInstance& instance : plan.instances) {
+    const Box<3> reached = bounds_of(plan, instance);
+    if (region && !overlap(reached, *region)) continue;
+    const Box<3> box = region ? intersect(reached, *region) : reached;
+    if (!frame.voxels_in(box).empty()) all.mask->topologyUnion(*box_topology(frame, box).mask);
+  }
+  return all;
+}
+
+void note_sky(const SkyPlan& plan, const std::string& creator, const FilledGrid& filled) {
+  openvdb::FloatGrid& grid = *filled.grid;
+  const VolumeRecipe& cloud = plan.recipe.cloud;
+  const OutputGrid output = output_grids(cloud).front();
+  name_grid(output, creator, grid);
+  note_recipe(cloud, {filled.moments}, grid);
+  set_metadata(grid, {{kRecipeKey, format_json(to_json(plan.recipe))}});
+}
+
+}  // namespace
+
+Volume make_sky_grid(const SkyPlan& plan, const std::optional<Box<3>>& region, const std::string& creator,
+                     Progress* progress) {
+  const GridFrame frame(plan.recipe.voxel);
+  constexpr double kClouds = 0.6;  // of the work
+  std::vector<openvdb::FloatGrid::ConstPtr> clouds;
+  for (const SkyCloud& cloud : plan.clouds) {
+    const auto share = [&](std::size_t k) {
+      return kClouds * static_cast<double>(k) / static_cast<double>(plan.clouds.size());
+    };
+    PartialProgress of_cloud(progress, share(clouds.size()), share(clouds.size() + 1));
+    const Volume volume = make_sky_cloud(cloud, creator, &of_cloud);
+    clouds.push_back(openvdb::gridConstPtrCast<openvdb::FloatGrid>(volume.grids.front().grid));
+  }
+  std::vector<PlacedCloud> placed;
+  for (const SkyInstance& instance : plan.instances) {
+    placed.push_back(
+        {clouds[instance.cloud], matrix_of(instance, plan.recipe.cloud.up), bounds_of(plan, instance)});
+  }
+  PartialProgress of_sky(progress, kClouds, 1.0);
+  const FilledGrid filled =
+      fill_grid(voxels_of(plan, frame, region), PlacedClouds(placed), Sparsity::drop, &of_sky);
+  note_sky(plan, creator, filled);
+  return {{{filled.grid, {filled.moments}}}};
+}
+
+Box<3> bounds_of(const SkyPlan& plan, const SkyInstance& instance) {
+  const Box<3>& box = plan.recipe.cloud.box;
+  const double unit = plan.clouds[instance.cloud].unit * instance.scale;
+  const int up = vertical_axis(plan.recipe.cloud);
+  const Vec<3> half = 0.5 * unit * (box.upper - box.lower);
+  // Whatever the turn; and what shapes and interpolation reach beyond.
+  const double beyond = 3.0 * plan.recipe.voxel;
+  const double across = std::hypot(half[0], half[3 - up]) + beyond;
+  Vec<3> lower(instance.point.x, instance.point.y, instance.point.z);
+  Vec<3> upper = lower;
+  lower -= across;
+  upper += across;
+  lower[up] += across - beyond;
+  upper[up] += 2.0 * half[up] - across + beyond;
+  return {lower, upper};
+}
+
+SkyPlan plan_in(const SkyPlan& plan, const Box<3>& region) {
+  SkyPlan result{plan.recipe, plan.form, {}, {}};
+  std::vector<std::size_t> number(plan.clouds.size(), plan.clouds.size());
+  for (const SkyInstance& instance : plan.instances) {
+    if (!overlap(bounds_of(plan, instance), region)) continue;
+    std::size_t& cloud = number[instance.cloud];
+    if (cloud == plan.clouds.size()) {
+      cloud = result.clouds.size();
+      result.clouds.push_back(plan.clouds[instance.cloud]);
+    }
+    result.instances.push_back(instance);
+    result.instances.back().cloud = cloud;
+  }
+  return result;
+}
+
+Cost placing_cost(const SkyPlan& plan) {
+  constexpr double kSecondsPerVoxel = 100e-9;  // of an instance's bounds; measured with the preset
+  const auto bytes_of = [](const openvdb::CoordBBox& voxels) {
+    return static_cast<double>(estimate_memory(voxels));
+  };
+  Cost cost;
+  for (const SkyCloud& cloud : plan.clouds)
+    cost.bytes += bytes_of(GridFrame(*cloud.recipe.voxel).voxels_in(cloud.recipe.box));
+  const GridFrame frame(plan.recipe.voxel);
+  for (const SkyInstance& instance : plan.instances) {
+    const openvdb::CoordBBox voxels = frame.voxels_in(bounds_of(plan, instance));
+    cost.bytes += bytes_of(voxels);
+    cost.seconds += kSecondsPerVoxel * voxels.dim().x() * voxels.dim().y() * voxels.dim().z();
+  }
+  return cost;
+}
+
+}  // namespace solidnoise
