@@ -41,7 +41,7 @@ TEST(Completion, IsOfCommandsFlagsAndWords) {
     EXPECT_EQ(result.status, 0) << result.err;
     return result.out;
   };
-  EXPECT_EQ(completed({"--complete", "s"}), "surface\nslice\n");
+  EXPECT_EQ(completed({"--complete", "s"}), "surface\nslice\nsky\n");
   EXPECT_EQ(completed({"--complete", "--see"}), "--seed  Another seed makes another noise\n");
   EXPECT_TRUE(completed({"--complete", ""}).starts_with("make\nmerge\n"));
   EXPECT_TRUE(contains(completed({"--complete", ""}), "\n--seed  "));  // it takes nothing but flags

@@ -45,6 +45,8 @@ INSTANTIATE_TEST_SUITE_P(
         std::vector<std::string>{"--preset", "velocity", "--dim", "144"},
         std::vector<std::string>{"--raw", "--dim", "256"},
         std::vector<std::string>{"--raw", "--dim", "448", "--max-memory", "450M"},
+        std::vector<std::string>{"--raw", "--octaves", "5", "--dim", "128"},
+        std::vector<std::string>{"--raw", "--octaves", "5", "--dim", "128", "--band-limit"},
         std::vector<std::string>{"--raw", "--dim", "256", "--exact", "--shard", "1/4"},
         std::vector<std::string>{"--raw", "--dims", "4", "--frequency", "4", "--dim", "160"},
         std::vector<std::string>{"--raw", "--noise", "exemplar.json", "--frequency", "8", "--dim", "160"},

@@ -70,6 +70,8 @@ struct FlagForm<double> : NumbersForm<double, 1> {};
 template <>
 struct FlagForm<std::array<double, 2>> : NumbersForm<std::array<double, 2>, 2> {};
 template <>
+struct FlagForm<std::array<double, 4>> : NumbersForm<std::array<double, 4>, 4> {};
+template <>
 struct FlagForm<Vec<3>> : NumbersForm<Vec<3>, 3> {};
 template <>
 struct FlagForm<Vec<4>> : NumbersForm<Vec<4>, 4> {};

@@ -1,12 +1,9 @@
 #include "common/memory.h"
 
 #include <algorithm>
-#include <array>
 #include <fstream>
 #include <limits>
 #include <optional>
-
-#include <fmt/format.h>
 
 namespace solidnoise {
 namespace {
@@ -45,17 +42,6 @@ std::uint64_t available_memory() {
   const std::uint64_t least =
       std::min(available_to_machine().value_or(kUnknown), available_to_control_group().value_or(kUnknown));
   return least == kUnknown ? 0 : least;
-}
-
-std::string format_bytes(std::uint64_t bytes) {
-  constexpr std::array kUnits{"bytes", "KiB", "MiB", "GiB", "TiB", "PiB", "EiB"};
-  double number = static_cast<double>(bytes);
-  std::size_t unit = 0;
-  while (number >= 1024.0 && unit + 1 < kUnits.size()) {
-    number /= 1024.0;
-    ++unit;
-  }
-  return unit == 0 ? fmt::format("{} bytes", bytes) : fmt::format("{:.1f} {}", number, kUnits[unit]);
 }
 
 }  // namespace solidnoise

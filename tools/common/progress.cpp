@@ -1,6 +1,7 @@
 #include "common/progress.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <string>
@@ -14,8 +15,15 @@
 namespace solidnoise {
 namespace {
 
-constexpr std::chrono::milliseconds kShortestInterval{100};
-constexpr int kBarWidth = 32;  // characters
+// Of a task that has gone on for a while: how long it will go on, at its pace so far.
+std::string time_left(double seconds, double done) {
+  constexpr double kWhile = 1.0;
+  constexpr double kEnough = 0.02;
+  if (seconds < kWhile || done < kEnough) return {};
+  const double left = seconds * (1.0 - done) / done;
+  return left < 100.0 ? fmt::format(", {:.0f} s left", std::ceil(left))
+                      : fmt::format(", {:.0f} min left", std::ceil(left / 60.0));
+}
 
 void put(const std::string& text) {
   std::fwrite(text.data(), 1, text.size(), stderr);
@@ -24,24 +32,59 @@ void put(const std::string& text) {
 
 }  // namespace
 
-ProgressBar::ProgressBar(Visibility visibility)
-    : visible_(visibility == Visibility::if_terminal && isatty(STDERR_FILENO) != 0) {}
+TaskProgress::TaskProgress(Visibility visibility)
+    : visible_(visibility == Visibility::if_terminal && isatty(STDERR_FILENO) != 0),
+      logs_(visibility == Visibility::in_log),
+      began_(Clock::now()),
+      last_shown_(began_) {}
 
-ProgressBar::~ProgressBar() {
+TaskProgress::~TaskProgress() {
   if (drawn_) put("\r\x1b[K");
 }
 
-void ProgressBar::show(const std::string& task, double fraction) {
-  if (!visible_) return;
-  const Clock::time_point now = Clock::now();
-  if (drawn_ && task == task_ && now - last_drawn_ < kShortestInterval) return;
-  const double done = std::clamp(fraction, 0.0, 1.0);
-  const int filled = static_cast<int>(done * kBarWidth);
-  put(fmt::format("\r\x1b[K{:<10} [{}{}] {:3.0f} %", task, std::string(static_cast<std::size_t>(filled), '#'),
-                  std::string(static_cast<std::size_t>(kBarWidth - filled), '.'), 100.0 * done));
-  drawn_ = true;
+void TaskProgress::begin(const std::string& task, std::function<void()> done) {
   task_ = task;
-  last_drawn_ = now;
+  done_ = std::move(done);
+  began_ = Clock::now();
+  if (!logs_) last_shown_ = {};
+  logged_ = 0;
+}
+
+void TaskProgress::advance(std::uint64_t done, std::uint64_t total) {
+  if (done == total && done_) done_();
+  const std::unique_lock lock(mutex_, std::try_to_lock);
+  if (!lock || total == 0) return;
+  const double fraction = std::clamp(static_cast<double>(done) / static_cast<double>(total), 0.0, 1.0);
+  if (logs_) log(fraction);
+  if (visible_) draw(fraction);
+}
+
+bool TaskProgress::cancelled() {
+  return interrupt_signal() != 0;
+}
+
+void TaskProgress::draw(double fraction) {
+  constexpr std::chrono::milliseconds kShortestInterval{100};
+  constexpr int kWidth = 32;  // characters
+  const Clock::time_point now = Clock::now();
+  if (now - last_shown_ < kShortestInterval) return;
+  const int filled = static_cast<int>(fraction * kWidth);
+  put(fmt::format("\r\x1b[K{:<10} [{:#<{}}{:.<{}}] {:3.0f} %{}", task_, "", filled, "", kWidth - filled,
+                  100.0 * fraction,
+                  time_left(std::chrono::duration<double>(now - began_).count(), fraction)));
+  drawn_ = true;
+  last_shown_ = now;
+}
+
+void TaskProgress::log(double fraction) {
+  constexpr int kStep = 10;
+  constexpr std::chrono::seconds kLogInterval{10};
+  const Clock::time_point now = Clock::now();
+  const int percent = static_cast<int>(100.0 * fraction);
+  if (percent < logged_ + kStep || now - last_shown_ < kLogInterval) return;
+  logged_ = percent - percent % kStep;
+  last_shown_ = now;
+  put(fmt::format("{} {} %\n", task_, logged_));
 }
 
 namespace {
@@ -92,22 +135,6 @@ void StageTimes::count_until_now() {
   stages_[current_].processor += processor - processor_since_;
   since_ = now;
   processor_since_ = processor;
-}
-
-void TaskProgress::begin(const std::string& task, std::function<void()> done) {
-  task_ = task;
-  done_ = std::move(done);
-}
-
-void TaskProgress::advance(std::uint64_t done, std::uint64_t total) {
-  if (done == total && done_) done_();
-  const std::unique_lock lock(mutex_, std::try_to_lock);
-  if (!lock || total == 0) return;
-  bar_.show(task_, static_cast<double>(done) / static_cast<double>(total));
-}
-
-bool TaskProgress::cancelled() {
-  return interrupt_signal() != 0;
 }
 
 }  // namespace solidnoise

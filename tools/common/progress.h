@@ -11,27 +11,41 @@
 
 namespace solidnoise {
 
-// One line on a terminal's standard error, redrawn at most ten times a second; nothing where standard error
-// is not a terminal. The line is wiped when the bar goes.
-class ProgressBar {
+// Shows the progress of a tool's tasks, one after the other, and cancels them when the process is
+// interrupted: one line on a terminal's standard error, redrawn at most ten times a second, which says after
+// a while how long the task will take yet; nothing where standard error is not a terminal. The line is wiped
+// at the end. In a log instead a line for each tenth of a task, one in ten seconds at most.
+class TaskProgress final : public Progress {
  public:
-  enum class Visibility { if_terminal, hidden };
+  enum class Visibility { if_terminal, in_log, hidden };
 
-  explicit ProgressBar(Visibility visibility);
-  ~ProgressBar();
-  ProgressBar(const ProgressBar&) = delete;
-  ProgressBar& operator=(const ProgressBar&) = delete;
+  explicit TaskProgress(Visibility visibility);
+  ~TaskProgress() override;
+  TaskProgress(const TaskProgress&) = delete;
+  TaskProgress& operator=(const TaskProgress&) = delete;
 
-  // `fraction` of the task done, 0 to 1. Call from one thread at a time.
-  void show(const std::string& task, double fraction);
+  // The name of what begins now, and what is called, by any thread, when all of its units of work are done.
+  // Not while a task runs.
+  void begin(const std::string& task, std::function<void()> done = {});
+
+  void advance(std::uint64_t done, std::uint64_t total) override;
+  bool cancelled() override;
 
  private:
   using Clock = std::chrono::steady_clock;
 
+  void draw(double fraction);
+  void log(double fraction);
+
   bool visible_ = false;
+  bool logs_ = false;
   bool drawn_ = false;
+  std::mutex mutex_;
   std::string task_;
-  Clock::time_point last_drawn_;
+  std::function<void()> done_;
+  Clock::time_point began_;  // the task
+  Clock::time_point last_shown_;
+  int logged_ = 0;  // percent of the task
 };
 
 // Where the time of a run goes: wall time and processor time of its stages. Processor time is that of all
@@ -65,26 +79,6 @@ class StageTimes {
   std::size_t current_ = 0;
   Clock::time_point since_;
   double processor_since_ = 0.0;
-};
-
-// Shows the progress of a tool's tasks, one after the other, and cancels them when the process is
-// interrupted.
-class TaskProgress final : public Progress {
- public:
-  explicit TaskProgress(ProgressBar::Visibility visibility) : bar_(visibility) {}
-
-  // The name of what begins now, and what is called, by any thread, when all of its units of work are done.
-  // Not while a task runs.
-  void begin(const std::string& task, std::function<void()> done = {});
-
-  void advance(std::uint64_t done, std::uint64_t total) override;
-  bool cancelled() override;
-
- private:
-  ProgressBar bar_;
-  std::mutex mutex_;
-  std::string task_;
-  std::function<void()> done_;
 };
 
 }  // namespace solidnoise

@@ -16,9 +16,9 @@
 namespace solidnoise {
 namespace {
 
-std::string list_presets() {
+std::string list_presets(std::span<const Preset> among) {
   std::string text;
-  for (const Preset& preset : presets()) {
+  for (const Preset& preset : among) {
     text += fmt::format("{:<10} {}\n", preset.name,
                         parse_json(preset.json)["description"].get_ref<const std::string&>());
   }
@@ -27,43 +27,43 @@ std::string list_presets() {
 
 }  // namespace
 
-std::vector<std::string_view> preset_names() {
+std::vector<std::string_view> preset_names(std::span<const Preset> among) {
   std::vector<std::string_view> names;
-  for (const Preset& preset : presets()) names.push_back(preset.name);
+  for (const Preset& preset : among) names.push_back(preset.name);
   return names;
 }
 
 void declare_recipe_flags(FlagSet& flags, const std::string& files, std::string& written,
-                          const std::function<Json()>& schema) {
+                          const std::function<Json()>& schema, std::span<const Preset> among) {
   flags.group("Recipes");
-  flags.add({"--preset", "NAME", "Start from a recipe that comes with the program"}).words = preset_names();
+  flags.add({"--preset", "NAME", "Start from a recipe that comes with the program"}).words =
+      preset_names(among);
   flags.add({"--recipe", "FILE",
              "Start from a recipe, .json, from a link of the studio, or from that of " + files});
   flags.exclude({"--preset", "--recipe"});
   flags.keep("--write-recipe", "FILE.json",
              "Write the recipe with all flags in it; - for the standard output", written);
-  flags.toggle("--list-presets", "Print the presets", [] { throw TextRequested{list_presets()}; });
+  flags.toggle("--list-presets", "Print the presets", [among] { throw TextRequested{list_presets(among)}; });
   flags.toggle("--schema", "Print the JSON Schema of recipes, with which editors complete them",
                [schema] { throw TextRequested{format_json(schema())}; });
 }
 
-void load_recipe(const FlagSet& flags, const std::string& standard,
-                 const std::function<std::string(const std::filesystem::path&)>& text_in,
+void load_recipe(const FlagSet& flags, const RecipeSource& from,
                  const std::function<void(const Json&)>& use) {
   if (const auto file = flags.value_of("--recipe")) {
     const auto linked = recipe_in_link(*file);
     const std::filesystem::path path = linked ? "the link's recipe" : *file;
     const auto text = [&] {
       if (linked) return *linked;
-      return path.extension() == ".json" ? read_text_file(path) : text_in(path);
+      return path.extension() == ".json" ? read_text_file(path) : from.text_in(path);
     };
     const std::string warning = read_recipe(path, text(), use);
     if (warning.empty() || flags.given("--quiet")) return;
     std::cerr << program_invocation_short_name << ": warning: " << warning << '\n';
     return;
   }
-  const std::string name = flags.value_of("--preset").value_or(standard);
-  use(parse_json(presets()[parse_word("--preset", name, preset_names())].json));
+  const std::string name = flags.value_of("--preset").value_or(from.standard);
+  use(parse_json(from.among[parse_word("--preset", name, preset_names(from.among))].json));
 }
 
 }  // namespace solidnoise

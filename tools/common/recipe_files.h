@@ -21,18 +21,23 @@ struct Preset {
 
 // Those of this program; defined by the source that solidnoise_tool() in CMakeLists.txt makes of them.
 std::span<const Preset> presets();
-std::vector<std::string_view> preset_names();
+std::vector<std::string_view> preset_names(std::span<const Preset> among = presets());
 
 // Declares --preset, --recipe, --write-recipe, whose value is kept in `written`, --list-presets and --schema.
 // `files` says what --recipe reads beside .json.
 void declare_recipe_flags(FlagSet& flags, const std::string& files, std::string& written,
-                          const std::function<Json()>& schema);
+                          const std::function<Json()>& schema, std::span<const Preset> among = presets());
 
-// Gives `use` the recipe that the flags start from: that of --recipe or --preset, or the preset `standard`.
-// text_in(path) is the recipe in a file that is no .json. Warnings are printed unless --quiet is given.
-// Throws UsageError for a preset that there is none of, and std::runtime_error as read_recipe does.
-void load_recipe(const FlagSet& flags, const std::string& standard,
-                 const std::function<std::string(const std::filesystem::path&)>& text_in,
-                 const std::function<void(const Json&)>& use);
+// Where recipes of one kind are found.
+struct RecipeSource {
+  std::string standard;                                              // preset, without flags
+  std::function<std::string(const std::filesystem::path&)> text_in;  // the recipe in a file that is no .json
+  std::span<const Preset> among = presets();
+};
+
+// Gives `use` the recipe that the flags start from: that of --recipe or --preset, or the standard one.
+// Warnings are printed unless --quiet is given. Throws UsageError for a preset that there is none of, and
+// std::runtime_error as read_recipe does.
+void load_recipe(const FlagSet& flags, const RecipeSource& from, const std::function<void(const Json&)>& use);
 
 }  // namespace solidnoise

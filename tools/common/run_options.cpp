@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "common/memory.h"
+#include "solidnoise/core/format_bytes.h"
 
 namespace solidnoise {
 

@@ -25,14 +25,16 @@ struct RunOptions {
   bool force = false;
   bool quiet = false;
   bool timings = false;
+  bool logs = false;  // progress in lines, for a log
   std::optional<int> threads{};
   std::optional<ByteCount> max_memory{};
   std::optional<double> max_time{};  // seconds
   std::shared_ptr<StageTimes> times = std::make_shared<StageTimes>();
 
   Existing existing() const { return force ? Existing::replace : Existing::refuse; }
-  ProgressBar::Visibility visibility() const {
-    return quiet ? ProgressBar::Visibility::hidden : ProgressBar::Visibility::if_terminal;
+  TaskProgress::Visibility visibility() const {
+    if (quiet) return TaskProgress::Visibility::hidden;
+    return logs ? TaskProgress::Visibility::in_log : TaskProgress::Visibility::if_terminal;
   }
   // While it lives no more threads are at work than are allowed; null: any number.
   std::unique_ptr<tbb::global_control> limit_threads() const;

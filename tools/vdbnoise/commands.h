@@ -14,6 +14,8 @@ int run_merge(const std::vector<std::string>& arguments);
 int run_surface(const std::vector<std::string>& arguments);
 int run_info(const std::vector<std::string>& arguments);
 int run_analyze(const std::vector<std::string>& arguments);
+int run_sky(const std::vector<std::string>& arguments);
 int run_slice(const std::vector<std::string>& arguments);
+int run_farm(const std::vector<std::string>& arguments);
 
 }  // namespace solidnoise

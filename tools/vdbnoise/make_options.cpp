@@ -19,19 +19,6 @@
 namespace solidnoise {
 namespace {
 
-// Another up axis turns the box about x, so that what stood upright still does.
-void turn_up(VolumeRecipe& recipe, UpAxis up) {
-  if (recipe.up == up) return;
-  const Vec<3> lower = recipe.box.lower;
-  const Vec<3> upper = recipe.box.upper;
-  if (up == UpAxis::z) {
-    recipe.box = {{lower.x, -upper.z, lower.y}, {upper.x, -lower.z, upper.y}};
-  } else {
-    recipe.box = {{lower.x, lower.z, -upper.y}, {upper.x, upper.z, -lower.y}};
-  }
-  recipe.up = up;
-}
-
 // Calls change(grid) for the recipe's grids, or for the recipe itself.
 template <typename Change>
 void change_grids(VolumeRecipe& recipe, const Change& change) {

@@ -1,15 +1,9 @@
-#include <memory>
-#include <optional>
-#include <stdexcept>
-
 #include "common/field_flags.h"
 #include "common/outputs.h"
 #include "common/run_options.h"
 #include "common/run_tool.h"
-#include "solidnoise/image/image_file.h"
-#include "solidnoise/volume/merge_parts.h"
-#include "solidnoise/volume/preview/picture.h"
 #include "vdbnoise/commands.h"
+#include "vdbnoise/merge_files.h"
 #include "vdbnoise/volume_output.h"
 
 namespace solidnoise {
@@ -26,7 +20,6 @@ int run_merge(const std::vector<std::string>& arguments) {
   std::vector<std::string> files;
   std::string out;
   std::string preview;
-  VdbWriteOptions write;
   RunOptions options;
   FlagSet flags("vdbnoise merge", kMergeDescription);
   flags.arguments("FILE...", "The parts, in any order", files);
@@ -35,37 +28,11 @@ int run_merge(const std::vector<std::string>& arguments) {
   declare_fields(flags, options, {"force", "quiet"});
   flags.parse(arguments);
   flags.apply();
-  write.existing = options.existing();
   if (out.empty()) throw UsageError("--out is missing; say where the grid goes: --out whole.vdb");
   check_output_names(out, preview);
-  require_outputs({out, preview}, write.existing, files);
+  require_outputs({out, preview}, options.existing(), files);
   catch_interrupts();
-
-  MergedVolume merged;
-  {
-    TaskProgress progress(options.visibility());
-    auto ends_at_once = std::make_unique<EndsAtOnce>();
-    progress.begin("merging");
-    merged = merge_parts({files.begin(), files.end()}, kVdbnoise, &progress);
-    std::optional<Image> picture;
-    if (!preview.empty()) {
-      progress.begin("preview");
-      picture = picture_of(merged.volume, merged.recipe, nullptr, &progress);
-    }
-    progress.begin("writing");
-    ends_at_once.reset();
-    write.codec = merged.recipe.codec;
-    write.creator = kVdbnoise;
-    write.frame = merged.frame;
-    write.fps = merged.fps;
-    write.progress = &progress;
-    OutputGroup outputs;
-    write.group = &outputs;
-    if (picture) write_image(preview, *picture, {.existing = write.existing, .group = &outputs});
-    write_volume(out, merged.volume, write);
-    outputs.appear();
-  }
-  if (!options.quiet) print_statistics(merged.volume, out);
+  merge_files(files, out, preview, options);
   return kDone;
 }
 

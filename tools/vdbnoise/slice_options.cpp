@@ -12,6 +12,7 @@
 #include "common/field_flags.h"
 #include "common/noise_flags.h"
 #include "common/outputs.h"
+#include "common/recipe_files.h"
 #include "common/run_tool.h"
 #include "solidnoise/core/check.h"
 #include "solidnoise/image/color.h"

@@ -21,13 +21,28 @@
 #include "vdbnoise/grid_flags.h"
 
 namespace solidnoise {
+
+std::string recipe_text_of(const std::filesystem::path& path) {
+  return path.extension() == ".vdb" ? recipe_text_in(path) : read_text_file(path);
+}
+
 VolumeRecipe choose_volume_recipe(const FlagSet& flags, const std::string& standard) {
   VolumeRecipe recipe;
-  const auto text_in = [](const std::filesystem::path& path) {
-    return path.extension() == ".vdb" ? recipe_text_in(path) : read_text_file(path);
-  };
-  load_recipe(flags, standard, text_in, [&](const Json& json) { recipe = volume_recipe_from_json(json); });
+  load_recipe(flags, {standard, recipe_text_of},
+              [&](const Json& json) { recipe = volume_recipe_from_json(json); });
   return recipe;
+}
+
+void turn_up(VolumeRecipe& recipe, UpAxis up) {
+  if (recipe.up == up) return;
+  const Vec<3> lower = recipe.box.lower;
+  const Vec<3> upper = recipe.box.upper;
+  if (up == UpAxis::z) {
+    recipe.box = {{lower.x, -upper.z, lower.y}, {upper.x, -lower.z, upper.y}};
+  } else {
+    recipe.box = {{lower.x, lower.z, -upper.y}, {upper.x, upper.z, -lower.y}};
+  }
+  recipe.up = up;
 }
 
 void declare_output_flags(FlagSet& flags, VolumeRecipe& recipe) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -10,9 +11,15 @@
 
 namespace solidnoise {
 
+// The text of the recipe that a .json, or a .vdb made by vdbnoise, has.
+std::string recipe_text_of(const std::filesystem::path& path);
+
 // The recipe that the flags start from: that of --recipe, a .json file or a .vdb made by vdbnoise (its first
 // grid that carries one), or of a preset, `standard` unless they name one.
 VolumeRecipe choose_volume_recipe(const FlagSet& flags, const std::string& standard);
+
+// Another up axis turns the box about x, so that what stood upright still does.
+void turn_up(VolumeRecipe& recipe, UpAxis up);
 
 // Outputs as "value,gradient".
 template <>
