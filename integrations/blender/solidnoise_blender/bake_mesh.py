@@ -118,7 +118,7 @@ def bake(context, obj, settings) -> None:
     if not is_over:
         _go_on(obj, job)
     if settings.task != "DISPLACE":
-        meshes.show_colors(context.screen)
+        meshes.view_colors(context.screen)
 
 
 class _MeshOperator(MeshSettings):
@@ -158,6 +158,23 @@ class OBJECT_OT_solidnoise_example(_MeshOperator, bpy.types.Operator):
         return context.window_manager.invoke_props_dialog(self)
 
 
+class OBJECT_OT_solidnoise_show(bpy.types.Operator):
+    """Show the colours of a bake, or its noise from black to white, which only materials show"""
+
+    bl_idname, bl_label = "object.solidnoise_show", "Show"
+    bl_options = {"REGISTER", "UNDO"}
+
+    what: bpy.props.EnumProperty(name="Show", items=[("COLORS", "Colours", "The colour attribute solidnoise"),
+                                                     ("NOISE", "Noise", "The float attribute noise, in greys")])
+
+    @reported
+    def execute(self, context):
+        require_object(context.object, "MESH")
+        meshes.show(context.object, self.what)
+        (meshes.view_materials if self.what == "NOISE" else meshes.view_colors)(context.screen)
+        return {"FINISHED"}
+
+
 class OBJECT_OT_solidnoise_mesh_remake(bpy.types.Operator):
     """Make the noise again, with the values of the side panel"""
 
@@ -174,7 +191,7 @@ class OBJECT_OT_solidnoise_mesh_remake(bpy.types.Operator):
 
 
 CLASSES = (SolidnoiseMeshSettings, OBJECT_OT_solidnoise_bake, OBJECT_OT_solidnoise_displace, OBJECT_OT_solidnoise_example,
-           OBJECT_OT_solidnoise_mesh_remake)
+           OBJECT_OT_solidnoise_show, OBJECT_OT_solidnoise_mesh_remake)
 
 
 def register() -> None:

@@ -2,6 +2,8 @@
 
 import bpy
 
+from .errors import Refused
+
 
 def _new(name: str):
     material = bpy.data.materials.new(name)
@@ -96,3 +98,38 @@ def of_mesh(name: str, colors: str, noise: str, roughness: str | None):
         rough.node.use_clamp = True
     links.new(rough, shader.inputs["Roughness"])
     return material
+
+
+_GREY = "Solidnoise grey"
+
+
+def _base_color(material):
+    shader = next((node for node in material.node_tree.nodes if node.type == "BSDF_PRINCIPLED"), None)
+    if shader is None:
+        raise Refused(f"{material.name} has no Principled BSDF any more, whose colour could be shown")
+    return shader.inputs["Base Color"]
+
+
+def show_colors(material, colors: str) -> None:
+    """Has the base colour be a colour attribute."""
+    base, nodes = _base_color(material), material.node_tree.nodes
+    known = (node for node in nodes if node.type == "ATTRIBUTE" and node.attribute_name == colors)
+    material.node_tree.links.new((next(known, None) or _attribute(nodes, colors, 0)).outputs["Color"], base)
+
+
+def show_number(material, number: str, low: float, high: float) -> None:
+    """Has the base colour be a float attribute: black at its least value, white at its greatest."""
+    base, nodes, links = _base_color(material), material.node_tree.nodes, material.node_tree.links
+    if _GREY not in nodes:
+        grey = _place(nodes.new("ShaderNodeMapRange"), 1, -1)
+        grey.name = grey.label = _GREY
+        links.new(_attribute(nodes, number, -1).outputs["Fac"], grey.inputs["Value"])
+    links.new(nodes[_GREY].outputs["Result"], base)
+    set_range(material, low, high)
+
+
+def set_range(material, low: float, high: float) -> None:
+    """Of the number that a material shows, or could."""
+    if _GREY in material.node_tree.nodes:
+        inputs = material.node_tree.nodes[_GREY].inputs
+        inputs["From Min"].default_value, inputs["From Max"].default_value = low, max(high, low + 1e-6)

@@ -100,6 +100,7 @@ def write(obj, baked: dict) -> None:
     if not obj.active_material or not obj.active_material.get(COLOR):
         obj.active_material = materials.of_mesh(f"{obj.name} noise", COLOR, NOISE, "roughness" if "roughness" in properties else None)
         obj.active_material[COLOR] = True
+    materials.set_range(obj.active_material, float(baked["noise"].min()), float(baked["noise"].max()))
     mesh.update()
 
 
@@ -120,8 +121,29 @@ def displace(obj, baked: dict, as_key: bool) -> None:
     mesh.update()
 
 
-def show_colors(screen) -> None:
-    """Has the viewports of a window show colour attributes."""
-    for area in screen.areas if screen else ():
-        if area.type == "VIEW_3D":
-            area.spaces.active.shading.color_type = "VERTEX"
+def show(obj, what: str) -> None:
+    """Has the material that a bake made show the colours, or the noise in greys."""
+    material, noise = obj.active_material, obj.data.attributes.get(NOISE)
+    if noise is None or not material or not material.get(COLOR):
+        raise Refused(f"{obj.name} has no noise, or its active material is another one; bake noise on it first")
+    if what == "COLORS":
+        return materials.show_colors(material, COLOR)
+    values = np.empty(len(obj.data.vertices), np.float32)
+    noise.data.foreach_get("value", values)
+    materials.show_number(material, NOISE, float(values.min()), float(values.max()))
+
+
+def _shadings(screen) -> list:
+    return [area.spaces.active.shading for area in (screen.areas if screen else ()) if area.type == "VIEW_3D"]
+
+
+def view_colors(screen) -> None:
+    """Has the viewports of a window show colour attributes where they show no materials."""
+    for shading in _shadings(screen):
+        shading.color_type = "VERTEX"
+
+
+def view_materials(screen) -> None:
+    """Has the viewports of a window show materials: alone they show numbers, which are no colours."""
+    for shading in _shadings(screen):
+        shading.type = "MATERIAL" if shading.type in ("SOLID", "WIREFRAME") else shading.type

@@ -3,12 +3,13 @@
 import hashlib
 import json
 import os
+import re
 import tempfile
 
 import bpy
 import solidnoise
 
-from . import fields, files, masks, recipes, settings, volumes
+from . import fields, files, masks, recipes, sequence, settings, volumes
 from .add_volume import copy
 from .errors import Refused, reported, require_object
 from .recipes import MODIFY
@@ -48,26 +49,46 @@ class SolidnoiseModifySettings(ModifySettings, bpy.types.PropertyGroup):
     """Of an object: how it was modified last."""
 
 
+def _modified(recipe: dict, mesh, mask: dict, time: float, tell):
+    """A modified volume: all grids of floats where it is cut, else the first."""
+    volume = solidnoise.read_volume(recipe["on"]["file"])
+    floats = [grid for grid in volume.grids.values() if grid.value_type == "float"]
+    names = [grid.name for grid in floats] if "layers" in recipe else [""]
+    with tempfile.TemporaryDirectory() as folder:
+        made = {**recipe, "time": time} if recipe["noise"].get("evolve") else dict(recipe)
+        if mesh and floats:
+            made["mask"] = {"file": masks.make(folder, mesh, floats[0], **mask)}
+        for place, name in enumerate(names):
+            made["on"] = {**made["on"], "grid": name}
+            result = solidnoise.make_volume(made, progress=lambda part: tell((place + part) / len(names)))
+            if place + 1 < len(names):
+                made["on"] = {"file": os.path.join(folder, f"{place}.vdb")}
+                result.write(made["on"]["file"])
+        return result
+
+
 def _making(recipe: dict, path: str, mesh, mask: dict):
-    """Work that makes the file of a modified volume: all grids of floats where it is cut, else the first."""
+    """Work that makes the file of a modified volume."""
+    return lambda tell: _modified(recipe, mesh, mask, 0.0, tell).write(path, force=True)
 
-    def work(tell) -> None:
-        volume = solidnoise.read_volume(recipe["on"]["file"])
-        floats = [grid for grid in volume.grids.values() if grid.value_type == "float"]
-        names = [grid.name for grid in floats] if "layers" in recipe else [""]
-        with tempfile.TemporaryDirectory() as folder:
-            made = dict(recipe)
-            if mesh and floats:
-                made["mask"] = {"file": masks.make(folder, mesh, floats[0], **mask)}
-            for place, name in enumerate(names):
-                made["on"] = {**made["on"], "grid": name}
-                result = solidnoise.make_volume(made, progress=lambda part: tell((place + part) / len(names)))
-                if place + 1 < len(names):
-                    made["on"] = {"file": os.path.join(folder, f"{place}.vdb")}
-                    result.write(made["on"]["file"])
-            result.write(path, force=True)
 
-    return work
+def _making_all(recipe: dict, folder: str, mesh, mask: dict, frames: dict, fps: float):
+    """Work that makes those of a sequence."""
+    return sequence.making(lambda frame, time, tell: _modified({**recipe, "on": {"file": frames[frame]}}, mesh, mask, time, tell),
+                           folder, list(frames), fps)
+
+
+def _frames(volume, source: str) -> dict:
+    """The files of a sequence's frames, by their numbers, as far as they are there."""
+    folder, name = os.path.split(files.absolute(source))
+    parts = re.fullmatch(r"(.*?)(\d+)(\D*)", name)
+    first = volume.frame_offset + 1
+    paths = {frame: os.path.join(folder, f"{parts[1]}{frame:0{len(parts[2])}d}{parts[3]}") if parts else ""
+             for frame in range(first, first + volume.frame_duration)}
+    found = {frame: path for frame, path in paths.items() if os.path.isfile(path)}
+    if not found:
+        raise Refused(f"{volume.name} has no files of frames {first} to {first + volume.frame_duration - 1}")
+    return found
 
 
 def _mesh_of_mask(context, obj, name: str):
@@ -80,9 +101,8 @@ def _mesh_of_mask(context, obj, name: str):
 
 
 def modify(context, obj, chosen, source: str, sources: list) -> None:
-    """Shows the source's volume, modified."""
-    if obj.data.is_sequence:
-        raise Refused(f"{obj.name} is a sequence; it must be a single volume")
+    """Shows the source's volume, modified: all of its frames, if it is a sequence."""
+    volume, is_sequence = obj.data, obj.data.is_sequence
     if not os.path.isfile(files.absolute(source)):
         raise Refused(f"{obj.name} has no file; it must be a volume of a .vdb")
     recipe = {**chosen.recipe(), "on": {"file": files.absolute(source)}}
@@ -91,18 +111,26 @@ def modify(context, obj, chosen, source: str, sources: list) -> None:
         raise Refused("no mask is chosen; it must be a mesh of the scene")
     mask = {"feather": chosen.feather, "is_inside": chosen.outside == (chosen.preset == "mask")}
     shape = hashlib.sha256(b"".join(part.tobytes() for part in mesh)).hexdigest() if mesh else ""
-    path, job = volumes.request(obj.name, recipe, lambda recipe, path: _making(recipe, path, mesh, mask),
-                                key={**recipe, "mask": [shape, mask]})
-    before = obj.data.filepath, obj.data.get(files.SOURCES, ""), obj.get(volumes.RECIPE, "")
+    key = {**recipe, "mask": [shape, mask]}
+    if is_sequence:
+        render = context.scene.render
+        fps = render.fps / render.fps_base
+        frames = _frames(volume, source)
+        folder, job = volumes.request(obj.name, recipe, lambda recipe, path: _making_all(recipe, path, mesh, mask, frames, fps),
+                                      {**key, "frames": [*frames, fps]}, ending="")
+        path = f"{folder}/{os.path.basename(sequence.frame_path('', min(frames)))}"
+    else:
+        path, job = volumes.request(obj.name, recipe, lambda recipe, path: _making(recipe, path, mesh, mask), key)
+    before = volume.filepath, volume.get(files.SOURCES, ""), obj.get(volumes.RECIPE, "")
     name = obj.name
 
     def failed(_) -> None:
         found = bpy.data.objects.get(name)
         found.data.filepath, found.data[files.SOURCES], found[volumes.RECIPE] = before
 
-    obj.data[files.SOURCES] = "\n".join([*sources, source])
+    volume[files.SOURCES] = "\n".join([*sources, source])
     obj[volumes.RECIPE] = json.dumps(recipe)
-    volumes.show(obj.data, path, job, failed)
+    volumes.show(volume, path, job, failed, is_sequence)
     files.tidy()
 
 

@@ -25,6 +25,7 @@ class VIEW3D_MT_solidnoise_object(bpy.types.Menu):
             self.layout.operator_menu_enum("object.solidnoise_bake", "preset", text="Bake Noise")
             self.layout.operator("object.solidnoise_displace")
             self.layout.operator("object.solidnoise_example")
+            self.layout.operator_menu_enum("object.solidnoise_show", "what")
         elif context.object and context.object.type == "VOLUME":
             self.layout.operator_menu_enum("object.solidnoise_volume_modify", "preset", text="Modify")
             self.layout.operator("object.solidnoise_sequence")
@@ -59,6 +60,8 @@ class VIEW3D_PT_solidnoise(bpy.types.Panel):
             obj.solidnoise_volume.draw_settings(layout)
             layout.operator("object.solidnoise_volume_remake", icon="FILE_REFRESH")
         else:
+            row = layout.row(align=True)
+            row.operator_enum("object.solidnoise_show", "what")
             obj.solidnoise_mesh.draw_task(layout)
             layout.operator("object.solidnoise_mesh_remake", icon="FILE_REFRESH")
 

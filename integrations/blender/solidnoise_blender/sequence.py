@@ -4,6 +4,7 @@ import copy
 import json
 import os
 import shutil
+from typing import Callable, Sequence
 
 import bpy
 import solidnoise
@@ -41,16 +42,28 @@ def frame_path(folder: str, frame: int) -> str:
     return os.path.join(folder, f"frame.{frame:04d}.vdb")
 
 
-def making(recipe: dict, folder: str, frames: range, fps: float):
-    """Work that makes all files, or none. What is there is kept."""
+def moments(recipe: dict):
+    """A recipe's volume at a time, with the scale of the first that was asked for."""
+    of_all = None
+
+    def make(frame: int, time: float, tell):
+        nonlocal of_all
+        volume = solidnoise.make_volume(of_all or recipe, time=time, progress=tell)
+        of_all = of_all or scaled_as(recipe, volume)
+        return volume
+
+    return make
+
+
+def making(make: Callable, folder: str, frames: Sequence[int], fps: float) -> Callable:
+    """Work that makes the files of all frames, or none: of a frame's number, its time, and what it tells of its progress, `make` makes the
+    volume."""
 
     def work(tell) -> None:
         try:
             os.makedirs(folder, exist_ok=True)
-            of_all = recipe
             for place, frame in enumerate(frames):
-                volume = solidnoise.make_volume(of_all, time=place / fps, progress=lambda part: tell((place + part) / len(frames)))
-                of_all = scaled_as(recipe, volume) if place == 0 else of_all
+                volume = make(frame, (frame - frames[0]) / fps, lambda part: tell((place + part) / len(frames)))
                 volume.write(frame_path(folder, frame), force=True, frame=frame, fps=fps)
         except BaseException:
             shutil.rmtree(folder, ignore_errors=True)
@@ -84,7 +97,7 @@ class OBJECT_OT_solidnoise_sequence(bpy.types.Operator):
         key = {**self._recipe, "frames": [scene.frame_start, scene.frame_end, fps]}
         self._folder = files.path_for(obj.name, recipes.digest(key), "")
         self._name = obj.name
-        self._job = worker.Job(self._folder, making(self._recipe, files.absolute(self._folder), self._frames, fps))
+        self._job = worker.Job(self._folder, making(moments(self._recipe), files.absolute(self._folder), self._frames, fps))
         if bpy.app.background:
             self._job.is_over(None)
             return self._finish(context)

@@ -28,16 +28,17 @@ def _start(work: Callable, path: str) -> worker.Job:
     return worker.Job(path, work, done=lambda _: arrived(path), wanted=lambda: files.is_shown(path))
 
 
-def request(name: str, recipe: dict, work_for: Callable = making, key: Optional[dict] = None) -> tuple[str, Optional[worker.Job]]:
+def request(name: str, recipe: dict, work_for: Callable = making, key: Optional[dict] = None,
+            ending: str = ".vdb") -> tuple[str, Optional[worker.Job]]:
     """The path of a recipe's file, after a name, and the job that still makes it, if any. `key`: what it is the file of, if not of the recipe alone.
-    Raises what the library does of a recipe."""
-    path = files.path_for(name, recipes.digest(key or recipe))
+    Without an ending it is the folder of a sequence. Raises what the library does of a recipe."""
+    path = files.path_for(name, recipes.digest(key or recipe), ending)
     absolute = files.absolute(path)
-    if files.take_back(absolute):
-        return path, None
     job = worker.at_work(absolute)
     if job:
         return path, job
+    if files.take_back(absolute):
+        return path, None
     job = _start(work_for(recipe, absolute), absolute)
     if worker.wait_a_little(job):
         job.settle()
@@ -47,23 +48,24 @@ def request(name: str, recipe: dict, work_for: Callable = making, key: Optional[
 
 
 def arrived(path: str) -> None:
-    """Shows a file in the volumes that wait for it."""
+    """Shows a file, or the files of a folder, in the volumes that wait for it."""
     files.made(path)
     for volume in bpy.data.volumes:
-        if files.absolute(volume.filepath) == path:
+        own = files.absolute(volume.filepath)
+        if path in (own, os.path.dirname(own)):
             volume.filepath = volume.filepath  # reads it
             if not volume.is_sequence:  # whose grids only evaluated copies have
                 volume.grids.load()
     files.tidy()
 
 
-def show(volume, path: str, job: Optional[worker.Job], failed: Callable) -> None:
-    """Gives a volume its file, now or when the job is over."""
-    volume.is_sequence = False
+def show(volume, path: str, job: Optional[worker.Job], failed: Callable, is_sequence: bool = False) -> None:
+    """Gives a volume its file, or the first of a sequence, now or when the job is over."""
+    volume.is_sequence = is_sequence
     volume.filepath = path
-    if job is None:
+    if job is None and not is_sequence:
         volume.grids.load()
-    elif job not in worker.jobs:
+    elif job and job not in worker.jobs:
         job.failed = failed
         worker.go_on(job)
 

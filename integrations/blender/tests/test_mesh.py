@@ -1,6 +1,7 @@
 """Object > Solidnoise on a mesh: the values are the library's, in Blender's colour space and scale; what is refused leaves the mesh as it was."""
 
 import json
+import os
 from pathlib import Path
 
 import bpy
@@ -41,6 +42,40 @@ def test_a_bake_is_the_librarys_in_linear_light_and_has_a_material(name: str, to
         np.testing.assert_array_equal(values(torus.data, number), expected[number])
     shader = next(node for node in nodes if node.type == "BSDF_PRINCIPLED")
     assert shader.inputs["Base Color"].is_linked and shader.inputs["Roughness"].is_linked
+
+
+def rendered(obj) -> np.ndarray:
+    """The object from above by Cycles, in the white light of the world alone: rows of red, green, blue."""
+    scene = bpy.context.scene
+    camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
+    camera.location, camera.data.type, camera.data.ortho_scale = (0, 0, 5), "ORTHO", 3.0
+    scene.collection.objects.link(camera)
+    scene.world = bpy.data.worlds.new("World")
+    scene.camera, scene.render.engine = camera, "CYCLES"
+    scene.cycles.samples, scene.cycles.use_denoising = 4, False
+    scene.render.resolution_x = scene.render.resolution_y = 24
+    scene.render.filepath = os.path.join(bpy.app.tempdir, "shown.png")
+    bpy.ops.render.render(write_still=True)
+    image = bpy.data.images.load(scene.render.filepath)
+    return np.array(image.pixels).reshape(-1, 4)[:, :3]
+
+
+def test_the_noise_is_shown_in_place_of_the_colours_and_the_other_way_round(torus) -> None:
+    with pytest.raises(RuntimeError, match="Torus has no noise"):
+        bpy.ops.object.solidnoise_show(what="NOISE")
+    bpy.ops.object.solidnoise_bake(preset="rust")
+    colors = rendered(torus)
+    assert bpy.ops.object.solidnoise_show(what="NOISE") == {"FINISHED"}
+    grey = rendered(torus)
+    assert (colors[:, 0] - colors[:, 2]).max() > 0.1  # rust is red
+    assert np.ptp(grey, axis=1).max() < 0.02 and np.ptp(grey[:, 0]) > 0.15  # in the dim light of a new world
+    bpy.ops.object.solidnoise_bake(preset="rust", surface_seed=5)  # which stays what is shown, in its own range
+    noise = values(torus.data, "noise")
+    inputs = torus.active_material.node_tree.nodes["Solidnoise grey"].inputs
+    assert (inputs["From Min"].default_value, inputs["From Max"].default_value) == (noise.min(), noise.max())
+    bpy.ops.object.solidnoise_show(what="COLORS")
+    shader = next(node for node in torus.active_material.node_tree.nodes if node.type == "BSDF_PRINCIPLED")
+    assert shader.inputs["Base Color"].links[0].from_node.attribute_name == "solidnoise"
 
 
 def test_parameters_follow_the_curvature_or_a_number_of_the_vertices(torus) -> None:

@@ -106,6 +106,33 @@ def test_saved_and_opened_again_it_is_modified_from_what_it_was(smoke, tmp_path)
     np.testing.assert_array_equal(grid_of(smoke), after)
 
 
+def test_all_frames_of_a_sequence_are_modified(smoke) -> None:
+    scene = bpy.context.scene
+    scene.frame_start, scene.frame_end, scene.render.fps = 9, 11, 2
+    bpy.ops.object.solidnoise_sequence(loops=False)
+    folder = os.path.dirname(bpy.path.abspath(smoke.data.filepath))
+    bpy.ops.ed.undo_push(message="sequence")
+    bpy.ops.object.solidnoise_volume_modify("EXEC_DEFAULT", True, preset="erode", noise_frequency=4, noise_evolve=0.5)
+    recipe = recipes.preset(recipes.MODIFY, "erode")
+    recipe = {**recipe, "noise": {**recipe["noise"], "frequency": 4, "evolve": 0.5}}
+    assert smoke.data.is_sequence and (smoke.data.frame_start, smoke.data.frame_duration) == (9, 3)
+    for place, frame in enumerate((9, 10, 11)):
+        name = f"frame.{frame:04d}.vdb"
+        made = os.path.join(os.path.dirname(bpy.path.abspath(smoke.data.filepath)), name)
+        assert made != os.path.join(folder, name)
+        expected = solidnoise.make_volume(recipe, on={"file": os.path.join(folder, name)}, time=place / 2)
+        np.testing.assert_array_equal(solidnoise.read_volume(made).to_numpy("density"), expected.to_numpy("density"))
+        scene.frame_set(frame)
+        shown = smoke.evaluated_get(bpy.context.evaluated_depsgraph_get()).data
+        assert shown.grids.load() and os.path.normpath(shown.grids.frame_filepath) == made
+    smoke.solidnoise_modify.modify_amount = 1.0
+    bpy.ops.object.solidnoise_volume_modify_again()  # from what it was
+    assert smoke.data["solidnoise_sources"] == os.path.join(folder, "frame.0009.vdb") and smoke.data.is_sequence
+    bpy.ops.ed.undo()  # and what was made again after its step
+    smoke = bpy.data.objects["Smoke"]
+    assert os.path.dirname(bpy.path.abspath(smoke.data.filepath)) == folder and len(os.listdir(folder)) == 3
+
+
 def test_what_cannot_be_is_refused_and_changes_nothing(smoke, blocks) -> None:
     modify = bpy.ops.object.solidnoise_volume_modify
     bpy.ops.mesh.primitive_plane_add()
@@ -125,7 +152,6 @@ def test_what_cannot_be_is_refused_and_changes_nothing(smoke, blocks) -> None:
     smoke.data.filepath = ""
     with pytest.raises(RuntimeError, match="Smoke has no file; it must be a volume of a .vdb"):
         modify()
-    bpy.ops.object.volume_add()
-    bpy.context.object.data.is_sequence = True
-    with pytest.raises(RuntimeError, match="Volume is a sequence; it must be a single volume"):
+    smoke.data.filepath, smoke.data.is_sequence, smoke.data.frame_duration = path, True, 3
+    with pytest.raises(RuntimeError, match="Smoke has no files of frames 1 to 3"):
         modify()
