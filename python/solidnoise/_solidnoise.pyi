@@ -106,8 +106,8 @@ def cellular(
 ) -> Noise: ...
 def spectrum(
     *, dims: int = ..., time: float | None = ..., exemplar: _Source | ExemplarModel, channel: int = ..., frequency: _Number = ..., error: float = ...,
-    impulses: float = ..., impulses_process: Literal["strata", "poisson"] = ..., evolve: float = ..., loop: float = ..., seed: _Integer = ...,
-    period: _Axes = ..., octaves: int = ..., lacunarity: float = ..., gain: float = ..., renormalize: bool = ...,
+    impulses: float = ..., impulses_process: Literal["strata", "poisson"] = ..., evolve: float = ..., loop: float = ..., filter: float = ...,
+    seed: _Integer = ..., period: _Axes = ..., octaves: int = ..., lacunarity: float = ..., gain: float = ..., renormalize: bool = ...,
 ) -> Noise: ...
 
 _Index = tuple[int, int, int]
@@ -146,8 +146,8 @@ class Volume:
     def preview(self, *, progress: _Progress | None = ...) -> _Floats: ...
 
 def make_volume(
-    recipe: _Source | None = ..., *, shard: tuple[int, int] | None = ..., threads: int | None = ..., progress: _Progress | None = ...,
-    **keys: Any,
+    recipe: _Source | None = ..., *, shard: tuple[int, int] | None = ..., max_memory: int | None = ..., threads: int | None = ...,
+    progress: _Progress | None = ..., **keys: Any,
 ) -> Volume: ...
 def describe(recipe: _Source | None = ..., **keys: Any) -> dict[str, Any]: ...
 def schema(kind: Literal["volume", "bake"]) -> dict[str, Any]: ...
@@ -167,7 +167,7 @@ def bake(
 ) -> dict[str, npt.NDArray[Any]]: ...
 def curvature(
     vertices: npt.ArrayLike, faces: npt.ArrayLike | Sequence[Sequence[int]], *, smooth: int = ..., smooth_radius: float = ...,
-    threads: int | None = ...,
+    threads: int | None = ..., progress: _Progress | None = ...,
 ) -> dict[str, _Doubles]: ...
 def surface_noise(
     points: npt.ArrayLike, normals: npt.ArrayLike, recipe: _Source | None = ..., *, frequency: npt.ArrayLike = ...,

@@ -3,6 +3,7 @@
 #include <functional>
 #include <optional>
 #include <pybind11/pybind11.h>
+#include <stdexcept>
 
 #include "solidnoise/core/progress.h"
 
@@ -21,6 +22,12 @@ struct Call {
   // Throws std::invalid_argument for a number of threads that there cannot be, py::type_error for a
   // `progress` that cannot be called.
   Call(std::optional<int> threads_, py::object progress_);
+};
+
+// A call would take more memory than the caller allows: MemoryError in Python.
+class TooMuchMemory : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
 };
 
 // Runs work without the interpreter's lock, on another thread and those of an arena of its own. The calling

@@ -106,7 +106,7 @@ ExemplarModel fit(const py::object& object, const FitKind& kind, const Call& cal
     if (kind.grey) std::ranges::for_each(exemplars, make_grey);
     agree_on_channels(exemplars);
     if (kind.solid) {
-      model = fit_solid_exemplar(exemplars, options.axes, options.spectrum.kappa, options.patch).model;
+      model = fit_solid_exemplar(exemplars, options.axes, options.spectrum.kappa, options.patch, &told).model;
       model.raw_values = options.raw_values;
     } else {
       model = fit_exemplar<2>(exemplars, options, &told).model;

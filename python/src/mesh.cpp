@@ -146,11 +146,12 @@ py::dict bake_arrays(py::handle vertices, py::handle faces, py::handle recipe, c
 }
 
 py::dict measure(py::handle vertices, py::handle faces, int smooth, double smooth_radius,
-                 std::optional<int> threads) {
+                 std::optional<int> threads, py::object progress) {
+  const Call call(threads, std::move(progress));
   const PolygonMesh mesh = mesh_of(vertices, faces, {});
   Curvature measured;
-  run({threads, py::none()}, [&](Progress&) {
-    measured = measure_curvature(SurfaceMesh(mesh), {smooth, smooth_radius});
+  run(call, [&](Progress& told) {
+    measured = measure_curvature(SurfaceMesh(mesh), {smooth, smooth_radius}, &told);
   });
   std::vector<double> mean;
   std::vector<double> gaussian;
@@ -205,8 +206,8 @@ as roughness and height, and those that keep names.
 A recipe that refines the mesh has more vertices than there were: those come first, in their order. Raises ValueError.)")
                  .c_str());
   module.def("curvature", &measure, "vertices"_a, "faces"_a, py::kw_only(), "smooth"_a = 2,
-             "smooth_radius"_a = 0.0, "threads"_a = py::none(),
-             R"(curvature(vertices, faces, *, smooth=2, smooth_radius=0.0, threads=None)
+             "smooth_radius"_a = 0.0, "threads"_a = py::none(), "progress"_a = py::none(),
+             R"(curvature(vertices, faces, *, smooth=2, smooth_radius=0.0, threads=None, progress=None)
 --
 
 The curvature of a mesh at its vertices, 1 / world unit, positive where the surface bulges out along its normals: a sphere of radius R
@@ -217,6 +218,8 @@ smooth : int, 0 to 10000, rounds
     Of smoothing with the neighbours.
 smooth_radius : float, at least 0, world units
     Of smoothing that does not depend on the mesh.
+threads, progress
+    As of Noise.
 
 Returns a dict of float64 arrays: k1 >= k2 (n,), their directions k1_direction and k2_direction (n, 3), unit tangents, and mean and
 gaussian (n,).)");

@@ -27,6 +27,8 @@ void translate(std::exception_ptr thrown) {
     PyErr_SetString(PyExc_RuntimeError, error.what());
   } catch (const std::length_error&) {
     PyErr_SetString(PyExc_MemoryError, "this would take more than any machine has");
+  } catch (const TooMuchMemory& error) {
+    PyErr_SetString(PyExc_MemoryError, error.what());
   } catch (const OutputExists& error) {
     PyErr_SetString(PyExc_FileExistsError, error.what());
   } catch (const py::builtin_exception&) {

@@ -125,7 +125,7 @@ void add_state(NoiseClass& of) {
 
 The noise at a time: of one that evolves (evolve=...) a moment, of one of 4 dimensions a slice, of 3. Raises ValueError for noises that
 do neither.)");
-  of.def("__repr__", &represent);
+  of.def("__repr__", [](const NoiseObject& noise) { return represent(noise); });
   of.def("__eq__", [](const NoiseObject& noise, py::object other) -> py::object {
     if (!py::isinstance<NoiseObject>(other)) return py::reinterpret_borrow<py::object>(Py_NotImplemented);
     return py::bool_(noise == other.cast<const NoiseObject&>());

@@ -1,11 +1,14 @@
 """Long calls: progress, interruption, the end of the interpreter. Each of those that may end the process has one of its own."""
 
 import os
+import re
 import signal
 import subprocess
 import sys
 import textwrap
+from collections.abc import Callable
 
+import numpy as np
 import pytest
 import solidnoise
 
@@ -43,6 +46,50 @@ def test_interruption_ends_a_call() -> None:
         print(solidnoise.gabor().lattice(0, 0.1, 8).shape)  # and the next one works
     """)
     assert found.stdout == "interrupted\n(8, 8, 8)\n" and found.returncode == 0, found.stderr
+
+
+def test_interruption_ends_the_fit_of_a_solid_and_curvature() -> None:
+    for call in ("solidnoise.fit(pixels, solid=True, kappa=1e-6)", "solidnoise.curvature(vertices, faces, smooth=10000)"):
+        found = run(f"""
+            import os, signal, threading, numpy as np, solidnoise
+            pixels = np.random.default_rng(1).random((512, 512))
+            x, y = np.meshgrid(np.arange(300.0), np.arange(300.0))
+            vertices = np.stack([x.ravel(), y.ravel(), np.sin(0.1 * x.ravel())], axis=-1)
+            corner = (np.arange(299)[:, None] * 300 + np.arange(299)).ravel()
+            faces = np.stack([corner, corner + 1, corner + 301, corner + 300], axis=-1)
+            threading.Timer(0.5, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
+            try:
+                {call}  # half a minute
+            except KeyboardInterrupt:
+                print("interrupted")
+        """)
+        assert found.stdout == "interrupted\n" and found.returncode == 0, (call, found.stderr)
+
+
+def test_curvature_and_the_fit_of_a_solid_tell_their_progress() -> None:
+    x, y = np.meshgrid(np.arange(100.0), np.arange(100.0))
+    vertices = np.stack([x.ravel(), y.ravel(), np.sin(0.1 * x.ravel())], axis=-1)
+    corner = (np.arange(99)[:, None] * 100 + np.arange(99)).ravel()
+    faces = np.stack([corner, corner + 1, corner + 101, corner + 100], axis=-1)
+
+    def bend(told: Callable[[float], object]) -> object:
+        return solidnoise.curvature(vertices, faces, smooth=1000, progress=told)
+
+    def learn(told: Callable[[float], object]) -> object:
+        return solidnoise.fit(np.random.default_rng(1).random((256, 256)), solid=True, progress=told)
+
+    for call in (bend, learn):
+        fractions: list[float] = []
+        call(fractions.append)
+        assert len(fractions) > 2 and fractions == sorted(fractions) and fractions[-1] == 1.0
+
+
+def test_a_volume_that_needs_more_memory_than_is_allowed_is_not_begun() -> None:
+    with pytest.raises(MemoryError) as raised:
+        solidnoise.make_volume(solidnoise.preset("cumulus"), dim=2000, max_memory=2**30)
+    assert re.fullmatch(r"\d+ x \d+ x \d+ voxels may need [\d.]+ GiB, max_memory allows 1.0 GiB; make dim smaller or voxel larger",
+                        str(raised.value))
+    assert solidnoise.make_volume(solidnoise.preset("cumulus"), dim=16, max_memory=2**30).grids
 
 
 def test_the_interpreter_ends_with_work_under_way() -> None:
