@@ -49,7 +49,6 @@ export interface GridInfo {
   raw: boolean;
   scalar: boolean;
   layers: boolean;
-  statistics?: { variance: number; excess_kurtosis: number; band: [number, number] };
 }
 
 export type Path = (string | number)[];
@@ -248,10 +247,12 @@ export async function begin(pool: Pool, preset: string, surface: string): Promis
     }
   };
   for (const from of [readAddress(), stored()]) {
-    if (!from?.noises?.length) continue;
+    if (!from?.noises?.length && !from?.bake) continue;
     try {
       const noises: Noise[] = [];
-      for (const { text, grid } of from.noises.slice(0, 3)) noises.push({ text: (await check(text)).recipe, grid });
+      // A surface may come alone.
+      const given = from.noises?.length ? from.noises.slice(0, 3) : [{ text: preset, grid: "" }];
+      for (const { text, grid } of given) noises.push({ text: (await check(text)).recipe, grid });
       const own = from.bake ? (await check(from.bake)).recipe : bake;
       show({ ...kStart, ...from, noises, bake: own, active: Math.min(from.active ?? 0, noises.length - 1) });
       return;

@@ -1,81 +1,26 @@
 // The page as a person uses it, in Chromium.
 import assert from "node:assert/strict";
-import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { chromium } from "playwright-core";
-import { serve } from "../serve.mjs";
 import { recipes, textOf } from "./recipes.mjs";
-import { root, sliceByTool, vdbnoise } from "./tools.mjs";
+import { codeOf, kPatience, kSoftwareGl, launchChromium, picture, sharp, sliceDifference, startPages, wellOf } from "./pages.mjs";
+import { root, vdbnoise } from "./tools.mjs";
 
-// A sub-folder of the host, as many pages are.
-const pictures = join(root, "build/studio-pictures");
-mkdirSync(pictures, { recursive: true });
-const kInDocs = ["slice", "compare", "volume", "surface", "example"];
-const folderOf = (name) => (process.env.STUDIO_PICTURES && kInDocs.includes(name) ? process.env.STUDIO_PICTURES : pictures);
-let server;
-let browser;
-let address;
+let pages;
 
 before(async () => {
-  server = await serve(join(root, "build"), 0);
-  address = `http://localhost:${server.address().port}/studio/`;
-  browser = await chromium.launch({
-    executablePath: process.env.STUDIO_BROWSER ?? "/usr/bin/chromium",
-    args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
-  });
+  pages = await startPages(() => launchChromium(kSoftwareGl));
 });
-after(async () => {
-  await browser?.close();
-  server?.close();
-});
+after(() => pages?.end());
 
-const kPatience = { timeout: 60_000 };
-const codeOf = (text) => Buffer.from(text).toString("base64url");
-
-// A page of its own, which fails the test by errors and by requests to other hosts.
-async function open(hash = "", options = {}) {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, colorScheme: "dark", acceptDownloads: true, ...options });
-  const page = await context.newPage();
-  page.setDefaultTimeout(kPatience.timeout);
-  page.troubles = [];
-  page.on("pageerror", (error) => page.troubles.push(error.message));
-  page.on("request", (request) => {
-    if (!request.url().startsWith(address) && !/^(data|blob):/.test(request.url())) page.troubles.push(`asks ${request.url()}`);
-  });
-  await page.addInitScript(() => {
-    globalThis.pictured = 0;
-    globalThis.sharp = 0;
-    addEventListener("pictured", (event) => {
-      ++globalThis.pictured;
-      if (event.detail?.sharp) ++globalThis.sharp;
-      globalThis.last = event.detail;
-    }, true);
-  });
-  await page.goto(address + hash);
-  await page.waitForSelector(".app");
-  return page;
-}
-const sharp = (page) => page.waitForFunction(() => globalThis.sharp > 0 && document.querySelector('figcaption [data-sharp="true"]'), null, kPatience);
+const open = (hash, options) => pages.open(hash, options);
 const recipeOf = async (page) => JSON.parse(await page.inputValue("textarea"));
-const picture = (page, name) => page.screenshot({ path: join(folderOf(name), `${name}.jpg`), type: "jpeg", quality: 88 });
-const wellOf = async (page) => {
-  assert.deepEqual(page.troubles, []);
-  await page.context().close();
-};
 
 test("slices are vdbnoise's, pixel by pixel", async () => {
   for (const name of ["gabor", "oriented octaves", "kensler", "two layers"]) {
     const page = await open(`#recipe=${codeOf(textOf(name))}&plane=0.1_0.2_0.3_1_1_2_0_1_0_2&view=slice`);
-    await sharp(page);
-    const own = await page.evaluate(() => {
-      const canvas = document.querySelector(".slice canvas");
-      const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
-      return { columns: canvas.width, rows: canvas.height, grey: Array.from(data).filter((_, i) => i % 4 === 0) };
-    });
-    const tool = sliceByTool(textOf(name), { origin: [0.1, 0.2, 0.3], normal: [1, 1, 2], up: [0, 1, 0], width: 2, columns: own.columns, rows: own.rows });
-    let worst = 0;
-    for (let i = 0; i < own.grey.length; ++i) worst = Math.max(worst, Math.abs(own.grey[i] - tool.pixels[i]));
+    const worst = await sliceDifference(page, textOf(name), { origin: [0.1, 0.2, 0.3], normal: [1, 1, 2], up: [0, 1, 0], width: 2 });
     assert.ok(worst <= 1, `${name} differs by ${worst} of 255`);
     await wellOf(page);
   }
@@ -150,7 +95,7 @@ test("the link brings the same picture to a new page, and vdbnoise the same reci
   await sharp(page);
   const text = await page.inputValue("textarea");
   const link = await page.evaluate(() => location.href);
-  const other = await open(link.slice(address.length));
+  const other = await open(link.slice(pages.address.length));
   assert.equal(await other.inputValue("textarea"), text);
   const described = vdbnoise("--describe", "--recipe", link, "--quiet");
   assert.equal(JSON.parse(described).recipe?.noise?.frequency ?? JSON.parse(described).noise?.frequency ?? 3, 3);
@@ -194,22 +139,6 @@ test("a volume is marched through", async () => {
     return new Set(pixels.filter((_, i) => i % 4 === 0)).size;
   });
   assert.ok(colors > 60, `${colors} greys`);
-  await wellOf(page);
-});
-
-test("a surface is baked as meshnoise bakes it, and a mesh can be dropped", async () => {
-  const page = await open();
-  await page.click('[role=tab]:text-is("Surface")');
-  await page.waitForFunction(() => globalThis.last?.colors, null, kPatience);
-  await page.waitForTimeout(700);
-  await picture(page, "surface");
-  const before = await page.evaluate(() => globalThis.pictured);
-  await page.setInputFiles('input[aria-label="A mesh"]', { name: "tetra.obj", mimeType: "text/plain", buffer: Buffer.from("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n") });
-  await page.waitForFunction((n) => globalThis.pictured > n, before, kPatience);
-  assert.match(await page.textContent("figcaption"), /^4 vertices/);
-  await page.setInputFiles('input[aria-label="A mesh"]', { name: "broken.ply", mimeType: "text/plain", buffer: Buffer.from("ply\nformat ascii 1.0\n") });
-  await page.waitForSelector(".failure");
-  assert.match(await page.textContent(".failure"), /broken\.ply/);
   await wellOf(page);
 });
 
@@ -266,9 +195,9 @@ test("a file that is no photograph is refused in a line", async () => {
 });
 
 test("without WebGL slices work, and volumes say why they do not", async () => {
-  const bare = await chromium.launch({ executablePath: process.env.STUDIO_BROWSER ?? "/usr/bin/chromium", args: ["--no-sandbox", "--disable-gpu", "--disable-3d-apis"] });
+  const bare = await launchChromium(["--disable-gpu", "--disable-3d-apis"]);
   const page = await bare.newPage();
-  await page.goto(address);
+  await page.goto(pages.address);
   await page.waitForFunction(() => document.querySelector('figcaption [data-sharp="true"]'), null, kPatience);
   await page.click('[role=tab]:text-is("Volume")');
   await page.waitForSelector(".failure");
@@ -285,12 +214,15 @@ test("it fits a tablet, in the light", async () => {
   await wellOf(page);
 });
 
-test("what it took is written down", async () => {
-  const page = await open();
+test("a visitor downloads 600 KB at most, gzipped", async () => {
+  const { gzipped } = JSON.parse(readFileSync(join(root, "build/studio/size.json"), "utf8"));
+  assert.ok(gzipped <= 600 * 1024, `${(gzipped / 1024).toFixed(1)} KB`);
+  // All of what is asked for up to the first picture has been counted.
+  const page = await pages.open("", {}, (own) => {
+    own.asked = new Set();
+    own.on("request", (request) => own.asked.add(request.url().slice(pages.address.length)));
+  });
   await sharp(page);
-  const times = { ...(await page.evaluate(() => globalThis.studioTimes)) };
-  writeFileSync(join(root, "build/studio-times.json"), JSON.stringify(times));
-  assert.ok(times.start > 0);
-  assert.ok(readFileSync(join(root, "build/studio/size.json"), "utf8").includes("gzipped"));
+  for (const name of page.asked) assert.ok(["", "studio.js", "studio.css", "worker.js", "solidnoise.wasm"].includes(name), name);
   await wellOf(page);
 });

@@ -7,7 +7,9 @@
 #include <cstdlib>
 #include <emscripten/emscripten.h>
 #include <exception>
+#include <new>
 #include <span>
+#include <stdexcept>
 #include <string>
 
 #include <nlohmann/json.hpp>
@@ -55,11 +57,15 @@ EMSCRIPTEN_KEEPALIVE void release(void* memory) {
 }
 
 // Answers a question, a text that ends with a 0; the answer is one, too. Errors are {"error": "what is
-// wrong"}.
+// wrong"}, or {"memory": true} where it ended.
 EMSCRIPTEN_KEEPALIVE const char* ask(const char* question, const unsigned char* bytes, std::size_t count) {
   answer = {};
   try {
     run(Json::parse(question), {bytes, count});
+  } catch (const std::bad_alloc&) {
+    answer = {Json{{"memory", true}}};
+  } catch (const std::length_error&) {  // more than a vector can have here
+    answer = {Json{{"memory", true}}};
   } catch (const std::exception& error) {
     answer = {Json{{"error", error.what()}}};
   }

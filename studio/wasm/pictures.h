@@ -34,7 +34,7 @@ struct SliceSubject {
   std::optional<ExemplarModel> exemplar;  // of the colours of `plain`, where they are its
   Json shown;                             // what is known of the values: see make_slice()
 };
-// Made anew only where recipe, grid, time or plane differ from the last question's.
+// Made anew only where recipe, grid, time, plane or "draft" differ from the last question's.
 const SliceSubject& subject_of(const Json& question);
 
 }  // namespace solidnoise::studio

@@ -29,23 +29,12 @@ void refuse_files(const VolumeRecipe& recipe) {
   }
 }
 
-// A noise that is the recipe's own, unshaped, with its closed forms; null where there are layers or outputs.
-std::shared_ptr<const Noise<3>> plain_noise(const VolumeRecipe& grid) {
-  if (!grid.layers.empty() || !is_scalar(grid)) return nullptr;
-  return make_volume_noise(at_resolution(grid, Vec<3>(1e-9)));
-}
-
+// Without its noise, which takes longer to make than a slider may wait for the recipe.
 Json describe_grid(const VolumeRecipe& grid) {
-  Json json{{"names", grid_names(grid)},
-            {"raw", std::holds_alternative<RawShaping>(grid.shaping)},
-            {"scalar", is_scalar(grid)},
-            {"layers", !grid.layers.empty()}};
-  if (const auto noise = plain_noise(grid)) {
-    json["statistics"] = {{"variance", noise->variance()},
-                          {"excess_kurtosis", noise->excess_kurtosis()},
-                          {"band", {noise->band().lower, noise->band().upper}}};
-  }
-  return json;
+  return {{"names", grid_names(grid)},
+          {"raw", std::holds_alternative<RawShaping>(grid.shaping)},
+          {"scalar", is_scalar(grid)},
+          {"layers", !grid.layers.empty()}};
 }
 
 Json describe(const VolumeRecipe& recipe) {

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -10,7 +11,11 @@
 #include "pictures.h"
 #include "solidnoise/field/combined_field.h"
 #include "solidnoise/field/pointwise_field.h"
+#include "solidnoise/field/shaping.h"
 #include "solidnoise/field/value_maps.h"
+#include "solidnoise/noise/error_budget.h"
+#include "solidnoise/noise/interpolation/interpolated_noise.h"
+#include "solidnoise/noise/noise_views.h"
 #include "solidnoise/volume/volume_field.h"
 
 namespace solidnoise::studio {
@@ -35,12 +40,36 @@ class EllipsoidMask final : public PointwiseField {
   Vec<3> radii_;
 };
 
-// Whether `vdbnoise slice` takes the grid as it is.
+// Whether the grid is a noise, or three for its colours, that `vdbnoise slice` takes as it is.
 bool is_plain(const VolumeRecipe& grid) {
   const bool colors = grid.output == std::vector{Output::color};
   const bool raw = std::holds_alternative<RawShaping>(grid.shaping);
-  return raw && !grid.within && grid.fields.empty() && std::holds_alternative<BoxShape>(grid.shape) &&
-         (is_scalar(grid) || (colors && grid.layers.empty()));
+  return raw && !grid.within && grid.layers.empty() && std::holds_alternative<BoxShape>(grid.shape) &&
+         (is_scalar(grid) || colors);
+}
+
+// A noise in the place of the recipe's on the pixels of a plane, as make_slice_fields() has it: interpolated
+// where that is quicker. That would bring noises of fewer dimensions along, and the band of frequencies,
+// which takes longer to find than a slider may wait.
+SliceField plain_field(VolumeRecipe recipe, const NoiseRecipe& noise, const SlicePlane& plane) {
+  recipe.noise = noise;
+  recipe.output = {Output::value};
+  const auto solid = make_volume_noise(recipe);
+  const RawShaping& raw = std::get<RawShaping>(recipe.shaping);
+  SliceField field;
+  field.sigma = std::sqrt(solid->variance());
+  if (!recipe.exact) {
+    LatticeFrame<2> frame{Vec<2>(0.0), Vec<2>(plane.pixel)};
+    for (const auto& [axis, direction] : {std::pair(0, plane.right), std::pair(1, plane.up)}) {
+      frame.period[axis] = whole_period(period_along(direction, noise), frame.step[axis]);
+    }
+    const std::shared_ptr<const Noise<2>> flat =
+        on_plane(solid, {plane.position(0, 0), plane.right, plane.up});
+    const auto interpolated = interpolate<2>(flat, frame, ErrorBudget(error_of(noise)).interpolation);
+    if (interpolated != flat) field.source = make_slice_source(interpolated, frame, raw.range);
+  }
+  if (!field.source) field.source = make_slice_source(shape(solid, raw));
+  return field;
 }
 
 // How a picture shows the values: "low" and "high" are black and white, "colors" are in linear light or
@@ -70,16 +99,18 @@ SliceSubject make_subject(const Json& question) {
   subject.plane = plane_of(question.at("plane"));
   VolumeRecipe grid = timed_grid(question);
   if (is_plain(grid)) {
-    SliceRecipe slice;
-    slice.recipe = grid;
-    slice.plane = subject.plane;
-    slice.color = grid.output == std::vector{Output::color};
-    if (slice.color) slice.recipe.output = {Output::value};
-    subject.plain = make_slice_fields(slice);
-    if (const ExemplarModel* const exemplar = exemplar_of_colors(grid); exemplar && slice.color)
+    grid.exact = grid.exact || question.value("draft", false);
+    const VolumeRecipe sharp = at_resolution(grid, Vec<3>(subject.plane.pixel));
+    const bool color = grid.output == std::vector{Output::color};
+    for (int channel = 0; channel < (color ? 3 : 1); ++channel) {
+      subject.plain.push_back(
+          plain_field(sharp, color ? channel_of(sharp.noise, channel) : sharp.noise, subject.plane));
+    }
+    if (const ExemplarModel* const exemplar = exemplar_of_colors(grid); exemplar && color)
       subject.exemplar = *exemplar;
   }
   if (subject.plain.empty()) {
+    grid.exact = true;  // at points there is nothing to interpolate, and to plan
     const VolumePlan plan = plan_in_box(grid, subject.plane.pixel);
     subject.field = within_shape(make_volume_field(grid, plan).field, grid);
   }
@@ -128,9 +159,10 @@ SlicePlane plane_of(const Json& json) {
 const SliceSubject& subject_of(const Json& question) {
   static std::string known;
   static SliceSubject subject;
-  const std::string key = Json{question.at("recipe"), question.value("grid", ""),
-                               question.value("time", Json()), question.at("plane")}
-                              .dump();
+  const std::string key =
+      Json{question.at("recipe"), question.value("grid", ""), question.value("time", Json()),
+           question.at("plane"), question.value("draft", false)}
+          .dump();
   if (key != known) {
     known.clear();
     subject = make_subject(question);
@@ -140,15 +172,19 @@ const SliceSubject& subject_of(const Json& question) {
 }
 
 // A tile of pixels, "first" to "count" in columns and rows from the bottom; column by column, as vdbnoise has
-// them.
+// them. With "draft" without plans for many pixels, which take longer than a few of them. "ready" is after
+// how many milliseconds the first pixel was begun.
 Answer make_slice(const Json& question, std::span<const unsigned char>) {
+  const auto begin = std::chrono::steady_clock::now();
   const SliceSubject& subject = subject_of(question);
+  const std::chrono::duration<double, std::milli> ready = std::chrono::steady_clock::now() - begin;
   const Json& first = question.at("first");
   const Json& count = question.at("count");
   const glm::ivec2 from(first[0].get<int>(), first[1].get<int>());
   const glm::ivec2 size(count[0].get<int>(), count[1].get<int>());
   const std::size_t pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
   Answer answer{subject.shown};
+  answer.json["ready"] = ready.count();
   if (subject.field) {
     std::vector<Vec<3>> positions;
     positions.reserve(pixels);

@@ -17,6 +17,10 @@ interface Exports {
   _initialize(): void;
 }
 
+// The library can answer nothing more: it has no memory left, or a fault stopped it. Another instance can.
+export class Broken extends Error {}
+
+const kNoMemory = "there is not enough memory in the browser for this; make it smaller, or let the tools do it";
 const kBadFile = 8;
 const kNoCall = 52;
 
@@ -71,25 +75,32 @@ export class Library {
   ask(question: Question, bytes?: Uint8Array): Answer {
     const { exports } = this;
     const text = new TextEncoder().encode(JSON.stringify(question) + "\0");
-    const place = exports.reserve(text.length);
-    new Uint8Array(exports.memory.buffer).set(text, place);
-    const count = bytes?.length ?? 0;
-    const bytesPlace = count > 0 ? exports.reserve(count) : 0;
-    if (bytes && count > 0) new Uint8Array(exports.memory.buffer).set(bytes, bytesPlace);
-    let json: Record<string, unknown>;
+    const place = this.put(text);
+    const bytesPlace = bytes?.length ? this.put(bytes) : 0;
+    let answer: Answer;
     try {
-      json = JSON.parse(this.textAt(exports.ask(place, bytesPlace, count))) as Record<string, unknown>;
-    } finally {
-      exports.release(place);
-      if (bytesPlace) exports.release(bytesPlace);
+      const json = JSON.parse(this.textAt(exports.ask(place, bytesPlace, bytes?.length ?? 0))) as Record<string, unknown>;
+      answer = { json, floats: Array.from({ length: Number(json.arrays) }, (_, i) => this.arrayAt(i)) };
+    } catch (error) {
+      throw new Broken(error instanceof WebAssembly.RuntimeError ? `the library stopped: ${error.message}` : kNoMemory);
     }
-    if (typeof json.error === "string") throw new Error(json.error);
-    const floats: Float32Array<ArrayBuffer>[] = [];
-    for (let i = 0; i < (json.arrays as number); ++i) {
-      const size = exports.array_size(i);
-      floats.push(new Float32Array(exports.memory.buffer.slice(exports.array_values(i), exports.array_values(i) + 4 * size) as ArrayBuffer));
-    }
-    return { json, floats };
+    exports.release(place);
+    if (bytesPlace) exports.release(bytesPlace);
+    if (answer.json.memory) throw new Broken(kNoMemory);
+    if (typeof answer.json.error === "string") throw new Error(answer.json.error);
+    return answer;
+  }
+
+  private arrayAt(index: number): Float32Array<ArrayBuffer> {
+    const place = this.exports.array_values(index);
+    return new Float32Array(this.exports.memory.buffer.slice(place, place + 4 * this.exports.array_size(index)) as ArrayBuffer);
+  }
+
+  private put(bytes: Uint8Array): number {
+    const place = this.exports.reserve(bytes.length);
+    if (place === 0) throw new Broken(kNoMemory);
+    new Uint8Array(this.exports.memory.buffer).set(bytes, place);
+    return place;
   }
 
   private textAt(place: number): string {

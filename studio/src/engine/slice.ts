@@ -1,8 +1,8 @@
 import type { Noise, Plane } from "../store.ts";
 import { Dropped, type Pool, type Timed } from "./pool.ts";
 
-// A picture of a plane by the pool, in strips: as soon as a change comes, at the size that is done within the time of a glance, and
-// sharper when nothing more comes.
+// A picture of a plane by the pool, in strips: as soon as a change comes, a draft of the size that is done within the time of a
+// glance, and sharper when nothing more comes.
 
 export interface Shown {
   low?: number;
@@ -19,7 +19,8 @@ export interface SlicePicture {
   shown: Shown;
   plane: Plane;
   milliseconds: number; // from the question to the picture
-  work: number; // of all workers together
+  ready: number; // of them, until the first pixel was begun
+  work: number; // on pixels, of all workers together
 }
 
 export interface SliceRequest {
@@ -30,12 +31,13 @@ export interface SliceRequest {
   rows: number;
 }
 
-export async function sampleSlice(pool: Pool, topic: string, request: SliceRequest, urgent: boolean): Promise<SlicePicture> {
+// `draft` is for few pixels, at once; `parts` is into how many strips it is cut, if they are wide enough.
+export async function sampleSlice(pool: Pool, topic: string, request: SliceRequest, { urgent = false, draft = false, parts = pool.size } = {}): Promise<SlicePicture> {
   const { noise, plane, time, columns, rows } = request;
   const begin = performance.now();
-  const strips = Math.max(1, Math.min(pool.size, Math.floor(columns / 32)));
+  const strips = Math.max(1, Math.min(parts, Math.floor(columns / 32)));
   const question = {
-    do: "slice", recipe: noise.text, grid: noise.grid, plane: { ...plane, columns, rows },
+    do: "slice", recipe: noise.text, grid: noise.grid, plane: { ...plane, columns, rows }, draft,
     ...(time === undefined ? {} : { time }),
   };
   const jobs: Promise<[number, Timed]>[] = [];
@@ -44,14 +46,16 @@ export async function sampleSlice(pool: Pool, topic: string, request: SliceReque
     const count = Math.floor(((i + 1) * columns) / strips) - first;
     jobs.push(pool.ask(topic, { ...question, first: [first, 0], count: [count, rows] }, { urgent }).then((answer) => [first, answer]));
   }
-  const parts = await Promise.all(jobs);
-  const channels = parts[0]![1].floats.map(() => new Float32Array(columns * rows));
+  const answers = await Promise.all(jobs);
+  const channels = answers[0]![1].floats.map(() => new Float32Array(columns * rows));
   let work = 0;
-  for (const [first, answer] of parts) {
-    work += answer.milliseconds;
+  let ready = 0;
+  for (const [first, answer] of answers) {
+    work += answer.milliseconds - Number(answer.json.ready);
+    ready = Math.max(ready, Number(answer.json.ready));
     answer.floats.forEach((values, channel) => channels[channel]?.set(values, first * rows));
   }
-  return { columns, rows, channels, shown: parts[0]![1].json as Shown, plane, milliseconds: performance.now() - begin, work };
+  return { columns, rows, channels, shown: answers[0]![1].json as Shown, plane, milliseconds: performance.now() - begin, ready, work };
 }
 
 // What is black and what is white.
@@ -107,9 +111,20 @@ export function drawSlice(picture: SlicePicture, ramp: Float32Array | undefined)
   return image;
 }
 
+const kGlance = 35; // milliseconds that the picture may take that follows a slider
+const kSmallest = 64; // pixels along the longest side of a draft
+const kLargest = 256;
+// What of a recipe stays where a slider moves: of another form it is not known yet how long pictures take.
+const formOf = ({ text, grid }: Noise): string => `${grid} ${text.replace(/-?\d[\d.e+-]*/g, "")}`;
+
+const kStrip = 25; // that a strip of the sharp one may, which cannot be stopped when there is something newer
+
 // Pictures of one view: a coarse one that follows, and a fine one when it rests.
 export class SliceMaker {
-  private side = 256; // of the coarse picture, the longest side
+  private side = kSmallest; // of the next draft
+  private shown = 0; // of the last one
+  private form = ""; // of its recipe
+  private cost = 0; // of a pixel, milliseconds of one worker
   private running = false;
   private again = false;
   private rest: ReturnType<typeof setTimeout> | undefined;
@@ -154,12 +169,16 @@ export class SliceMaker {
     try {
       do {
         this.again = false;
-        const picture = await sampleSlice(this.pool, this.topic, this.sized(this.side), true);
+        const form = formOf(this.request!.noise);
+        if (form !== this.form) this.side = kSmallest;
+        this.form = form;
+        this.shown = this.side;
+        const picture = await sampleSlice(this.pool, this.topic, this.sized(this.side), { urgent: true, draft: true });
         if (!this.request) return;
         this.show(picture, false);
-        // As fine as half a dozen pictures a second at the least, and as many as the eye wants, allow.
-        if (picture.milliseconds > 90 && this.side > 64) this.side /= 2;
-        else if (picture.milliseconds < 15 && this.side < 256) this.side *= 2;
+        this.cost = picture.work / (picture.columns * picture.rows);
+        const left = Math.max(0, kGlance - picture.ready) / Math.max(1, picture.milliseconds - picture.ready);
+        this.side = Math.min(kLargest, Math.max(kSmallest, 32 * Math.floor((this.side * Math.sqrt(left)) / 32)));
       } while (this.again);
       const generation = this.generation;
       this.rest = setTimeout(() => void this.sharpen(generation), 90);
@@ -172,11 +191,14 @@ export class SliceMaker {
 
   private async sharpen(generation: number): Promise<void> {
     try {
-      for (const side of [256, 2048]) {
+      for (const side of [kLargest, 2048]) {
         if (generation !== this.generation || !this.request) return;
-        if (side === 256 && (this.side === 256 || Math.max(this.request.columns, this.request.rows) <= 256)) continue;
-        const picture = await sampleSlice(this.pool, `${this.topic} sharp`, this.sized(side), false);
-        if (generation === this.generation) this.show(picture, side > 256);
+        const draft = side === kLargest;
+        if (draft && (this.shown === kLargest || Math.max(this.request.columns, this.request.rows) <= kLargest)) continue;
+        const request = this.sized(side);
+        const parts = Math.max(this.pool.size, Math.ceil((this.cost * request.columns * request.rows) / kStrip));
+        const picture = await sampleSlice(this.pool, `${this.topic} sharp`, request, { draft, parts });
+        if (generation === this.generation) this.show(picture, !draft);
       }
     } catch (error) {
       if (!(error instanceof Dropped)) this.fail(error as Error);

@@ -1,4 +1,4 @@
-import { type Answer, Library, type Question } from "./library.ts";
+import { type Answer, Broken, Library, type Question } from "./library.ts";
 
 // One instance of the library. Messages: the compiled module first, then questions, each of which is answered.
 
@@ -16,13 +16,18 @@ export interface FromWorker {
   milliseconds: number;
 }
 
+let module: WebAssembly.Module;
 let library: Promise<Library>;
 let now = -1; // the question's id
 
+const load = (): void => {
+  library = Library.load(module, (progress) => self.postMessage({ id: now, progress, milliseconds: 0 } satisfies FromWorker));
+};
+
 self.onmessage = async ({ data }: MessageEvent<ToWorker>) => {
   if (data.module) {
-    library = Library.load(data.module, (progress) => self.postMessage({ id: now, progress, milliseconds: 0 } satisfies FromWorker));
-    return;
+    module = data.module;
+    return load();
   }
   if (data.id === undefined || !data.question) return;
   const begin = performance.now();
@@ -33,6 +38,7 @@ self.onmessage = async ({ data }: MessageEvent<ToWorker>) => {
     const answer = (await library).ask(data.question, data.bytes);
     reply({ answer }, answer.floats.map((array) => array.buffer));
   } catch (error) {
+    if (error instanceof Broken) load();
     reply({ error: error instanceof Error ? error.message : String(error) });
   }
 };

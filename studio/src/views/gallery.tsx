@@ -49,7 +49,7 @@ function Card({ start, close }: { start: Start; close: () => void }): JSX.Elemen
       try {
         const info = await check(start.text);
         if (info.kind === "surface") return canvas.current?.remove();
-        const picture = await sampleSlice(engine.pool, "gallery", { noise: { text: info.recipe, grid: "" }, plane: fit(info), time: undefined, columns: 96, rows: 96 }, false);
+        const picture = await sampleSlice(engine.pool, "gallery", { noise: { text: info.recipe, grid: "" }, plane: fit(info), time: undefined, columns: 96, rows: 96 }, { draft: true });
         const image = drawSlice(picture, undefined);
         known.set(start.name, image);
         put(image);

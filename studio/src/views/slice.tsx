@@ -33,15 +33,25 @@ export function SliceView({ index }: { index: number }): JSX.Element {
   const [failure, fail] = useState("");
   const [value, setValue] = useState<string>("");
 
+  // A picture in its colours, made once.
+  const colored = useRef<{ picture: SlicePicture; ramp: string; store: OffscreenCanvas } | undefined>(undefined);
+  const inColors = (picture: SlicePicture): OffscreenCanvas => {
+    const { ramp } = state.value;
+    if (colored.current?.picture !== picture || colored.current.ramp !== ramp) {
+      const store = new OffscreenCanvas(picture.columns, picture.rows);
+      store.getContext("2d")!.putImageData(drawSlice(picture, engine.ramps.get(ramp)), 0, 0);
+      colored.current = { picture, ramp, store };
+    }
+    return colored.current.store;
+  };
+
   // What is drawn while a picture of another plane is on its way: the last one, where it lies now.
   const draw = (): void => {
     const element = canvas.current;
     const picture = last.current;
     if (!element || !picture) return;
     const context = element.getContext("2d")!;
-    const image = drawSlice(picture, engine.ramps.get(state.value.ramp));
-    const store = new OffscreenCanvas(picture.columns, picture.rows);
-    store.getContext("2d")!.putImageData(image, 0, 0);
+    const store = inColors(picture);
     context.imageSmoothingEnabled = true;
     context.imageSmoothingQuality = "high";
     const now = state.value.plane;
@@ -84,8 +94,8 @@ export function SliceView({ index }: { index: number }): JSX.Element {
   useSignalEffect(() => {
     state.value;
     time.value;
-    if (last.current) draw();
     want();
+    if (last.current) draw();
   });
   useEffect(() => {
     draw();

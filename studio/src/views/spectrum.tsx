@@ -28,9 +28,9 @@ export function SpectrumView(): JSX.Element {
     if (!noise.text) return;
     clearTimeout(waiting.current);
     waiting.current = setTimeout(async () => {
-      engine.pool.drop("spectrum");
+      engine.modeller.drop("spectrum");
       try {
-        const { json, floats } = await engine.pool.ask("spectrum", {
+        const { json, floats } = await engine.modeller.ask("spectrum", {
           do: "spectrum", recipe: noise.text, grid: noise.grid, plane: { ...plane, columns: kSide, rows: kSide },
         });
         setSpectrum({ picture: floats[0]!, frequencies: floats[1]!, powers: floats[2]!, expected: floats[3], nyquist: Number(json.nyquist) });

@@ -5,6 +5,7 @@ import { engine } from "../engine/engine.ts";
 import { Dropped } from "../engine/pool.ts";
 import { commit, state, time } from "../store.ts";
 import { Orbit } from "./orbit.ts";
+import { SceneCanvas, useScene } from "./scene.tsx";
 import { SurfaceRenderer } from "./surface_renderer.ts";
 
 // Noise on a mesh: one that comes with the page, or one that is dropped.
@@ -23,48 +24,16 @@ async function bytesOf(name: string): Promise<Uint8Array<ArrayBuffer>> {
 }
 
 export function SurfaceView(): JSX.Element {
-  const canvas = useRef<HTMLCanvasElement>(null);
-  const renderer = useRef<SurfaceRenderer | undefined>(undefined);
-  const orbit = useRef(new Orbit(0.6, 0.3, 2.05));
-  const frame = useRef(0);
-  const [trouble, setTrouble] = useState("");
   const [told, tell] = useState("");
   const [plain, setPlain] = useState(false);
   const [over, setOver] = useState(false);
   const working = useRef(false);
   const again = useRef(false);
-
-  const render = (): void => {
-    cancelAnimationFrame(frame.current);
-    frame.current = requestAnimationFrame(() => {
-      const dark = document.documentElement.dataset.theme === "dark";
-      renderer.current?.render(orbit.current, plain, dark ? [0.05, 0.055, 0.065] : [0.8, 0.79, 0.76]);
-    });
-  };
-  useEffect(() => {
-    try {
-      renderer.current = new SurfaceRenderer(canvas.current!);
-    } catch (error) {
-      setTrouble((error as Error).message);
-      return;
-    }
-    const stop = orbit.current.attach(canvas.current!, render);
-    const observer = new ResizeObserver(() => {
-      const element = canvas.current;
-      if (!element) return;
-      const scale = Math.min(2, devicePixelRatio);
-      element.width = Math.max(1, Math.round(element.clientWidth * scale));
-      element.height = Math.max(1, Math.round(element.clientHeight * scale));
-      render();
-    });
-    observer.observe(canvas.current!);
-    return () => {
-      stop();
-      observer.disconnect();
-      renderer.current?.dispose();
-      renderer.current = undefined;
-    };
-  }, []);
+  const scene = useScene((canvas) => new SurfaceRenderer(canvas), new Orbit(0.6, 0.3, 2.05), () => Math.min(2, devicePixelRatio), (renderer, eye) => {
+    const dark = document.documentElement.dataset.theme === "dark";
+    renderer.render(eye, plain, dark ? [0.05, 0.055, 0.065] : [0.8, 0.79, 0.76]);
+  });
+  const { renderer, render, setTrouble } = scene;
   useEffect(render, [plain]);
 
   const bake = async (): Promise<void> => {
@@ -92,9 +61,10 @@ export function SurfaceView(): JSX.Element {
         const aliases = Number(json.cycles_per_edge) > 0.5 ? " · finer than the mesh: give refine" : "";
         tell(`${Number(json.vertices).toLocaleString("en")} vertices · ${(performance.now() - begin).toFixed(0)} ms${aliases}`);
         setTrouble("");
-        canvas.current?.dispatchEvent(new CustomEvent("pictured", { bubbles: true, detail: { colors: floats[2] } }));
+        scene.canvas.current?.dispatchEvent(new CustomEvent("pictured", { bubbles: true, detail: { colors: floats[2] } }));
       } while (again.current);
     } catch (error) {
+      inWorker = ""; // where memory has ended it is another worker
       if (!(error instanceof Dropped)) setTrouble((error as Error).message);
     } finally {
       working.current = false;
@@ -118,13 +88,12 @@ export function SurfaceView(): JSX.Element {
     <figure class={`view surface${over ? " over" : ""}`}
       onDragOver={(event) => { event.preventDefault(); setOver(true); }} onDragLeave={() => setOver(false)}
       onDrop={(event) => { event.preventDefault(); setOver(false); void take(event.dataTransfer?.files[0]); }}>
-      <canvas ref={canvas} tabIndex={0} role="img" aria-label="The surface. Drag or arrow keys turn it, the wheel or plus and minus move the eye." />
-      {trouble && <p class="failure" role="alert">{trouble}</p>}
+      <SceneCanvas scene={scene} what="The surface" />
       <div class="overlay">
         <select aria-label="Mesh" value={state.value.mesh} onChange={(event) => commit({ ...state.value, mesh: event.currentTarget.value }, "mesh")}>
           {names.map((name) => <option key={name}>{name}</option>)}
         </select>
-        <label class="file">Open .ply, .obj<input type="file" accept=".ply,.obj" aria-label="A mesh" onChange={(event) => void take(event.currentTarget.files?.[0])} /></label>
+        <label class="file">Open .ply, .obj, .off<input type="file" accept=".ply,.obj,.off" aria-label="A mesh" onChange={(event) => void take(event.currentTarget.files?.[0])} /></label>
         <label class="inline"><input class="toggle" type="checkbox" role="switch" checked={plain} onChange={(event) => setPlain(event.currentTarget.checked)} /> colours alone</label>
       </div>
       <figcaption><span>{told}</span></figcaption>

@@ -5,6 +5,7 @@ import { engine } from "../engine/engine.ts";
 import { Dropped } from "../engine/pool.ts";
 import { activeNoise, infoOf, state, time } from "../store.ts";
 import { Orbit } from "./orbit.ts";
+import { SceneCanvas, useScene } from "./scene.tsx";
 import { type VolumeLook, VolumeRenderer } from "./volume_renderer.ts";
 
 // The voxels of a preview, marched through: a cloud under a sun, a fire or nebula that glows, or a body with the values' colours.
@@ -12,45 +13,13 @@ import { type VolumeLook, VolumeRenderer } from "./volume_renderer.ts";
 const kSun: [number, number, number] = [0.5, 0.75, 0.45];
 
 export function VolumeView(): JSX.Element {
-  const canvas = useRef<HTMLCanvasElement>(null);
-  const renderer = useRef<VolumeRenderer | undefined>(undefined);
-  const [trouble, setTrouble] = useState("");
   const [told, tell] = useState("");
   const [cut, setCut] = useState(0.5);
-  const orbit = useRef(new Orbit(0.55, 0.22, 2.15));
-  const frame = useRef(0);
   const generation = useRef(0);
-
-  const render = (): void => {
-    cancelAnimationFrame(frame.current);
-    frame.current = requestAnimationFrame(() => renderer.current?.render(orbit.current, cut));
-  };
-
-  useEffect(() => {
-    try {
-      renderer.current = new VolumeRenderer(canvas.current!);
-    } catch (error) {
-      setTrouble((error as Error).message);
-      return;
-    }
-    const stop = orbit.current.attach(canvas.current!, render);
-    const observer = new ResizeObserver(() => {
-      const element = canvas.current;
-      if (!element) return;
-      const scale = Math.min(1, 900 / Math.max(element.clientWidth, element.clientHeight));
-      element.width = Math.max(1, Math.round(element.clientWidth * scale));
-      element.height = Math.max(1, Math.round(element.clientHeight * scale));
-      render();
-    });
-    observer.observe(canvas.current!);
-    return () => {
-      stop();
-      observer.disconnect();
-      engine.pool.drop("volume");
-      renderer.current?.dispose();
-      renderer.current = undefined;
-    };
-  }, []);
+  const scene = useScene((canvas) => new VolumeRenderer(canvas), new Orbit(0.55, 0.22, 2.15),
+    (canvas) => Math.min(1, 900 / Math.max(canvas.clientWidth, canvas.clientHeight)), (renderer, eye) => renderer.render(eye, cut));
+  const { renderer, render, setTrouble } = scene;
+  useEffect(() => () => engine.pool.drop("volume"), []);
   useEffect(render, [cut]);
 
   // Coarse first, then fine: 32, 64, 128 voxels along the longest side.
@@ -94,7 +63,7 @@ export function VolumeView(): JSX.Element {
         render();
         tell(`${size.join(" × ")} voxels · ${(performance.now() - begin).toFixed(0)} ms`);
         engine.times[`volume ${dim}`] = performance.now() - begin;
-        canvas.current?.dispatchEvent(new CustomEvent("pictured", { bubbles: true, detail: { dim } }));
+        scene.canvas.current?.dispatchEvent(new CustomEvent("pictured", { bubbles: true, detail: { dim } }));
         if (when !== undefined) return;
         setTrouble("");
       }
@@ -114,8 +83,7 @@ export function VolumeView(): JSX.Element {
   const raw = infoOf(activeNoise())?.grids.find((grid) => grid.names.includes(activeNoise().grid || grid.names[0]!))?.raw ?? false;
   return (
     <figure class="view volume">
-      <canvas ref={canvas} tabIndex={0} role="img" aria-label="The volume. Drag or arrow keys turn it, the wheel or plus and minus move the eye." />
-      {trouble && <p class="failure" role="alert">{trouble}</p>}
+      <SceneCanvas scene={scene} what="The volume" />
       <figcaption>
         <span>{told}</span>
         {raw && <label class="inline">Cut <input type="range" min="0" max="1" step="0.01" value={cut} onInput={(event) => setCut(Number(event.currentTarget.value))} /></label>}
