@@ -5,9 +5,8 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <sys/mman.h>
-#include <unistd.h>
 
+#include "fuzz/file_in_memory.h"
 #include "solidnoise/volume/vdb/vdb_read.h"
 #include "solidnoise/volume/vdb/vdb_write.h"
 
@@ -15,27 +14,6 @@
 
 namespace solidnoise {
 namespace {
-
-// A file without a name, in memory.
-class FileInMemory {
- public:
-  FileInMemory() : descriptor_(memfd_create("fuzzed", 0)) {
-    if (descriptor_ < 0) std::abort();
-  }
-  ~FileInMemory() { close(descriptor_); }
-  FileInMemory(const FileInMemory&) = delete;
-  FileInMemory& operator=(const FileInMemory&) = delete;
-
-  std::string path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
-
-  void write(const std::uint8_t* data, std::size_t size) const {
-    if (ftruncate(descriptor_, 0) != 0 || pwrite(descriptor_, data, size, 0) != static_cast<ssize_t>(size))
-      std::abort();
-  }
-
- private:
-  int descriptor_;
-};
 
 void check(const std::string& path) {
   read_vdb_summary(path);
@@ -49,7 +27,7 @@ void check(const std::string& path) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const solidnoise::FileInMemory file;
-  file.write(data, size);
+  file.write({data, size});
   try {
     solidnoise::check(file.path());
   } catch (const std::runtime_error& error) {

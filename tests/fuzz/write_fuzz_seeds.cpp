@@ -13,7 +13,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   const std::filesystem::path folder = argv[1];
-  for (const char* name : {"ply", "obj", "off", "stl", "om"})
+  for (const char* name : {"ply", "obj", "off", "stl", "om", "glb", "gltf"})
     std::filesystem::create_directories(folder / name);
   const PolygonMesh mesh = awkward_mesh();
   const MeshWriteOptions replace{.existing = Existing::replace};
@@ -25,6 +25,8 @@ int main(int argc, char** argv) {
   write_mesh(folder / "obj" / "mesh.obj", mesh, replace);
   write_mesh(folder / "off" / "mesh.off", mesh, replace);
   write_mesh(folder / "om" / "mesh.om", mesh, replace);
+  write_mesh(folder / "glb" / "mesh.glb", mesh, replace);
+  std::ofstream(folder / "gltf" / "scene.gltf", std::ios::binary) << gltf_scene();
   std::ofstream(folder / "om" / "halfedges.om", std::ios::binary) << om_triangle();
   std::ofstream(folder / "stl" / "text.stl", std::ios::binary) << stl_text();
   std::ofstream(folder / "stl" / "binary.stl", std::ios::binary) << stl_binary();
