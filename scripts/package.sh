@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # package.sh [--clean-root]: makes the Debian packages, in build/packages: solidnoise-tools, libsolidnoise-dev, python3-solidnoise and
-# solidnoise-blender; `apt install ./build/packages/*.deb` installs them. Its tests use them unpacked; with --clean-root
-# also installed by apt into a fresh Debian, which is downloaded (some 2 GB of disk; root alone can make one).
+# solidnoise-blender; `apt install ./build/packages/*.deb` installs them. DEBFULLNAME and DEBEMAIL say who maintains them; without them
+# nobody does who has an address. Its tests use them unpacked; with --clean-root also installed by apt into a fresh Debian, which is
+# downloaded (some 2 GB of disk; root alone can make one).
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 umask 022

@@ -4,7 +4,7 @@ set -euo pipefail
 
 packages=(
   cmake ninja-build g++ pkg-config
-  libopenvdb-dev libnanovdb-dev libboost-iostreams-dev zlib1g-dev libtbb-dev libopenimageio-dev libpng-dev libopenmesh-dev
+  libopenvdb-dev libnanovdb-dev libboost-iostreams-dev zlib1g-dev libtbb-dev libopenimageio-dev libpng-dev libopenmesh-dev libtinygltf-dev
   libglm-dev libeigen3-dev libembree-dev libhwy-dev libkissfft-dev
   libfmt-dev nlohmann-json3-dev fonts-dejavu-core
   pybind11-dev python3-dev python3-numpy

@@ -34,6 +34,7 @@ BASES = {
     "vdbnoise --raw": ["--dim", "12", "--out", "{out}.vdb"],
     "vdbnoise --on": ["{volume}", "--out", "{out}.vdb"],
     "vdbnoise slice": ["--resolution", "12", "--out", "{out}.png"],
+    "vdbnoise sky": ["--count", "2", "--voxel", "100", "--out", "{out}.vdb"],
     "vdbnoise surface": ["{mesh}", "--dim", "12", "--out", "{out}.vdb"],
     "vdbnoise analyze": ["{volume}"],
     "meshnoise bake": ["{mesh}", "--out", "{out}.ply"],

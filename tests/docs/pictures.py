@@ -32,7 +32,7 @@ def digest(project, commands):
     """Of commands and of all that they read of the project: its files that they name, and presets."""
     state = hashlib.sha256("\n".join(commands).encode())
     for word in re.findall(r"(?<![^\s])[\w][\w./-]*", " ".join(commands)):
-        for path in (project / word, *project.glob(f"tools/*/presets/{word}.json")):
+        for path in (project / word, *project.glob(f"tools/*/presets/{word}.json"), *project.glob(f"tools/*/skies/{word}.json")):
             if path.is_file():
                 state.update(path.read_bytes())
     return state.hexdigest()[:16]
@@ -82,6 +82,9 @@ def make(tools, project, entry):
 def make_all(tools, project, path, wanted):
     """Writes the record after each, so that what was made stays made."""
     record = json.loads(path.read_text())
+    wanted = {os.path.basename(name) for name in wanted}
+    if unknown := wanted - {os.path.basename(name) for entry in record["pictures"] for name in entry["makes"]}:
+        sys.exit(f"pictures: {', '.join(sorted(unknown))}: not in docs/pictures.json")
     for entry in record["pictures"]:
         if not wanted or wanted & {os.path.basename(name) for name in entry["makes"]}:
             make(tools, project, entry)

@@ -9,10 +9,12 @@ import re
 import subprocess
 import sys
 
-COMMANDS = ["vdbnoise", "vdbnoise slice", "vdbnoise surface", "vdbnoise merge", "vdbnoise analyze", "meshnoise bake", "meshnoise curvature",
+COMMANDS = ["vdbnoise", "vdbnoise slice", "vdbnoise sky", "vdbnoise surface", "vdbnoise merge", "vdbnoise analyze", "meshnoise bake", "meshnoise curvature",
             "noisefit", "noisefit edit", "noisefit volume"]
+# Of commands that have all flags of another one: what they have besides.
+MORE = {"vdbnoise farm": ("vdbnoise", "Farm"), "meshnoise farm": ("meshnoise bake", "Farm")}
 ALWAYS = {"--help", "--help-all"}
-OTHER_PROGRAMS = {"--install", "--prefix", "--write", "--gtest_filter", "--tool", "--cflags", "--libs"}  # cmake, scripts, tests, valgrind, pkg-config
+OTHER_PROGRAMS = {"--array", "--install", "--prefix", "--write", "--gtest_filter", "--tool", "--cflags", "--libs"}  # sbatch, cmake, scripts, ...
 FLAG = re.compile(r"^  (--[\w-]+)((?: \S+)*?)(?:  |$) *(.*)$")
 
 
@@ -40,7 +42,12 @@ def flags_of(text):
 
 def flag_tables(tools, command):
     lines, last = [f"## Flags of `{command}`", ""], None
+    like, only = MORE.get(command, (None, None))
+    if like:
+        lines += [f"Those of `{like}`, and:", ""]
     for group, flag, values, what in flags_of(say(tools, *command.split(), "--help-all")):
+        if only and group != only:
+            continue
         if group != last:
             lines += [*([""] if last is not None else []), f"| {group} | |", "|---|---|"]
             last = group
@@ -127,8 +134,9 @@ def reference(tools):
              "of a list.", ""]
     listed = {}
     lines += key_table(json.loads(say(tools, "vdbnoise", "--schema")), "a volume's recipe", listed)
+    lines += key_table(json.loads(say(tools, "vdbnoise", "sky", "--schema")), "a sky's recipe", listed)
     lines += key_table(json.loads(say(tools, "meshnoise", "--schema")), "a recipe for a mesh", listed)
-    for command in COMMANDS:
+    for command in [*COMMANDS, *MORE]:
         lines += flag_tables(tools, command)
     return "\n".join(lines).rstrip() + "\n"
 
@@ -140,7 +148,7 @@ def main():
     if "--write" in sys.argv:
         page.write_text(made)
     faults = [] if page.read_text() == made else ["docs/reference.md is not what the programs say; make it by reference.py --write"]
-    known = {row[1] for command in COMMANDS for row in flags_of(say(tools, *command.split(), "--help-all"))} | ALWAYS | OTHER_PROGRAMS
+    known = {row[1] for command in [*COMMANDS, *MORE] for row in flags_of(say(tools, *command.split(), "--help-all"))} | ALWAYS | OTHER_PROGRAMS
     for text in [project / "README.md", *sorted((project / "docs").glob("*.md"))]:
         for flag in sorted(set(re.findall(r"(?<![\w-])--[a-z][\w-]*", text.read_text())) - known):
             faults.append(f"{text.name} names {flag}, which no command has")

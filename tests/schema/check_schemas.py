@@ -17,21 +17,21 @@ def run(*command):
     return json.loads(subprocess.run(command, check=True, capture_output=True).stdout)
 
 
-schemas = {"volume": run(vdbnoise, "--schema"), "bake": run(meshnoise, "--schema")}
+schemas = {"volume": run(vdbnoise, "--schema"), "sky": run(vdbnoise, "sky", "--schema"), "bake": run(meshnoise, "--schema")}
 for schema in schemas.values():
     Validator.check_schema(schema)
 failures = []
 
 
 def expect(accepted, recipe, name):
-    kind = "bake" if "surface" in recipe else "volume"
+    kind = "bake" if "surface" in recipe else "sky" if "cloud" in recipe else "volume"
     error = next(Validator(schemas[kind]).iter_errors(recipe), None)
     if (error is None) != accepted:
         failures.append(f"{name}: {error.message if error else 'is accepted'}")
 
 
 # What ships, and what comes of it when it is written again.
-files = [file for folder in ("examples/recipes", "tools/vdbnoise/presets", "tools/meshnoise/presets")
+files = [file for folder in ("examples/recipes", "tools/vdbnoise/presets", "tools/vdbnoise/skies", "tools/meshnoise/presets")
          for file in sorted((pathlib.Path(source) / folder).glob("*.json"))]
 recipes = {file.stem: json.loads(file.read_text()) for file in files}
 for name, recipe in recipes.items():
@@ -39,7 +39,8 @@ for name, recipe in recipes.items():
 for file in files:
     if file.parent.parent.name != "vdbnoise":
         continue
-    expect(True, run(vdbnoise, "--recipe", str(file), "--write-recipe", "-"), f"{file.stem}, written")
+    sky = ["sky"] if file.parent.name == "skies" else []
+    expect(True, run(vdbnoise, *sky, "--recipe", str(file), "--write-recipe", "-"), f"{file.stem}, written")
 
 
 def changed(name, change):
@@ -61,6 +62,8 @@ for what, name, change in (
     ("unknown key of a layer", "layered_smoke", lambda r: r["layers"][0].update(wieght=1)),
     ("no version", "smoke", lambda r: r.pop("solidnoise")),
     ("out of a range of a range", "rust", lambda r: r.update(bandwidth=[1, 9])),
+    ("unknown key of a sky's cloud", "cumulus_field", lambda r: r["cloud"].update(dmi=3)),
+    ("points of another kind", "cumulus_field", lambda r: r["points"].update(type="poisson")),
     ("source and attribute", "rust", lambda r: r.update(by={"source": "height", "attribute": "x"})),
 ):
     expect(False, changed(name, change), what)
