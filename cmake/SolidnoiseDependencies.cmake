@@ -15,6 +15,9 @@ find_package(OpenMesh CONFIG REQUIRED)
 add_library(OpenMesh::OpenMesh INTERFACE IMPORTED)
 target_link_libraries(OpenMesh::OpenMesh INTERFACE OpenMeshCore OpenMeshTools)
 
+# A header alone, with nlohmann_json's: reads glTF.
+find_path(TINYGLTF_INCLUDE_FOLDER tiny_gltf.h REQUIRED)
+
 if(SOLIDNOISE_BUILD_VOLUME)
   # OpenVDB ships a find module, not a config file, in a folder of its own.
   file(GLOB _openvdb_modules /usr/lib/*/cmake/OpenVDB)

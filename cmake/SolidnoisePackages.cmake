@@ -12,11 +12,15 @@ set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
   OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 
-# Version and maintainer are those of the changelog.
+# Version and maintainer are those of the changelog; DEBFULLNAME and DEBEMAIL, as of Debian's own tools, name who makes the packages
+# in place of the maintainer.
 set(_debian ${PROJECT_SOURCE_DIR}/cmake/packages)
 file(READ ${_debian}/changelog _changelog)
 string(REGEX MATCH "\n -- ([^\n]*>)  " _ "${_changelog}")
 set(CPACK_PACKAGE_CONTACT ${CMAKE_MATCH_1})
+if(DEFINED ENV{DEBFULLNAME} AND DEFINED ENV{DEBEMAIL})
+  set(CPACK_PACKAGE_CONTACT "$ENV{DEBFULLNAME} <$ENV{DEBEMAIL}>")
+endif()
 if(NOT _changelog MATCHES "^solidnoise \\(${PROJECT_VERSION}\\)")
   message(FATAL_ERROR "${_debian}/changelog does not begin with version ${PROJECT_VERSION}")
 endif()

@@ -61,15 +61,21 @@ function(solidnoise_precompile target)
   endif()
 endfunction()
 
-# solidnoise_test(NAME LIBRARIES ...): one test program for the folder tests/NAME.
+# solidnoise_test(NAME LIBRARIES ...): one test program for the folder tests/NAME, without the files whose names match
+# SOLIDNOISE_TESTS_LEFT_OUT, compiled with SOLIDNOISE_TEST_OPTIONS besides what all is compiled with.
+set(SOLIDNOISE_TESTS_LEFT_OUT "" CACHE STRING "Files of tests that are not built: a regular expression; empty: all are built")
+set(SOLIDNOISE_TEST_OPTIONS "" CACHE STRING "Further options of the compiler for files of tests")
 function(solidnoise_test name)
   file(GLOB _sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
+  if(SOLIDNOISE_TESTS_LEFT_OUT)
+    list(FILTER _sources EXCLUDE REGEX "${SOLIDNOISE_TESTS_LEFT_OUT}")
+  endif()
   if(NOT _sources)
     return()
   endif()
   add_executable(${name}_tests ${_sources})
   target_include_directories(${name}_tests PRIVATE ${PROJECT_SOURCE_DIR}/tests)
-  target_compile_options(${name}_tests PRIVATE ${_warnings})
+  target_compile_options(${name}_tests PRIVATE ${_warnings} ${SOLIDNOISE_TEST_OPTIONS})
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(${name}_tests PRIVATE -Wno-array-bounds) # false ones in strings whose code is precompiled
   endif()
