@@ -81,10 +81,10 @@ class Cluster:
         try:
             self.start("munged", "--foreground", "--force", f"--key-file={key}", f"--socket={at('socket')}", f"--pid-file={at('pid')}",
                        f"--seed-file={at('seed')}", f"--log-file={at('log')}")
-            wait_until("munge's socket", (self.folder / "munge.socket").exists, 20)
+            wait_until("munge's socket", (self.folder / "munge.socket").exists, 60)
             self.start("slurmctld", "-D", "-c")
             self.start_node()
-            wait_until("an idle node", lambda: "idle" in self.ask("sinfo", "-h", "-o", "%t"), 40)
+            wait_until("an idle node", lambda: "idle" in self.ask("sinfo", "-h", "-o", "%t"), 120)
         except BaseException:
             self.__exit__()
             raise
