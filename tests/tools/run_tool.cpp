@@ -1,5 +1,6 @@
 #include "tools/run_tool.h"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <csignal>
@@ -7,12 +8,15 @@
 #include <fcntl.h>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <stdexcept>
+#include <string>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <system_error>
 #include <thread>
 #include <unistd.h>
+#include <vector>
 
 namespace solidnoise {
 namespace {
@@ -119,6 +123,16 @@ void RunningTool::send(int signal) const {
   kill(pid_, signal);
 }
 
+double RunningTool::work() const {
+  const std::string stat = read_file("/proc/" + std::to_string(pid_) + "/stat");
+  std::istringstream fields(stat.substr(std::min(stat.size(), stat.rfind(')') + 2)));  // after the name
+  const std::vector<std::string> field{std::istream_iterator<std::string>(fields), {}};
+  constexpr std::size_t kUser = 11;
+  constexpr std::size_t kSystem = 12;
+  if (field.size() <= kSystem) return 0.0;  // it has ended
+  return (std::stod(field[kUser]) + std::stod(field[kSystem])) / static_cast<double>(sysconf(_SC_CLK_TCK));
+}
+
 ToolResult RunningTool::wait() {
   ToolResult result;
   if (terminal_ >= 0) result.err = drain(terminal_);
@@ -126,6 +140,9 @@ ToolResult RunningTool::wait() {
   rusage usage = {};
   wait4(pid_, &status, 0, &usage);
   result.peak_memory = 1024.0 * static_cast<double>(usage.ru_maxrss);
+  for (const timeval& time : {usage.ru_utime, usage.ru_stime}) {
+    result.work += static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  }
   if (WIFEXITED(status)) result.status = WEXITSTATUS(status);
   if (WIFSIGNALED(status)) result.signal = WTERMSIG(status);
   if (terminal_ >= 0) {

@@ -16,6 +16,7 @@ struct ToolResult {
   std::string out;
   std::string err;
   double peak_memory = 0.0;  // bytes
+  double work = 0.0;         // processor time in seconds, which other programs' work changes little
 };
 
 struct RunOptions {
@@ -38,6 +39,8 @@ class RunningTool {
   // whether it has.
   bool wait_until_it_writes(const std::filesystem::path& folder) const;
   void send(int signal) const;
+  // What it has used of processors' time until now, in seconds.
+  double work() const;
   ToolResult wait();
 
  private:

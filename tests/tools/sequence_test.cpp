@@ -105,7 +105,7 @@ TEST(Sequence, FailedFrameLeavesTheOthers) {
   const TemporaryFolder folder;
   RunningTool tool(
       in_build("tools/vdbnoise"),
-      {"--raw", "--dim", "64", "--evolve", "1", "--quiet", "--frames", "1-9", "--out", "s.#.vdb"},
+      {"--raw", "--dim", "128", "--evolve", "1", "--quiet", "--frames", "1-9", "--out", "s.#.vdb"},
       {.folder = folder.path()});
   wait_for(folder, "s.1.vdb");
   folder.write("s.9.vdb", "precious");
