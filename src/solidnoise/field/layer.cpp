@@ -1,5 +1,6 @@
 #include "solidnoise/field/layer.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
@@ -220,6 +221,14 @@ bool use_place(const std::vector<Layer>& layers, Layer::Place place, const Named
   bool used = false;
   for_each_layer(layers, named, [&](const Layer& layer) { used = used || layer.place == place; });
   return used;
+}
+
+double largest_warp(const std::vector<Layer>& layers, const NamedLayers& named) {
+  double largest = 0.0;
+  for_each_layer(layers, named, [&](const Layer& layer) {
+    if (layer.warp) largest = std::max(largest, layer.warp->amount);
+  });
+  return largest;
 }
 
 std::vector<Layer> in_units(std::vector<Layer> layers, double unit) {

@@ -112,6 +112,9 @@ bool use_own_noise(const std::vector<Layer>& layers, const NamedLayers& named = 
 // Whether a layer is a place of this kind.
 bool use_place(const std::vector<Layer>& layers, Layer::Place place, const NamedLayers& named = {});
 
+// The largest amount of a warp, world units; 0 without any.
+double largest_warp(const std::vector<Layer>& layers, const NamedLayers& named = {});
+
 // The same layers, whose noises and warps are in units of `unit` world units: frequencies are divided by it,
 // periods and amounts of warps multiplied.
 std::vector<Layer> in_units(std::vector<Layer> layers, double unit);

@@ -69,16 +69,20 @@ class Builder {
  public:
   explicit Builder(const LayerLeaves& leaves) : leaves_(leaves) {}
 
-  FieldPtr build(const Layer& layer) const {
-    FieldPtr built = layer.layers.empty() ? build_leaf(layer) : build_group(layer.combine, layer.layers);
+  // `warped`: by a layer that this one is among the layers of.
+  FieldPtr build(const Layer& layer, bool warped) const {
+    const bool warps = layer.warp && layer.warp->amount > 0.0;
+    const bool inside = warped || warps;
+    FieldPtr built =
+        layer.layers.empty() ? build_leaf(layer, inside) : build_group(layer.combine, layer.layers, inside);
     if (!layer.ramp.empty()) built = through_ramp(built, layer.ramp);
     if (layer.weight != 1.0 || layer.bias != 0.0) built = affine(built, layer.weight, layer.bias);
-    return layer.warp && layer.warp->amount > 0.0 ? build_warped(built, *layer.warp) : built;
+    return warps ? build_warped(built, *layer.warp, warped) : built;
   }
 
-  FieldPtr build_group(Layer::Combine how, const std::vector<Layer>& layers) const {
+  FieldPtr build_group(Layer::Combine how, const std::vector<Layer>& layers, bool warped = false) const {
     std::vector<FieldPtr> built;
-    for (const Layer& layer : layers) built.push_back(build(layer));
+    for (const Layer& layer : layers) built.push_back(build(layer, warped));
     return combine(how, std::move(built));
   }
 
@@ -123,17 +127,17 @@ class Builder {
     return noise.whole();
   }
 
-  FieldPtr build_leaf(const Layer& layer) const {
+  FieldPtr build_leaf(const Layer& layer, bool warped) const {
     if (!layer.use.empty()) return leaves_.named(layer.use);
     if (layer.place != Layer::Place::none) return leaves_.place(layer.place);
-    const LayerNoise noise = leaves_.noise(layer.noise, layer.stretch, layer.turn);
+    const LayerNoise noise = leaves_.noise({layer.noise, layer.stretch, layer.turn, warped});
     const bool stays = layer.fold == Layer::Fold::none && layer.histogram == Layer::Histogram::gaussian;
     if (stays) return noise.whole();
     return to_histogram(fold(noise, layer.fold), layer.histogram, layer.fold, noise.fractal);
   }
 
-  FieldPtr build_warped(FieldPtr layer, const Warp& warp_of_layer) const {
-    const LayerNoise noise = leaves_.noise(warp_of_layer.noise, Vec<3>(1.0), 0.0);
+  FieldPtr build_warped(FieldPtr layer, const Warp& warp_of_layer, bool warped) const {
+    const LayerNoise noise = leaves_.noise({.noise = warp_of_layer.noise, .warped = warped});
     return warp(std::move(layer), warp_of_layer.amount,
                 {noise.channel(0), noise.channel(1), noise.channel(2)});
   }
@@ -162,9 +166,10 @@ FieldPtr make_layered_field(const std::vector<Layer>& layers, const NoiseRecipe&
                             const MakeNoise& make_noise) {
   validate_layers(layers, own);
   LayerLeaves leaves;
-  leaves.noise = [&](const std::optional<NoiseRecipe>& noise, const Vec<3>& stretch, double) {
-    return layer_noise(noise_of_layer(noise, own),
-                       [=](const NoiseRecipe& recipe) { return stretched(make_noise(recipe), stretch); });
+  leaves.noise = [&](const NoiseUse& use) {
+    return layer_noise(noise_of_layer(use.noise, own), [=, stretch = use.stretch](const NoiseRecipe& recipe) {
+      return stretched(make_noise(recipe), stretch);
+    });
   };
   return make_layered_field(layers, leaves);
 }

@@ -26,11 +26,18 @@ struct LayerNoise {
   std::function<FieldPtr(int axis)> channel;  // others like it, independent of each other and of it
   FieldPtr varying_frequency{};               // in place of `frequency`, where it differs from place to place
 };
+
+// How a layer, or a warp, uses a noise.
+struct NoiseUse {
+  const std::optional<NoiseRecipe>& noise;
+  Vec<3> stretch{1.0};
+  double turn = 0.0;
+  bool warped = false;  // looked up where a warp moves samples to, not at these
+};
+
 // How the leaves of a tree of layers are made.
 struct LayerLeaves {
-  // `stretch` and `turn` are the layer's.
-  std::function<LayerNoise(const std::optional<NoiseRecipe>& noise, const Vec<3>& stretch, double turn)>
-      noise;
+  std::function<LayerNoise(const NoiseUse&)> noise;
   std::function<FieldPtr(const std::string& name)> named{};
   std::function<FieldPtr(Layer::Place)> place{};
 };

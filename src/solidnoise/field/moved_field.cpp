@@ -98,10 +98,14 @@ class WarpedField final : public Field<3> {
         : warped_(warped), shifts_(std::move(shifts)) {}
 
     void evaluate(const Lattice<3>& lattice, const Samples<3>& samples) const override {
-      std::vector<float> shifts(3 * lattice.size());
-      shifts_->evaluate(lattice, {shifts, {}});
-      const std::vector<Vec<3>> positions = warped_.displaced(positions_of({&lattice, 1}), shifts);
-      warped_.field_->evaluate({positions}, samples);
+      evaluate_all({&lattice, 1}, samples);
+    }
+    void evaluate_all(std::span<const Lattice<3>> lattices, const Samples<3>& samples) const override {
+      const std::vector<Vec<3>> positions = positions_of(lattices);
+      std::vector<float> shifts(3 * positions.size());
+      shifts_->evaluate_all(lattices, {shifts, {}});
+      const std::vector<Vec<3>> moved = warped_.displaced(positions, shifts);
+      warped_.field_->evaluate({moved}, samples);
     }
 
    private:

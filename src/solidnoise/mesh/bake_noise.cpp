@@ -171,10 +171,11 @@ FieldPtr layered_field(const SurfaceNoiseRecipe& recipe, const SurfaceLayers& la
   validate_layers(layers.layers, own, known, LayerSpace::surface);
   const Box<3> box = vertices.bounds ? *vertices.bounds : place_bounds(vertices.positions);
   LayerLeaves leaves;
-  leaves.noise = [&](const std::optional<NoiseRecipe>& noise, const Vec<3>& stretch, double turn) {
-    if (!noise) return own_layer_noise(recipe, kernel, stretch, turn);
+  leaves.noise = [&](const NoiseUse& use) {
+    const Vec<3> stretch = use.stretch;
+    if (!use.noise) return own_layer_noise(recipe, kernel, stretch, use.turn);
     const double filter = kernel.filter / std::cbrt(stretch.x * stretch.y * stretch.z);
-    return layer_noise(noise_of_layer(noise, own), [&recipe, stretch, filter](const NoiseRecipe& solid) {
+    return layer_noise(noise_of_layer(use.noise, own), [&recipe, stretch, filter](const NoiseRecipe& solid) {
       return stretched(solid_noise_of(recipe, solid, filter), stretch);
     });
   };

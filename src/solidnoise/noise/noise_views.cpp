@@ -6,6 +6,7 @@
 
 #include "solidnoise/core/check.h"
 #include "solidnoise/core/numerics.h"
+#include "solidnoise/noise/same_statistics.h"
 
 namespace solidnoise {
 namespace {
@@ -28,38 +29,28 @@ class MovedBlock final : public FieldBlock<Dim> {
 };
 
 template <int Dim>
-class MovedNoise final : public Noise<Dim> {
+class MovedNoise final : public SameStatistics<Dim> {
  public:
   MovedNoise(std::shared_ptr<const Noise<Dim>> noise, const Vec<Dim>& offset)
-      : noise_(std::move(noise)), offset_(offset) {}
+      : SameStatistics<Dim>(std::move(noise)), offset_(offset) {}
 
   using Noise<Dim>::evaluate;
   std::unique_ptr<FieldBlock<Dim>> block(const Box<Dim>& box) const override {
-    return std::make_unique<MovedBlock<Dim>>(noise_->block({box.lower - offset_, box.upper - offset_}),
+    return std::make_unique<MovedBlock<Dim>>(this->noise().block({box.lower - offset_, box.upper - offset_}),
                                              offset_);
   }
   void evaluate(const Points<Dim>& points, const Samples<Dim>& samples) const override {
     std::vector<Vec<Dim>> moved(points.positions.begin(), points.positions.end());
     for (Vec<Dim>& position : moved) position -= offset_;
-    noise_->evaluate({moved}, samples);
+    this->noise().evaluate({moved}, samples);
   }
-  double variance() const override { return noise_->variance(); }
-  Vec<Dim> gradient_variance() const override { return noise_->gradient_variance(); }
-  double power_spectrum(const Vec<Dim>& frequency) const override {
-    return noise_->power_spectrum(frequency);
-  }
-  double excess_kurtosis() const override { return noise_->excess_kurtosis(); }
-  typename Noise<Dim>::Band band() const override { return noise_->band(); }
   std::vector<typename Noise<Dim>::Part> parts() const override {
-    auto parts = noise_->parts();
+    auto parts = this->noise().parts();
     for (auto& part : parts) part.noise = std::make_shared<MovedNoise>(part.noise, offset_);
     return parts;
   }
-  WaveMixture<Dim> waves() const override { return noise_->waves(); }
-  double covariance(const Vec<Dim>& displacement) const override { return noise_->covariance(displacement); }
 
  private:
-  std::shared_ptr<const Noise<Dim>> noise_;
   Vec<Dim> offset_;
 };
 

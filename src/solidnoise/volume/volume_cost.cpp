@@ -11,6 +11,7 @@
 #include "solidnoise/noise/convolution/sparse_convolution.h"
 #include "solidnoise/noise/error_budget.h"
 #include "solidnoise/noise/interpolation/coarse_samples.h"
+#include "solidnoise/noise/interpolation/point_plan.h"
 #include "solidnoise/volume/finish_volume.h"
 #include "solidnoise/volume/stream_volume.h"
 #include "solidnoise/volume/volume_field.h"
@@ -35,14 +36,8 @@ constexpr double kWriting = 1.08;
 
 constexpr double kLeafSide = 8.0;
 
-bool has_warp(const std::vector<Layer>& layers) {
-  return std::ranges::any_of(
-      layers, [](const Layer& layer) { return layer.warp.has_value() || has_warp(layer.layers); });
-}
-
 bool at_points(const VolumeRecipe& recipe, const VolumePlan& plan) {
-  return recipe.parameters.vary_kernel() || has_warp(recipe.layers) ||
-         (plan.modification && !plan.modification->on_lattice());
+  return recipe.parameters.vary_kernel() || (plan.modification && !plan.modification->on_lattice());
 }
 
 double seconds_per_voxel(const VolumeRecipe& recipe) {
@@ -88,28 +83,33 @@ double block_side(const VolumePlan& plan) {
 // Of samples that others are interpolated from: CoarseStore keeps those of one part of the noise for all
 // threads, in tiles, with the impulses of tiles that are not whole, as those at the volume's surface stay.
 // Each thread holds the samples around its block, in bricks.
-double interpolation_bytes(const InterpolationPlan<3>& plan, const WaveMixture<3>& waves,
+struct SampleSpacing {
+  Vec<3> step{1.0};  // voxels
+  glm::ivec3 taps{1};
+  double beyond = 0.0;  // a block, to either side, voxels: where warps move them to
+};
+double interpolation_bytes(const SampleSpacing& samples, const WaveMixture<3>& waves,
                            const LatticeFrame<3>& lattice, const VolumePlan& volume, int threads) {
   constexpr double kTile = CoarseStore<3>::kBrickSide * CoarseStore<3>::kTileBricks;
   constexpr double kBytesPerImpulse = 56.0;
   constexpr double kUnfinished = 0.5;
   constexpr double kBall = 4.0 / 3.0 * std::numbers::pi;
-  if (plan.direct()) return 0.0;
   double tiles = 1.0;
   double inner_tiles = 1.0;
   double held = sizeof(float);
   double impulses = waves.radius > 0.0 ? waves.impulses / (kBall * std::pow(waves.radius, 3)) : 0.0;
   for (int axis = 0; axis < 3; ++axis) {
-    const auto [step, taps] = plan.axes[static_cast<std::size_t>(axis)];
-    const double along = std::ceil(volume.voxels.dim()[axis] / (kTile * step) + 1.0);
+    const double step = samples.step[axis];
+    const double along = std::ceil((volume.voxels.dim()[axis] + 2.0 * samples.beyond) / (kTile * step) + 1.0);
     tiles *= along;
     inner_tiles *= std::max(along - 2.0, 0.0);
-    held *= block_side(volume) / step + taps + 2 * CoarseStore<3>::kBrickSide;
+    held *= (block_side(volume) + 2.0 * samples.beyond) / step + samples.taps[axis] +
+            2 * CoarseStore<3>::kBrickSide;
     impulses *= kTile * step * lattice.step[axis] + 2.0 * waves.radius;
   }
   if (impulses > kMostImpulsesInBlock) impulses = 0.0;  // these are made brick by brick
-  const double samples = tiles * std::pow(kTile, 3) * sizeof(float) / volume.part.shards;
-  return std::min(samples, static_cast<double>(CoarseStore<3>::kMostBytes)) + held * threads +
+  const double kept = tiles * std::pow(kTile, 3) * sizeof(float) / volume.part.shards;
+  return std::min(kept, static_cast<double>(CoarseStore<3>::kMostBytes)) + held * threads +
          kUnfinished * (tiles - inner_tiles) / volume.part.shards * impulses * kBytesPerImpulse;
 }
 
@@ -118,21 +118,44 @@ Cost noise_cost(const VolumeRecipe& recipe, const NoiseRecipe& of, const VolumeP
   single.noise = noise_of_output(recipe, of);
   const auto noise = make_volume_noise(single);
   const double voxels = voxels_of(plan);
+  const double error = recipe.exact ? 0.0 : ErrorBudget(error_of(of)).interpolation;
+  const LatticeFrame<3> lattice = voxel_lattice(single, plan.frame);
+  const auto parts = noise->parts();
+  const auto waves_of = [&](std::size_t i) {
+    return parts.empty() ? noise->waves() : parts[i].noise->waves();
+  };
+  if (const double warp = largest_warp(recipe.layers, recipe.fields); warp > 0.0) {
+    constexpr double kFarthest = 2.5;  // in standard deviations
+    const double voxel = std::min({lattice.step.x, lattice.step.y, lattice.step.z});
+    Cost cost = cost_at_points(*noise, voxels, lattice, error);
+    cost.bytes *= threads;
+    const auto plans = plan_points(*noise, lattice, error);
+    for (std::size_t i = 0; i < plans.size(); ++i) {
+      if (plans[i].direct()) continue;
+      cost.bytes +=
+          interpolation_bytes({Vec<3>(plans[i].spacing), glm::ivec3(plans[i].taps), kFarthest * warp / voxel},
+                              waves_of(i), lattice, plan, threads);
+    }
+    return cost;
+  }
   if (at_points(recipe, plan)) {
     const Cost cost = cost_at_points(*noise, voxels);
     return {cost.seconds, cost.bytes * threads};
   }
   const Quantity quantity = has_gradient(recipe) ? Quantity::gradient : Quantity::values;
-  const double error = recipe.exact ? 0.0 : ErrorBudget(error_of(of)).interpolation;
-  const LatticeFrame<3> lattice = voxel_lattice(single, plan.frame);
   Cost cost = cost_on_lattice(
       *noise, lattice, {.samples = voxels, .side = block_side(plan), .error = error, .quantity = quantity});
   cost.bytes *= threads;
   const auto plans = InterpolationPlanner<3>(*noise, lattice).plan(error, quantity);
-  const auto parts = noise->parts();
   for (std::size_t i = 0; i < plans.size(); ++i) {
-    const WaveMixture<3> waves = parts.empty() ? noise->waves() : parts[i].noise->waves();
-    cost.bytes += interpolation_bytes(plans[i], waves, lattice, plan, threads);
+    if (plans[i].direct()) continue;
+    SampleSpacing samples;
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto [step, taps] = plans[i].axes[static_cast<std::size_t>(axis)];
+      samples.step[axis] = step;
+      samples.taps[axis] = taps;
+    }
+    cost.bytes += interpolation_bytes(samples, waves_of(i), lattice, plan, threads);
   }
   return cost;
 }

@@ -43,18 +43,26 @@ std::shared_ptr<const Noise<3>> make_framed(const VolumeRecipe& recipe, const Ma
   return by == Vec<3>(0.0) ? noise : move_noise<3>(noise, by);
 }
 
-// What is left of the recipe's error interpolates the noise, where that is quicker; on voxels that are looked
-// up at their positions over `stretch`.
-std::shared_ptr<const Noise<3>> on_voxels(const VolumeRecipe& recipe, std::shared_ptr<const Noise<3>> noise,
-                                          const GridFrame& frame, const Vec<3>& stretch = Vec<3>(1.0)) {
+// Where voxels look a noise up: at their positions over `stretch`, or where a warp moves these.
+struct LookUp {
+  Vec<3> stretch{1.0};
+  bool warped = false;
+};
+
+// What is left of the recipe's error interpolates the noise, where that is quicker.
+NoisePtr on_voxels(const VolumeRecipe& recipe, NoisePtr noise, const GridFrame& frame,
+                   const LookUp& look_up = {}) {
   if (recipe.exact) return noise;
   const bool slopes = std::all_of(recipe.output.begin(), recipe.output.end(), [](Output output) {
     return output == Output::gradient || output == Output::curl;
   });
   LatticeFrame<3> lattice = voxel_lattice(recipe, frame);
-  if (stretch != Vec<3>(1.0)) lattice = {lattice.origin / stretch, lattice.step / stretch};
-  return interpolate<3>(std::move(noise), lattice, ErrorBudget(error_of(recipe.noise)).interpolation,
-                        slopes ? Quantity::gradient : Quantity::values);
+  if (look_up.stretch != Vec<3>(1.0)) {
+    lattice = {lattice.origin / look_up.stretch, lattice.step / look_up.stretch};
+  }
+  const double error = ErrorBudget(error_of(recipe.noise)).interpolation;
+  if (look_up.warped) return interpolate_at_points(std::move(noise), lattice, error);
+  return interpolate<3>(std::move(noise), lattice, error, slopes ? Quantity::gradient : Quantity::values);
 }
 
 NoisePtr make_noise_of(VolumeRecipe recipe, const NoiseRecipe& noise) {
@@ -75,13 +83,11 @@ class VolumeLayers {
   // `own` is the noise of layers that name none.
   FieldPtr make(const std::vector<Layer>& layers, const NoiseRecipe& own) {
     LayerLeaves leaves;
-    leaves.noise = [&](const std::optional<NoiseRecipe>& noise, const Vec<3>& stretch, double) {
-      return layer_noise(noise_of_layer(noise, own), [&, stretch](const NoiseRecipe& recipe) {
-        VolumeRecipe layer = recipe_;
-        layer.noise = recipe;
-        layer.wind /= stretch;  // which moves what is stretched
-        return stretched(on_voxels(layer, make_noise_of(layer, recipe), plan_.frame, stretch), stretch);
-      });
+    leaves.noise = [&](const NoiseUse& use) {
+      return layer_noise(noise_of_layer(use.noise, own),
+                         [this, stretch = use.stretch, warped = use.warped](const NoiseRecipe& recipe) {
+                           return make_leaf(recipe, stretch, warped);
+                         });
     };
     leaves.named = [&](const std::string& name) { return named(name); };
     leaves.place = [&](Layer::Place place) { return place_in(plan_.box, recipe_.up, place); };
@@ -89,6 +95,14 @@ class VolumeLayers {
   }
 
  private:
+  FieldPtr make_leaf(const NoiseRecipe& recipe, const Vec<3>& stretch, bool warped) const {
+    VolumeRecipe layer = recipe_;
+    layer.noise = recipe;
+    layer.wind /= stretch;  // which moves what is stretched
+    const NoisePtr noise = make_noise_of(layer, recipe);
+    return stretched(on_voxels(layer, noise, plan_.frame, {stretch, warped}), stretch);
+  }
+
   FieldPtr named(const std::string& name) {
     if (const auto known = named_.find(name); known != named_.end()) return known->second;
     return named_[name] =

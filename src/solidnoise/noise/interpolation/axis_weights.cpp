@@ -75,6 +75,11 @@ AxisWeights::Response AxisWeights::response(std::span<const double> covariance,
   return response;
 }
 
+double AxisWeights::squared_error(std::span<const double> covariance) const {
+  const Response of_values = response(covariance, covariance);
+  return std::max(0.0, covariance[0] - 2.0 * of_values.product + of_values.square);
+}
+
 namespace {
 
 // The responses of one axis' weights to waves.

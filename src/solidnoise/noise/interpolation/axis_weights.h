@@ -48,6 +48,9 @@ class AxisWeights {
   // same for values.
   Response response(std::span<const double> covariance, std::span<const double> wanted) const;
 
+  // The mean square error of values that are interpolated, of a field that varies along this axis alone.
+  double squared_error(std::span<const double> covariance) const;
+
   // The mean over the phases of the sum of squared weights: the response to white noise.
   double white_response() const { return autocorrelation_[0]; }
 

@@ -6,6 +6,9 @@
 
 #include "solidnoise/noise/fractal_noise.h"
 #include "solidnoise/noise/interpolation/interpolation_plan.h"
+#include "solidnoise/noise/interpolation/point_interpolation.h"
+#include "solidnoise/noise/interpolation/point_plan.h"
+#include "solidnoise/noise/same_statistics.h"
 
 namespace solidnoise {
 namespace {
@@ -66,30 +69,57 @@ class InterpolatedBlock final : public FieldBlock<Dim> {
 };
 
 template <int Dim>
-class InterpolatedNoise final : public Noise<Dim> {
+class InterpolatedNoise final : public SameStatistics<Dim> {
  public:
   explicit InterpolatedNoise(std::shared_ptr<const Interpolation<Dim>> interpolation)
-      : interpolation_(std::move(interpolation)), noise_(*interpolation_->noise) {}
+      : SameStatistics<Dim>(interpolation->noise), interpolation_(std::move(interpolation)) {}
 
   using Noise<Dim>::evaluate;
   std::unique_ptr<FieldBlock<Dim>> block(const Box<Dim>& box) const override {
     return std::make_unique<InterpolatedBlock<Dim>>(interpolation_, box);
   }
   void evaluate(const Points<Dim>& points, const Samples<Dim>& samples) const override {
-    noise_.evaluate(points, samples);
+    this->noise().evaluate(points, samples);
   }
-  double variance() const override { return noise_.variance(); }
-  Vec<Dim> gradient_variance() const override { return noise_.gradient_variance(); }
-  double power_spectrum(const Vec<Dim>& frequency) const override { return noise_.power_spectrum(frequency); }
-  double excess_kurtosis() const override { return noise_.excess_kurtosis(); }
-  typename Noise<Dim>::Band band() const override { return noise_.band(); }
-  WaveMixture<Dim> waves() const override { return noise_.waves(); }
-  double covariance(const Vec<Dim>& displacement) const override { return noise_.covariance(displacement); }
 
  private:
   std::shared_ptr<const Interpolation<Dim>> interpolation_;
-  const Noise<Dim>& noise_;
 };
+
+// A noise at points; gradients are summed.
+class NoiseAtPoints final : public SameStatistics<3> {
+ public:
+  NoiseAtPoints(const std::shared_ptr<const Noise<3>>& noise, const LatticeFrame<3>& frame,
+                const PointPlan& plan)
+      : SameStatistics<3>(noise), interpolation_(noise, frame, plan) {}
+
+  using Noise<3>::evaluate;
+  std::unique_ptr<FieldBlock<3>> block(const Box<3>& box) const override { return noise().block(box); }
+  void evaluate(const Points<3>& points, const Samples<3>& samples) const override {
+    require_room(samples, points.size());
+    if (samples.wants_gradient()) noise().evaluate(points, samples);
+    interpolation_.evaluate(points.positions, samples.values);
+  }
+
+ private:
+  PointInterpolation interpolation_;
+};
+
+// The noise with something in the place of each of its parts, or of itself where it has none, by number; the
+// noise itself where that is what they are.
+template <int Dim, typename Follow>
+std::shared_ptr<const Noise<Dim>> replace_parts(const std::shared_ptr<const Noise<Dim>>& noise,
+                                                const Follow& follow) {
+  const auto parts = noise->parts();
+  if (parts.empty()) return follow(noise, 0);
+  bool any = false;
+  std::vector<typename FractalNoise<Dim>::Octave> octaves;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    octaves.push_back({follow(parts[i].noise, i), parts[i].amplitude});
+    any = any || octaves.back().noise != parts[i].noise;
+  }
+  return any ? std::make_shared<FractalNoise<Dim>>(std::move(octaves)) : noise;
+}
 
 }  // namespace
 
@@ -114,20 +144,22 @@ std::shared_ptr<const Noise<Dim>> interpolate(std::shared_ptr<const Noise<Dim>> 
     }
     return std::make_shared<InterpolatedNoise<Dim>>(interpolation);
   };
-  const auto parts = noise->parts();
-  if (parts.empty()) return follow(noise, 0);
-  bool any = false;
-  std::vector<typename FractalNoise<Dim>::Octave> octaves;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    octaves.push_back({follow(parts[i].noise, i), parts[i].amplitude});
-    any = any || octaves.back().noise != parts[i].noise;
-  }
-  return any ? std::make_shared<FractalNoise<Dim>>(std::move(octaves)) : noise;
+  return replace_parts<Dim>(noise, follow);
 }
 
 template std::shared_ptr<const Noise<2>> interpolate<2>(std::shared_ptr<const Noise<2>>,
                                                         const LatticeFrame<2>&, double, Quantity);
 template std::shared_ptr<const Noise<3>> interpolate<3>(std::shared_ptr<const Noise<3>>,
                                                         const LatticeFrame<3>&, double, Quantity);
+
+std::shared_ptr<const Noise<3>> interpolate_at_points(std::shared_ptr<const Noise<3>> noise,
+                                                      const LatticeFrame<3>& frame, double error) {
+  using NoisePtr = std::shared_ptr<const Noise<3>>;
+  const std::vector<PointPlan> plans = plan_points(*noise, frame, error);
+  return replace_parts<3>(noise, [&](const NoisePtr& part, std::size_t i) -> NoisePtr {
+    if (plans[i].direct()) return part;
+    return std::make_shared<NoiseAtPoints>(part, frame, plans[i]);
+  });
+}
 
 }  // namespace solidnoise

@@ -21,13 +21,20 @@ namespace solidnoise {
 // used last, up to 64 MB for each part. It may nevertheless be shared between threads.
 //
 // Values do not depend on whether the gradient is asked for with them. Where it is the gradient that is
-// wanted
-// (`quantity`) and that is quickest summed, its sum gives the values, too.
+// wanted (`quantity`) and that is quickest summed, its sum gives the values, too.
 //
 // Statistics are those of the noise. Returns the noise itself where nothing is to be gained.
 template <int Dim>
 std::shared_ptr<const Noise<Dim>> interpolate(std::shared_ptr<const Noise<Dim>> noise,
                                               const LatticeFrame<Dim>& frame, double error,
                                               Quantity quantity = Quantity::values);
+
+// The noise as it is quickest at points that lie about as dense as the samples of a lattice, but not on it,
+// such as voxels' positions that a warp moves: its parts' values are interpolated there from samples of
+// coarser or finer lattices, which are kept as above, within the same error (plan_points()). The frame
+// decides how, not the points: a value depends on its position only. Gradients, and lattices, are the noise's
+// own.
+std::shared_ptr<const Noise<3>> interpolate_at_points(std::shared_ptr<const Noise<3>> noise,
+                                                      const LatticeFrame<3>& frame, double error);
 
 }  // namespace solidnoise

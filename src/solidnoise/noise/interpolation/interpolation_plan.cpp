@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
-#include <optional>
+#include <utility>
+
+#include "solidnoise/noise/interpolation/cheapest_ways.h"
 
 namespace solidnoise {
 namespace {
@@ -18,18 +19,13 @@ struct AxisOption {
   double squared_error = 0.0;  // as if the field varied along this axis alone
 };
 
-double squared_error(const AxisWeights& weights, const std::vector<double>& covariance) {
-  const AxisWeights::Response response = weights.response(covariance, covariance);
-  return std::max(0.0, covariance[0] - 2.0 * response.product + response.square);
-}
-
 double squared_error(AxisStep shape, const AxisCovariance& covariance, Quantity quantity) {
   const AxisWeights values(shape, covariance);
-  if (quantity == Quantity::values) return squared_error(values, covariance.value);
+  if (quantity == Quantity::values) return values.squared_error(covariance.value);
   const auto slope = AxisWeights(shape, covariance, AxisWeights::Of::slopes)
                          .response(covariance.value, covariance.value_to_slope);
   return std::max(0.0, covariance.slope[0] - 2.0 * slope.product + slope.square) +
-         squared_error(values, covariance.lateral);
+         values.squared_error(covariance.lateral);
 }
 
 // Each way that errs by no more than `budget` and divides the period (samples; 0 for none). Values may do
@@ -49,30 +45,27 @@ std::vector<AxisOption> axis_options(const AxisCovariance& covariance, Quantity 
   return options;
 }
 
-// What a sample costs, in nanoseconds on a processor with AVX-512; only ratios matter. Fitted to isotropic
-// kernels in 3 dimensions: impulses cost the more, the fewer samples their kernel covers.
+// What a sample costs that is interpolated, in the unit of sum_nanoseconds().
 template <int Dim>
 double cost_per_sample(const WaveMixture<Dim>& waves, const Vec<Dim>& step,
                        const std::array<AxisStep, Dim>& axes, Quantity quantity) {
   constexpr double kLeaf = 8.0;  // samples along a leaf's side, which needs coarse samples around it, too
-  constexpr double kPerImpulse = 0.155;
-  constexpr double kCrowding = 12.0;
   constexpr double kPerTap = 0.04;
   constexpr double kDirectGradient = 2.2;  // times the cost of a value
   const bool gradient = quantity == Quantity::gradient;
   double evaluated = 1.0;
-  double covered = 1.0;  // samples within the radius, along an axis, their geometric mean
+  Vec<Dim> coarse = step;
   double interpolation = 0.0;
   double width = 1.0;  // of what an axis' interpolation goes over, relative to the leaf
   for (int axis = 0; axis < Dim; ++axis) {
     const auto [multiple, taps] = axes[static_cast<std::size_t>(axis)];
     const int arrays = !gradient ? 1 : axis == 0 ? Dim : Dim - axis + 1;
     evaluated /= multiple;
-    covered *= std::pow(waves.radius / (step[axis] * multiple), 1.0 / Dim);
+    coarse[axis] *= multiple;
     interpolation += kPerTap * arrays * width * (axis == Dim - 1 ? kLeaf / multiple + taps - 1 : taps);
     width *= 1.0 / multiple + (taps - 1) / kLeaf;
   }
-  const double sum = kPerImpulse * waves.impulses * (1.0 + kCrowding / covered);
+  const double sum = sum_nanoseconds<Dim>(waves, coarse);
   if (axes == std::array<AxisStep, Dim>{}) return gradient ? kDirectGradient * sum : sum;
   return evaluated * sum + interpolation;
 }
@@ -96,71 +89,32 @@ void for_each_combination(const std::array<std::vector<AxisOption>, Dim>& per_ax
   }
 }
 
-// For a price of squared error, the best option of each part; returns their error.
+// One way to evaluate a part on a lattice.
 template <int Dim>
-double choose(const std::vector<PartChoice<Dim>>& parts, double price, std::vector<std::size_t>& chosen) {
-  double error = 0.0;
-  chosen.clear();
-  for (const PartChoice<Dim>& part : parts) {
-    const auto& options = part.options();
-    const auto total = [&](const auto& option) { return option.cost + price * option.squared_error; };
-    const auto best = std::min_element(options.begin(), options.end(),
-                                       [&](const auto& a, const auto& b) { return total(a) < total(b); });
-    chosen.push_back(static_cast<std::size_t>(best - options.begin()));
-    error += best->squared_error;
-  }
-  return error;
-}
+struct LatticeWay {
+  std::array<AxisStep, Dim> axes{};  // steps of 1: directly
+  double cost = 0.0;
+  double squared_error = 0.0;  // the sum over the axes, each as if the field varied along it alone
+};
 
-}  // namespace
-
+// The best ways for a part of this mean square amplitude, with errors up to `budget`. `along` each axis up to
+// the distances of the widest step.
 template <int Dim>
-PartChoice<Dim>::PartChoice(const WaveMixture<Dim>& waves, const std::array<AxisCovariance, Dim>& along,
-                            double power, const LatticeFrame<Dim>& frame, double budget, Quantity quantity) {
-  options_.push_back({.cost = cost_per_sample<Dim>(waves, frame.step, {}, quantity)});
-  if (waves.waves.empty() || budget == 0.0) return;
+std::vector<LatticeWay<Dim>> lattice_ways(const WaveMixture<Dim>& waves,
+                                          const std::array<AxisCovariance, Dim>& along, double power,
+                                          const LatticeFrame<Dim>& frame, double budget, Quantity quantity) {
+  std::vector<LatticeWay<Dim>> ways{{.cost = cost_per_sample<Dim>(waves, frame.step, {}, quantity)}};
+  if (waves.waves.empty() || budget == 0.0) return ways;
   std::array<std::vector<AxisOption>, Dim> per_axis;
   for (std::size_t axis = 0; axis < Dim; ++axis) {
     per_axis[axis] =
         axis_options(along[axis], quantity, budget / power, frame.period[static_cast<int>(axis)]);
   }
   for_each_combination<Dim>(per_axis, [&](const std::array<AxisStep, Dim>& axes, double squared_error) {
-    options_.push_back(
-        {axes, cost_per_sample<Dim>(waves, frame.step, axes, quantity), power * squared_error});
+    ways.push_back({axes, cost_per_sample<Dim>(waves, frame.step, axes, quantity), power * squared_error});
   });
-  // Keep the best.
-  std::stable_sort(options_.begin(), options_.end(), [](const Option& a, const Option& b) {
-    return a.cost != b.cost ? a.cost < b.cost : a.squared_error < b.squared_error;
-  });
-  double least = std::numeric_limits<double>::infinity();
-  std::erase_if(options_, [&](const Option& option) {
-    if (option.squared_error >= least) return true;
-    least = option.squared_error;
-    return false;
-  });
+  return best_of(std::move(ways));
 }
-
-template <int Dim>
-std::vector<std::size_t> choose_within(const std::vector<PartChoice<Dim>>& parts, double budget) {
-  std::vector<std::size_t> chosen;
-  double low = 0.0;
-  if (choose(parts, low, chosen) <= budget) return chosen;
-  double high = 1.0 / budget;
-  while (choose(parts, high, chosen) > budget) high *= 16.0;
-  for (int halving = 0; halving < 50; ++halving) {
-    const double middle = low == 0.0 ? high / 16.0 : std::sqrt(low * high);
-    (choose(parts, middle, chosen) > budget ? low : high) = middle;
-  }
-  choose(parts, high, chosen);
-  return chosen;
-}
-
-template class PartChoice<2>;
-template class PartChoice<3>;
-template std::vector<std::size_t> choose_within<2>(const std::vector<PartChoice<2>>&, double);
-template std::vector<std::size_t> choose_within<3>(const std::vector<PartChoice<3>>&, double);
-
-namespace {
 
 // How much more than of the quantity itself the error may be of differences of neighbours, which is of errors
 // at two places that know nothing of each other: shading follows differences, and where waves are long they
@@ -170,27 +124,39 @@ constexpr double kDifferenceError = 5.0;
 }  // namespace
 
 template <int Dim>
-InterpolationPlanner<Dim>::InterpolationPlanner(const Noise<Dim>& noise, const LatticeFrame<Dim>& frame)
-    : frame_(frame) {
-  for (const auto& part : noise.parts()) {
-    parts_.push_back({part.noise->waves(), {}, part.amplitude * part.amplitude});
-  }
-  if (parts_.empty()) parts_.push_back({noise.waves(), {}, 1.0});
-  for (Part& part : parts_) {
-    for (int axis = 0; axis < Dim; ++axis) {
-      part.along[static_cast<std::size_t>(axis)] =
-          part.waves.along(axis, frame.step[axis], kWidestStep.distances());
-    }
-  }
+double sum_nanoseconds(const WaveMixture<Dim>& waves, const Vec<Dim>& step) {
+  constexpr double kPerImpulse = 0.155;
+  constexpr double kCrowding = 12.0;
+  double covered = 1.0;  // samples within the radius, along an axis, their geometric mean
+  for (int axis = 0; axis < Dim; ++axis) covered *= std::pow(waves.radius / step[axis], 1.0 / Dim);
+  return kPerImpulse * waves.impulses * (1.0 + kCrowding / covered);
 }
 
-// The mean square of the quantity, or so many times half that of its differences between neighbours, the mean
-// over the axes, if that is less.
+template double sum_nanoseconds<2>(const WaveMixture<2>&, const Vec<2>&);
+template double sum_nanoseconds<3>(const WaveMixture<3>&, const Vec<3>&);
+
 template <int Dim>
-double InterpolationPlanner<Dim>::power_of(Quantity quantity) const {
+std::vector<NoisePart<Dim>> parts_on_lattice(const Noise<Dim>& noise, const Vec<Dim>& step, int distances) {
+  std::vector<NoisePart<Dim>> parts;
+  for (const auto& part : noise.parts()) {
+    parts.push_back({part.noise->waves(), {}, part.amplitude * part.amplitude});
+  }
+  if (parts.empty()) parts.push_back({noise.waves(), {}, 1.0});
+  for (NoisePart<Dim>& part : parts) {
+    for (int axis = 0; axis < Dim; ++axis) {
+      part.along[static_cast<std::size_t>(axis)] = part.waves.along(axis, step[axis], distances);
+    }
+  }
+  return parts;
+}
+
+// Of the mean square of the quantity, or of so many times half that of its differences between neighbours,
+// the mean over the axes, if that is less.
+template <int Dim>
+double squared_budget(const std::vector<NoisePart<Dim>>& parts, double error, Quantity quantity) {
   double power = 0.0;
   double difference = 0.0;
-  for (const Part& part : parts_) {
+  for (const NoisePart<Dim>& part : parts) {
     for (const AxisCovariance& along : part.along) {
       const auto at = [&](std::size_t k) {
         return quantity == Quantity::values ? along.value[k] : along.slope[k] + along.lateral[k];
@@ -199,8 +165,15 @@ double InterpolationPlanner<Dim>::power_of(Quantity quantity) const {
       difference += part.power * (at(0) - at(1)) / Dim;
     }
   }
-  return std::min(power, kDifferenceError * kDifferenceError * difference);
+  return error * error * std::min(power, kDifferenceError * kDifferenceError * difference);
 }
+
+template std::vector<NoisePart<3>> parts_on_lattice<3>(const Noise<3>&, const Vec<3>&, int);
+template double squared_budget<3>(const std::vector<NoisePart<3>>&, double, Quantity);
+
+template <int Dim>
+InterpolationPlanner<Dim>::InterpolationPlanner(const Noise<Dim>& noise, const LatticeFrame<Dim>& frame)
+    : frame_(frame), parts_(parts_on_lattice<Dim>(noise, frame.step, kWidestStep.distances())) {}
 
 template <int Dim>
 LatticeError InterpolationPlanner<Dim>::error_of(std::size_t part, const InterpolationPlan<Dim>& plan,
@@ -231,22 +204,22 @@ LatticeWeights InterpolationPlanner<Dim>::weights(std::size_t part, const Interp
 
 template <int Dim>
 std::vector<InterpolationPlan<Dim>> InterpolationPlanner<Dim>::plan(double error, Quantity quantity) const {
-  const double budget = error * error * power_of(quantity);
-  std::vector<PartChoice<Dim>> choices;
+  const double budget = squared_budget<Dim>(parts_, error, quantity);
+  std::vector<std::vector<LatticeWay<Dim>>> ways;
   for (const auto& [waves, along, power] : parts_) {
-    choices.emplace_back(waves, along, power, frame_, budget, quantity);
+    ways.push_back(lattice_ways<Dim>(waves, along, power, frame_, budget, quantity));
   }
   std::vector<InterpolationPlan<Dim>> plans(parts_.size());
 
   // Errors of axes do not quite add up: choose again within less, where all together go over the budget.
   double allowed = budget;
   while (true) {
-    const std::vector<std::size_t> chosen = choose_within(choices, allowed);
+    const std::vector<std::size_t> chosen = choose_within(ways, allowed);
     double total = 0.0;
     for (std::size_t i = 0; i < plans.size(); ++i) {
-      const auto& option = choices[i].options()[chosen[i]];
-      plans[i].axes = option.axes;
-      plans[i].nanoseconds = option.cost;
+      const LatticeWay<Dim>& way = ways[i][chosen[i]];
+      plans[i].axes = way.axes;
+      plans[i].nanoseconds = way.cost;
       plans[i].error = error_of(i, plans[i], quantity);
       total += plans[i].error.interpolation;
     }

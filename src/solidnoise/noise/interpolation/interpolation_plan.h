@@ -15,33 +15,6 @@ namespace solidnoise {
 // The step and taps that reach farthest.
 inline constexpr AxisStep kWidestStep{16, 8};
 
-// The ways to interpolate one part of a noise on a lattice of which no other beats any both in cost and in
-// error, the costliest and most exact one last.
-template <int Dim>
-class PartChoice {
- public:
-  struct Option {
-    std::array<AxisStep, Dim> axes{};  // steps of 1: directly
-    double cost = 0.0;
-    double squared_error = 0.0;  // the sum over the axes, each as if the field varied along it alone
-  };
-
-  // Of a part of this mean square amplitude, with errors up to `budget`. `along` each axis up to the
-  // distances of the widest step; `step` in world units per axis.
-  PartChoice(const WaveMixture<Dim>& waves, const std::array<AxisCovariance, Dim>& along, double power,
-             const LatticeFrame<Dim>& frame, double budget, Quantity quantity);
-
-  const std::vector<Option>& options() const { return options_; }
-
- private:
-  std::vector<Option> options_;
-};
-
-// The cheapest choice for all parts whose squared errors add up to no more than the budget: an option's
-// number for each part. All pay the same price in error.
-template <int Dim>
-std::vector<std::size_t> choose_within(const std::vector<PartChoice<Dim>>& parts, double budget);
-
 // How one part of a noise is evaluated on a lattice.
 template <int Dim>
 struct InterpolationPlan {
@@ -53,6 +26,28 @@ struct InterpolationPlan {
     return std::all_of(axes.begin(), axes.end(), [](const AxisStep& axis) { return axis == AxisStep{}; });
   }
 };
+
+// What the sum of impulses costs at a sample of a lattice, in nanoseconds on a processor with AVX-512; only
+// ratios matter. Fitted to isotropic kernels in 3 dimensions: impulses cost the more, the fewer samples their
+// kernel covers.
+template <int Dim>
+double sum_nanoseconds(const WaveMixture<Dim>& waves, const Vec<Dim>& step);
+
+// A part of a noise as plans see it.
+template <int Dim>
+struct NoisePart {
+  WaveMixture<Dim> waves;
+  std::array<AxisCovariance, Dim> along;  // each axis, at multiples of a lattice's step
+  double power = 1.0;                     // squared amplitude
+};
+
+// The parts of a noise, or the noise itself where it has none, with so many distances along each axis.
+template <int Dim>
+std::vector<NoisePart<Dim>> parts_on_lattice(const Noise<Dim>& noise, const Vec<Dim>& step, int distances);
+
+// The mean square error that all parts together may have; of two distances or more.
+template <int Dim>
+double squared_budget(const std::vector<NoisePart<Dim>>& parts, double error, Quantity quantity);
 
 // Chooses for each part of a noise, or for the noise itself where it has no parts, on which multiple of a
 // lattice's steps (world units per axis) it is evaluated, and from how many samples the rest is interpolated:
@@ -88,17 +83,10 @@ class InterpolationPlanner {
   LatticeWeights weights(std::size_t part, const InterpolationPlan<Dim>& plan, Quantity quantity) const;
 
  private:
-  struct Part {
-    WaveMixture<Dim> waves;
-    std::array<AxisCovariance, Dim> along;
-    double power = 1.0;  // squared amplitude
-  };
-
-  double power_of(Quantity quantity) const;
   LatticeError error_of(std::size_t part, const InterpolationPlan<Dim>& plan, Quantity quantity) const;
 
   LatticeFrame<Dim> frame_;
-  std::vector<Part> parts_;
+  std::vector<NoisePart<Dim>> parts_;
 };
 
 extern template class InterpolationPlanner<2>;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solidnoise/noise/convolution/sparse_convolution.h"
+#include "solidnoise/noise/interpolation/point_plan.h"
 
 namespace solidnoise {
 namespace {
@@ -56,6 +57,15 @@ Cost cost_at_points(const Noise<3>& noise, double points) {
     cost.seconds += points * (waves.impulses * kSecondsPerPointImpulse + kSecondsPerGradientSample);
     cost.bytes += waves.impulses * kBytesPerImpulse;
   });
+  return cost;
+}
+
+Cost cost_at_points(const Noise<3>& noise, double points, const LatticeFrame<3>& frame, double error) {
+  Cost cost = cost_at_points(noise, points);
+  cost.seconds = 0.0;
+  for (const PointPlan& plan : plan_points(noise, frame, error)) {
+    cost.seconds += points * kSumsInPractice * plan.nanoseconds * kNanosecond;
+  }
   return cost;
 }
 

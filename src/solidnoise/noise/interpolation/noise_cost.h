@@ -29,7 +29,8 @@ struct LatticeWork {
 };
 Cost cost_on_lattice(const Noise<3>& noise, const LatticeFrame<3>& frame, const LatticeWork& work);
 
-// The same at points, all of them near each other.
+// The same at points, all of them near each other; and where interpolate_at_points() has made it quicker.
 Cost cost_at_points(const Noise<3>& noise, double points);
+Cost cost_at_points(const Noise<3>& noise, double points, const LatticeFrame<3>& frame, double error);
 
 }  // namespace solidnoise
