@@ -4,11 +4,14 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "solidnoise/core/special_functions.h"
+#include "solidnoise/field/combined_field.h"
+#include "solidnoise/field/moved_field.h"
 #include "solidnoise/field/value_maps.h"
 #include "solidnoise/noise/gabor/gabor_noise.h"
 #include "support/independent_values.h"
@@ -180,6 +183,30 @@ TEST(LayeredField, WarpedValuesDependOnThePositionOnly) {
     const Lattice<3> one{whole.origin, whole.step, whole.first + part, {1, 1, 1}};
     EXPECT_EQ(values_on(*field, one)[0],
               values[static_cast<std::size_t>((part.x * 8 + part.y) * 8 + part.z)]);
+  }
+}
+
+// Volumes ask for the leaves of a block together.
+TEST(LayeredField, ManyLatticesTogetherHaveTheValuesOfEach) {
+  const NoiseRecipe own = many_impulses(2);
+  const Layer plain{.stretch = Vec<3>(2.0, 1.0, 1.0)};
+  const Layer warped{.fold = Fold::ridged, .warp = Warp{.amount = 0.5}};
+  const Layer warped_twice{.layers = {plain, warped}, .warp = Warp{.amount = 0.3}};
+  const auto field = side_by_side({make_field_of({plain}, own), make_field_of({warped}, own),
+                                   warp(side_by_side({make_field_of({warped_twice}, own), make_plain(own)}),
+                                        0.2, {make_plain(own), make_plain(own), make_plain(own)})});
+  std::vector<Lattice<3>> lattices;
+  for (const Index<3>& first : {Index<3>(0, 0, 0), Index<3>(0, 4, -8), Index<3>(16, 4, 4)}) {
+    lattices.push_back({Vec<3>(0.1), Vec<3>(0.2), first, {4, 4, 4}});
+  }
+  const auto block = field->block({Vec<3>(-5.0), Vec<3>(5.0)});
+  const std::size_t size = 4 * lattices.front().size();
+  std::vector<float> together(size * lattices.size());
+  block->evaluate_all(lattices, {together, {}});
+  for (std::size_t i = 0; i < lattices.size(); ++i) {
+    std::vector<float> one(size);
+    block->evaluate(lattices[i], {one, {}});
+    EXPECT_TRUE(std::ranges::equal(one, std::span(together).subspan(i * size, size))) << i;
   }
 }
 

@@ -86,7 +86,8 @@ class WarpedField final : public Field<3> {
     std::vector<float> shifts(3 * points.size());
     shifts_->evaluate(points, {shifts, {}});
     Points<3> moved = points;
-    const std::vector<Vec<3>> positions = displaced(points.positions, shifts);
+    std::vector<Vec<3>> positions(points.positions.begin(), points.positions.end());
+    displace(positions, shifts);
     moved.positions = positions;
     field_->evaluate(moved, samples);
   }
@@ -98,30 +99,39 @@ class WarpedField final : public Field<3> {
         : warped_(warped), shifts_(std::move(shifts)) {}
 
     void evaluate(const Lattice<3>& lattice, const Samples<3>& samples) const override {
-      evaluate_all({&lattice, 1}, samples);
+      warped_.field_->evaluate({displaced({&lattice, 1})}, samples);
     }
+    // All points at once: one channel has them in the lattices' order.
     void evaluate_all(std::span<const Lattice<3>> lattices, const Samples<3>& samples) const override {
-      const std::vector<Vec<3>> positions = positions_of(lattices);
-      std::vector<float> shifts(3 * positions.size());
-      shifts_->evaluate_all(lattices, {shifts, {}});
-      const std::vector<Vec<3>> moved = warped_.displaced(positions, shifts);
-      warped_.field_->evaluate({moved}, samples);
+      if (warped_.channels() > 1) return FieldBlock<3>::evaluate_all(lattices, samples);
+      warped_.field_->evaluate({displaced(lattices)}, samples);
     }
 
    private:
+    std::vector<Vec<3>> displaced(std::span<const Lattice<3>> lattices) const {
+      std::vector<Vec<3>> positions = positions_of(lattices);
+      std::vector<float> shifts(3 * positions.size());
+      shifts_->evaluate_all(lattices, {shifts, {}});
+      const std::size_t size = lattices.empty() ? 0 : positions.size() / lattices.size();
+      for (std::size_t first = 0; first < positions.size(); first += size) {
+        warped_.displace(std::span(positions).subspan(first, size),
+                         std::span(shifts).subspan(3 * first, 3 * size));
+      }
+      return positions;
+    }
+
     const WarpedField& warped_;
     std::unique_ptr<FieldBlock<3>> shifts_;
   };
 
-  std::vector<Vec<3>> displaced(std::span<const Vec<3>> positions, std::span<const float> shifts) const {
-    std::vector<Vec<3>> moved(positions.begin(), positions.end());
+  // By shifts along one axis after the other.
+  void displace(std::span<Vec<3>> positions, std::span<const float> shifts) const {
     for (int axis = 0; axis < 3; ++axis) {
-      const auto along = shifts.subspan(static_cast<std::size_t>(axis) * moved.size(), moved.size());
-      for (std::size_t i = 0; i < moved.size(); ++i) {
-        moved[i][axis] += amount_ * static_cast<double>(along[i]);
+      const auto along = shifts.subspan(static_cast<std::size_t>(axis) * positions.size(), positions.size());
+      for (std::size_t i = 0; i < positions.size(); ++i) {
+        positions[i][axis] += amount_ * static_cast<double>(along[i]);
       }
     }
-    return moved;
   }
 
   FieldPtr field_;
