@@ -36,6 +36,7 @@ void check(const PolygonMesh& mesh) {
       continue;
     }
     if (format == MeshFormat::stl) continue;
+    if (format == MeshFormat::glb && triangulate(mesh).empty()) continue;  // which is points there
     const PolygonMesh again = read_mesh(bytes, format, "again").mesh;
     require(again.positions.size() == mesh.positions.size());
     if (format == MeshFormat::glb) continue;  // which has triangles
