@@ -133,7 +133,9 @@ def inputs(tools, project, folder):
     for command in (["vdbnoise", "--dim", "12", "--preset", "smoke", "--out", made["volume"]],
                     ["vdbnoise", "slice", "--resolution", "32", "--out", made["picture"]],
                     ["noisefit", made["picture"], "--out", made["model"]]):
-        subprocess.run([tools / command[0], *command[1:]], check=True, capture_output=True)
+        done = subprocess.run([tools / command[0], *command[1:]], capture_output=True, text=True)
+        if done.returncode:
+            sys.exit(f"{' '.join(command)}: {done.stderr}")
     return made
 
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cctype>
 #include <concepts>
 #include <initializer_list>
 #include <string>
@@ -57,11 +58,15 @@ template <typename Owner, typename F, typename Get, typename Set>
 void declare_field(FlagSet& flags, const F& field, const FieldFlag& flag, const Get& get, const Set& set) {
   using Value = ValueOf<F, Owner>;
   constexpr bool has_interval = std::same_as<std::remove_cvref_t<decltype(field.allowed)>, Interval>;
-  const std::string help = flag.before + std::string(field.help);
+  std::string help = flag.before + std::string(field.help);
   if constexpr (std::same_as<Value, bool>) {
     const bool is_on = field.get(Owner{});
     const std::string name = is_on ? "--no-" + flag.name.substr(2) : flag.name;
-    flags.toggle(name, (is_on ? "Do not: " : "") + help, [=] { set(!is_on); });
+    if (is_on) {
+      help.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(help.front())));
+      help.insert(0, "Do not ");
+    }
+    flags.toggle(name, help, [=] { set(!is_on); });
   } else if constexpr (std::is_enum_v<Value>) {
     const auto choices = field.allowed;
     flags.choice(flag.name, names_of(choices), help, [=](std::size_t i) { set(choices[i].value); }).standard =
