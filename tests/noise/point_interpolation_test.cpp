@@ -138,6 +138,27 @@ TEST(PointInterpolation, AValueDependsOnItsPositionOnly) {
   EXPECT_EQ(with_gradient.gradient, exact.gradient);
 }
 
+// Points all over, of which no few have samples in common: what there is room for is asked for by parts.
+TEST(PointInterpolation, PointsMayBeFarFromEachOther) {
+  const LatticeFrame<3> frame{Vec<3>(0.0), Vec<3>(0.05)};
+  const NoisePtr noise =
+      std::make_shared<const GaborNoise<3>>(GaborNoiseOptions{.frequency = 1.0, .impulses = 12.0});
+  const NoisePtr interpolated = interpolate_at_points(noise, frame, 0.02);
+  ASSERT_NE(interpolated, noise);
+  const auto positions = scatter(frame, Index<3>(-50000000), 1e8, 20, 2);
+  const auto values = values_at(*interpolated, positions);
+  const auto expected = values_at(*noise, positions);
+  for (std::size_t i = 0; i < values.size(); ++i) EXPECT_NEAR(values[i], expected[i], 0.2) << i;
+}
+
+TEST(PointInterpolation, IsNotDoneWherePointsSpreadTooFar) {
+  const LatticeFrame<3> frame{Vec<3>(0.0), Vec<3>(0.05)};
+  const NoisePtr noise =
+      std::make_shared<const GaborNoise<3>>(GaborNoiseOptions{.frequency = 1.0, .impulses = 12.0});
+  EXPECT_NE(interpolate_at_points(noise, frame, 0.02, {Vec<3>(0.5), 1.2}), noise);
+  EXPECT_EQ(interpolate_at_points(noise, frame, 0.02, {Vec<3>(100.0), 1e4}), noise);
+}
+
 // Positions are multiples of a power of two, of which a whole number make the period.
 TEST(PointInterpolation, RepeatsAfterThePeriod) {
   NoiseRecipe recipe{GaborNoiseOptions{.frequency = 2.0, .period = Vec<4>(3.0, 3.0, 3.0, 0.0)}, {}};

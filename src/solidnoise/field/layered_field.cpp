@@ -69,20 +69,19 @@ class Builder {
  public:
   explicit Builder(const LayerLeaves& leaves) : leaves_(leaves) {}
 
-  // `warped`: by a layer that this one is among the layers of.
-  FieldPtr build(const Layer& layer, bool warped) const {
-    const bool warps = layer.warp && layer.warp->amount > 0.0;
-    const bool inside = warped || warps;
-    FieldPtr built =
-        layer.layers.empty() ? build_leaf(layer, inside) : build_group(layer.combine, layer.layers, inside);
+  // `outer`: the amounts of warps of the layers that this one is among.
+  FieldPtr build(const Layer& layer, double outer) const {
+    const double amount = layer.warp ? layer.warp->amount : 0.0;
+    FieldPtr built = layer.layers.empty() ? build_leaf(layer, outer + amount)
+                                          : build_group(layer.combine, layer.layers, outer + amount);
     if (!layer.ramp.empty()) built = through_ramp(built, layer.ramp);
     if (layer.weight != 1.0 || layer.bias != 0.0) built = affine(built, layer.weight, layer.bias);
-    return warps ? build_warped(built, *layer.warp, warped) : built;
+    return amount > 0.0 ? build_warped(built, *layer.warp, outer) : built;
   }
 
-  FieldPtr build_group(Layer::Combine how, const std::vector<Layer>& layers, bool warped = false) const {
+  FieldPtr build_group(Layer::Combine how, const std::vector<Layer>& layers, double warp = 0.0) const {
     std::vector<FieldPtr> built;
-    for (const Layer& layer : layers) built.push_back(build(layer, warped));
+    for (const Layer& layer : layers) built.push_back(build(layer, warp));
     return combine(how, std::move(built));
   }
 
@@ -127,17 +126,17 @@ class Builder {
     return noise.whole();
   }
 
-  FieldPtr build_leaf(const Layer& layer, bool warped) const {
+  FieldPtr build_leaf(const Layer& layer, double warp) const {
     if (!layer.use.empty()) return leaves_.named(layer.use);
     if (layer.place != Layer::Place::none) return leaves_.place(layer.place);
-    const LayerNoise noise = leaves_.noise({layer.noise, layer.stretch, layer.turn, warped});
+    const LayerNoise noise = leaves_.noise({layer.noise, layer.stretch, layer.turn, warp});
     const bool stays = layer.fold == Layer::Fold::none && layer.histogram == Layer::Histogram::gaussian;
     if (stays) return noise.whole();
     return to_histogram(fold(noise, layer.fold), layer.histogram, layer.fold, noise.fractal);
   }
 
-  FieldPtr build_warped(FieldPtr layer, const Warp& warp_of_layer, bool warped) const {
-    const LayerNoise noise = leaves_.noise({.noise = warp_of_layer.noise, .warped = warped});
+  FieldPtr build_warped(FieldPtr layer, const Warp& warp_of_layer, double outer) const {
+    const LayerNoise noise = leaves_.noise({.noise = warp_of_layer.noise, .warp = outer});
     return warp(std::move(layer), warp_of_layer.amount,
                 {noise.channel(0), noise.channel(1), noise.channel(2)});
   }

@@ -32,7 +32,7 @@ struct NoiseUse {
   const std::optional<NoiseRecipe>& noise;
   Vec<3> stretch{1.0};
   double turn = 0.0;
-  bool warped = false;  // looked up where a warp moves samples to, not at these
+  double warp = 0.0;  // by how much warps move samples before it is looked up: the sum of their amounts
 };
 
 // How the leaves of a tree of layers are made.

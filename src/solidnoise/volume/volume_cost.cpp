@@ -125,15 +125,15 @@ Cost noise_cost(const VolumeRecipe& recipe, const NoiseRecipe& of, const VolumeP
     return parts.empty() ? noise->waves() : parts[i].noise->waves();
   };
   if (const double warp = largest_warp(recipe.layers, recipe.fields); warp > 0.0) {
-    constexpr double kFarthest = 2.5;  // in standard deviations
+    const PointSpread spread = spread_by_warp(plan, warp);
     const double voxel = std::min({lattice.step.x, lattice.step.y, lattice.step.z});
-    Cost cost = cost_at_points(*noise, voxels, lattice, error);
+    Cost cost = cost_at_points(*noise, voxels, lattice, error, spread);
     cost.bytes *= threads;
-    const auto plans = plan_points(*noise, lattice, error);
+    const auto plans = plan_points(*noise, lattice, error, spread);
     for (std::size_t i = 0; i < plans.size(); ++i) {
       if (plans[i].direct()) continue;
       cost.bytes +=
-          interpolation_bytes({Vec<3>(plans[i].spacing), glm::ivec3(plans[i].taps), kFarthest * warp / voxel},
+          interpolation_bytes({Vec<3>(plans[i].spacing), glm::ivec3(plans[i].taps), spread.reach.x / voxel},
                               waves_of(i), lattice, plan, threads);
     }
     return cost;

@@ -43,10 +43,10 @@ std::shared_ptr<const Noise<3>> make_framed(const VolumeRecipe& recipe, const Ma
   return by == Vec<3>(0.0) ? noise : move_noise<3>(noise, by);
 }
 
-// Where voxels look a noise up: at their positions over `stretch`, or where a warp moves these.
+// Where voxels look a noise up: at their positions over `stretch`, or where warps move these.
 struct LookUp {
   Vec<3> stretch{1.0};
-  bool warped = false;
+  std::optional<PointSpread> warped{};
 };
 
 // What is left of the recipe's error interpolates the noise, where that is quicker.
@@ -61,7 +61,7 @@ NoisePtr on_voxels(const VolumeRecipe& recipe, NoisePtr noise, const GridFrame& 
     lattice = {lattice.origin / look_up.stretch, lattice.step / look_up.stretch};
   }
   const double error = ErrorBudget(error_of(recipe.noise)).interpolation;
-  if (look_up.warped) return interpolate_at_points(std::move(noise), lattice, error);
+  if (look_up.warped) return interpolate_at_points(std::move(noise), lattice, error, *look_up.warped);
   return interpolate<3>(std::move(noise), lattice, error, slopes ? Quantity::gradient : Quantity::values);
 }
 
@@ -85,8 +85,8 @@ class VolumeLayers {
     LayerLeaves leaves;
     leaves.noise = [&](const NoiseUse& use) {
       return layer_noise(noise_of_layer(use.noise, own),
-                         [this, stretch = use.stretch, warped = use.warped](const NoiseRecipe& recipe) {
-                           return make_leaf(recipe, stretch, warped);
+                         [this, stretch = use.stretch, warp = use.warp](const NoiseRecipe& recipe) {
+                           return make_leaf(recipe, stretch, warp);
                          });
     };
     leaves.named = [&](const std::string& name) { return named(name); };
@@ -95,12 +95,17 @@ class VolumeLayers {
   }
 
  private:
-  FieldPtr make_leaf(const NoiseRecipe& recipe, const Vec<3>& stretch, bool warped) const {
+  FieldPtr make_leaf(const NoiseRecipe& recipe, const Vec<3>& stretch, double warp) const {
+    LookUp look_up{stretch};
+    if (warp > 0.0) {
+      look_up.warped = spread_by_warp(plan_, warp);
+      look_up.warped->reach /= stretch;
+    }
     VolumeRecipe layer = recipe_;
     layer.noise = recipe;
     layer.wind /= stretch;  // which moves what is stretched
     const NoisePtr noise = make_noise_of(layer, recipe);
-    return stretched(on_voxels(layer, noise, plan_.frame, {stretch, warped}), stretch);
+    return stretched(on_voxels(layer, noise, plan_.frame, look_up), stretch);
   }
 
   FieldPtr named(const std::string& name) {
@@ -245,6 +250,14 @@ std::shared_ptr<const Noise<3>> make_volume_noise(const VolumeRecipe& recipe) {
   if (recipe.band_limit) throw std::invalid_argument("band_limit needs the size of the voxels");
   return make_framed(
       recipe, [](auto dim, const NoiseRecipe& noise) { return make_noise<decltype(dim)::value>(noise); });
+}
+
+PointSpread spread_by_warp(const VolumePlan& plan, double amount) {
+  constexpr double kFarthest = 3.0;  // in standard deviations
+  PointSpread spread{Vec<3>(kFarthest * amount), 1.0};
+  const Vec<3> size = plan.box.upper - plan.box.lower;
+  for (int axis = 0; axis < 3; ++axis) spread.volume *= 1.0 + 2.0 * spread.reach[axis] / size[axis];
+  return spread;
 }
 
 LatticeFrame<3> voxel_lattice(const VolumeRecipe& recipe, const GridFrame& frame) {

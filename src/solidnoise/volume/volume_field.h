@@ -5,6 +5,7 @@
 
 #include "solidnoise/core/field.h"
 #include "solidnoise/noise/interpolation/lattice_frame.h"
+#include "solidnoise/noise/interpolation/point_plan.h"
 #include "solidnoise/noise/noise.h"
 #include "solidnoise/volume/make_volume.h"
 #include "solidnoise/volume/topology/fill.h"
@@ -37,6 +38,9 @@ std::shared_ptr<const Noise<3>> make_volume_noise(const VolumeRecipe& recipe);
 
 // The same of a recipe whose kernels vary, with the parameters of its plan.
 FieldPtr make_varying_volume_noise(const VolumeRecipe& recipe, const VolumePlan& plan);
+
+// Where warps of so many world units in all move a volume's voxels.
+PointSpread spread_by_warp(const VolumePlan& plan, double amount);
 
 // The lattice of a grid's voxels, with the period of the recipe's noise where that is a whole number of them.
 LatticeFrame<3> voxel_lattice(const VolumeRecipe& recipe, const GridFrame& frame);

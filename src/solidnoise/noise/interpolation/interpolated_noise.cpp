@@ -7,7 +7,6 @@
 #include "solidnoise/noise/fractal_noise.h"
 #include "solidnoise/noise/interpolation/interpolation_plan.h"
 #include "solidnoise/noise/interpolation/point_interpolation.h"
-#include "solidnoise/noise/interpolation/point_plan.h"
 #include "solidnoise/noise/same_statistics.h"
 
 namespace solidnoise {
@@ -153,9 +152,10 @@ template std::shared_ptr<const Noise<3>> interpolate<3>(std::shared_ptr<const No
                                                         const LatticeFrame<3>&, double, Quantity);
 
 std::shared_ptr<const Noise<3>> interpolate_at_points(std::shared_ptr<const Noise<3>> noise,
-                                                      const LatticeFrame<3>& frame, double error) {
+                                                      const LatticeFrame<3>& frame, double error,
+                                                      const PointSpread& spread) {
   using NoisePtr = std::shared_ptr<const Noise<3>>;
-  const std::vector<PointPlan> plans = plan_points(*noise, frame, error);
+  const std::vector<PointPlan> plans = plan_points(*noise, frame, error, spread);
   return replace_parts<3>(noise, [&](const NoisePtr& part, std::size_t i) -> NoisePtr {
     if (plans[i].direct()) return part;
     return std::make_shared<NoiseAtPoints>(part, frame, plans[i]);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "solidnoise/noise/interpolation/lattice_interpolation.h"
+#include "solidnoise/noise/interpolation/point_plan.h"
 #include "solidnoise/noise/noise.h"
 
 namespace solidnoise {
@@ -32,9 +33,10 @@ std::shared_ptr<const Noise<Dim>> interpolate(std::shared_ptr<const Noise<Dim>> 
 // The noise as it is quickest at points that lie about as dense as the samples of a lattice, but not on it,
 // such as voxels' positions that a warp moves: its parts' values are interpolated there from samples of
 // coarser or finer lattices, which are kept as above, within the same error (plan_points()). The frame
-// decides how, not the points: a value depends on its position only. Gradients, and lattices, are the noise's
-// own.
+// and the spread decide how, not the points: a value depends on its position only. Gradients, and lattices,
+// are the noise's own.
 std::shared_ptr<const Noise<3>> interpolate_at_points(std::shared_ptr<const Noise<3>> noise,
-                                                      const LatticeFrame<3>& frame, double error);
+                                                      const LatticeFrame<3>& frame, double error,
+                                                      const PointSpread& spread = {});
 
 }  // namespace solidnoise

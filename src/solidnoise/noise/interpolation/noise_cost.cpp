@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "solidnoise/noise/convolution/sparse_convolution.h"
-#include "solidnoise/noise/interpolation/point_plan.h"
 
 namespace solidnoise {
 namespace {
@@ -60,10 +59,11 @@ Cost cost_at_points(const Noise<3>& noise, double points) {
   return cost;
 }
 
-Cost cost_at_points(const Noise<3>& noise, double points, const LatticeFrame<3>& frame, double error) {
+Cost cost_at_points(const Noise<3>& noise, double points, const LatticeFrame<3>& frame, double error,
+                    const PointSpread& spread) {
   Cost cost = cost_at_points(noise, points);
   cost.seconds = 0.0;
-  for (const PointPlan& plan : plan_points(noise, frame, error)) {
+  for (const PointPlan& plan : plan_points(noise, frame, error, spread)) {
     cost.seconds += points * kSumsInPractice * plan.nanoseconds * kNanosecond;
   }
   return cost;

@@ -2,6 +2,7 @@
 
 #include "solidnoise/noise/interpolation/interpolation_plan.h"
 #include "solidnoise/noise/interpolation/lattice_frame.h"
+#include "solidnoise/noise/interpolation/point_plan.h"
 #include "solidnoise/noise/noise.h"
 
 namespace solidnoise {
@@ -31,6 +32,7 @@ Cost cost_on_lattice(const Noise<3>& noise, const LatticeFrame<3>& frame, const 
 
 // The same at points, all of them near each other; and where interpolate_at_points() has made it quicker.
 Cost cost_at_points(const Noise<3>& noise, double points);
-Cost cost_at_points(const Noise<3>& noise, double points, const LatticeFrame<3>& frame, double error);
+Cost cost_at_points(const Noise<3>& noise, double points, const LatticeFrame<3>& frame, double error,
+                    const PointSpread& spread);
 
 }  // namespace solidnoise

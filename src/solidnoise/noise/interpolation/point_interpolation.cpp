@@ -52,9 +52,11 @@ void PointInterpolation::evaluate(std::span<const Vec<3>> positions, std::span<f
   }
 }
 
-// Points are placed in runs that stay in the processor's caches.
+// Points that are too far from each other are halved. They are placed in runs that stay in the processor's
+// caches.
 void PointInterpolation::evaluate_some(std::span<const Vec<3>> positions, float* values) const {
   constexpr std::size_t kRun = 256;
+  constexpr double kMostSamples = 0x1p24;
   Vec<3> least = positions.front();
   Vec<3> most = positions.front();
   for (const Vec<3>& position : positions) {
@@ -64,9 +66,17 @@ void PointInterpolation::evaluate_some(std::span<const Vec<3>> positions, float*
   const Index<3> lowest = sample_before(steps_to(least));
   const Index<3> highest = sample_before(steps_to(most));
   SampleRange<3> range;
+  double samples = 1.0;
   for (int axis = 0; axis < 3; ++axis) {
+    samples *= static_cast<double>(highest[axis] - lowest[axis] + weights_.taps);
     range.first[axis] = lowest[axis] - (weights_.taps / 2 - 1);
     range.count[axis] = static_cast<int>(highest[axis] - lowest[axis]) + weights_.taps;
+  }
+  if (samples > kMostSamples && positions.size() > 1) {
+    const std::size_t half = positions.size() / 2;
+    evaluate_some(positions.first(half), values);
+    evaluate_some(positions.subspan(half), values + half);
+    return;
   }
   CoarseSamples<3> coarse(store_, range);
   const SampleRows rows = coarse.rows(range);

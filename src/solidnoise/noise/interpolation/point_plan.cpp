@@ -45,10 +45,18 @@ struct PointWay {
   double squared_error = 0.0;
 };
 
+// What the points of a block of the lattice need, which stays in memory with those of other threads.
+constexpr double kMostSamples = 0x1p22;
+double samples_of_block(const LatticeFrame<3>& frame, const Vec<3>& step, const PointSpread& spread) {
+  constexpr double kBlock = 32.0;
+  const Vec<3> along = (kBlock * frame.step + 2.0 * spread.reach) / step;
+  return along.x * along.y * along.z;
+}
+
 // Waves have two samples each at the least. Once the fewest taps err by next to nothing, closer samples only
 // cost more.
 std::vector<PointWay> point_ways(const NoisePart<3>& part, double highest, const LatticeFrame<3>& frame,
-                                 double budget) {
+                                 double budget, const PointSpread& spread) {
   constexpr double kNextToNothing = 1.0 / 16.0;
   const WaveMixture<3>& waves = part.waves;
   std::vector<PointWay> ways{{.cost = kPerPointImpulse * waves.impulses}};
@@ -57,12 +65,13 @@ std::vector<PointWay> point_ways(const NoisePart<3>& part, double highest, const
     const double h = spacing.value();
     const Vec<3> step = h * frame.step;
     if (!spacing.divides(frame) || 2.0 * highest * std::max({step.x, step.y, step.z}) > 1.0) continue;
+    if (samples_of_block(frame, step, spread) > kMostSamples) break;
     std::array<AxisCovariance, 3> along;
     for (int axis = 0; axis < 3; ++axis) {
       along[static_cast<std::size_t>(axis)] =
           waves.along(axis, step[axis] / kPlaces, AxisStep{kPlaces, kPointTaps.back().count}.distances());
     }
-    const double sums = sum_nanoseconds<3>(waves, step) / (h * h * h);
+    const double sums = spread.volume * sum_nanoseconds<3>(waves, step) / (h * h * h);
     double least_of_few = 0.0;
     for (const Taps& taps : kPointTaps) {
       double squared_error = 0.0;  // as if of each axis by itself
@@ -97,7 +106,8 @@ LatticeWeights point_weights(const WaveMixture<3>& waves, const Vec<3>& step, in
   return weights;
 }
 
-std::vector<PointPlan> plan_points(const Noise<3>& noise, const LatticeFrame<3>& frame, double error) {
+std::vector<PointPlan> plan_points(const Noise<3>& noise, const LatticeFrame<3>& frame, double error,
+                                   const PointSpread& spread) {
   constexpr int kNeighbours = 2;
   const auto parts = parts_on_lattice<3>(noise, frame.step, kNeighbours);
   const auto views = noise.parts();
@@ -105,7 +115,7 @@ std::vector<PointPlan> plan_points(const Noise<3>& noise, const LatticeFrame<3>&
   std::vector<std::vector<PointWay>> ways;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const double highest = (views.empty() ? noise.band() : views[i].noise->band()).upper;
-    ways.push_back(point_ways(parts[i], highest, frame, budget));
+    ways.push_back(point_ways(parts[i], highest, frame, budget, spread));
   }
 
   // Errors of axes do not quite add up: choose again within less, where all together go over the budget.

@@ -9,6 +9,12 @@
 
 namespace solidnoise {
 
+// How far points lie from the lattice's samples that they come from.
+struct PointSpread {
+  Vec<3> reach{0.0};    // to either side, world units: most are no farther
+  double volume = 1.0;  // of what the points fill, over that of the lattice
+};
+
 // How one part of a noise is evaluated at scattered points.
 struct PointPlan {
   double spacing = 0.0;  // of samples that points are interpolated from, in steps of the frame; 0: none are
@@ -25,9 +31,12 @@ struct PointPlan {
 // the parts' mean square errors stay within the budget that InterpolationPlanner has for the lattice itself;
 // they are in closed form, and means over all places between samples (predict_error()).
 //
+// Points that spread so far that those of a block of 32 steps would need too many samples are summed.
+//
 // Samples lie at whole multiples of their spacing from the frame's origin, which divides its periods. What is
 // not stationary is summed.
-std::vector<PointPlan> plan_points(const Noise<3>& noise, const LatticeFrame<3>& frame, double error);
+std::vector<PointPlan> plan_points(const Noise<3>& noise, const LatticeFrame<3>& frame, double error,
+                                   const PointSpread& spread = {});
 
 // The weights along each axis, of so many places between two samples that are `step` apart (world units).
 LatticeWeights point_weights(const WaveMixture<3>& waves, const Vec<3>& step, int places, int taps);
