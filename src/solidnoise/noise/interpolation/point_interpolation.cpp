@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <glm/common.hpp>
+
 namespace solidnoise {
 namespace {
 
