@@ -311,16 +311,6 @@ TEST(Vdbnoise, ShowsItsProgressOnATerminalUnlessQuiet) {
   EXPECT_EQ(quiet.err, "");
 }
 
-// Of some seconds of work, by one thread and without interpolation.
-TEST(Vdbnoise, SaysHowLongWorkWillTakeYet) {
-  const TemporaryFolder folder;
-  const RunOptions on_terminal{.folder = folder.path(), .on_terminal = true};
-  const ToolResult shown =
-      run_vdbnoise({"--raw", "--exact", "--dim", "320", "--threads", "1", "--out", "a.vdb"}, on_terminal);
-  EXPECT_EQ(shown.status, 0) << shown.err;
-  EXPECT_NE(shown.err.find(" %, 1 s left"), std::string::npos) << shown.err;
-}
-
 TEST(Vdbnoise, PrintsStatisticsAndWarnsOfAliasing) {
   const TemporaryFolder folder;
   const ToolResult fine =

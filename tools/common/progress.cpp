@@ -15,7 +15,13 @@
 namespace solidnoise {
 namespace {
 
-// Of a task that has gone on for a while: how long it will go on, at its pace so far.
+void put(const std::string& text) {
+  std::fwrite(text.data(), 1, text.size(), stderr);
+  std::fflush(stderr);
+}
+
+}  // namespace
+
 std::string time_left(double seconds, double done) {
   constexpr double kWhile = 1.0;
   constexpr double kEnough = 0.02;
@@ -24,13 +30,6 @@ std::string time_left(double seconds, double done) {
   return left < 100.0 ? fmt::format(", {:.0f} s left", std::ceil(left))
                       : fmt::format(", {:.0f} min left", std::ceil(left / 60.0));
 }
-
-void put(const std::string& text) {
-  std::fwrite(text.data(), 1, text.size(), stderr);
-  std::fflush(stderr);
-}
-
-}  // namespace
 
 TaskProgress::TaskProgress(Visibility visibility)
     : visible_(visibility == Visibility::if_terminal && isatty(STDERR_FILENO) != 0),

@@ -11,6 +11,10 @@
 
 namespace solidnoise {
 
+// How long a task will take yet that has come this far, a share of it, in so many seconds: ", 12 s left". Empty
+// while that cannot be told: within the first second, or before 2 % are done.
+std::string time_left(double seconds, double done);
+
 // Shows the progress of a tool's tasks, one after the other, and cancels them when the process is
 // interrupted: one line on a terminal's standard error, redrawn at most ten times a second, which says after
 // a while how long the task will take yet; nothing where standard error is not a terminal. The line is wiped
