@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
+#include <span>
 #include <utility>
 
 #include "solidnoise/noise/interpolation/lattice_frame.h"
@@ -61,8 +63,8 @@ std::span<const float> CoarseStore<Dim>::Tile::brick(const Index<Dim>& brick) {
     number = number * kTileBricks + static_cast<std::size_t>(brick[axis] - first_brick_[axis]);
   }
   const std::scoped_lock lock(mutex_);
-  if (samples_.empty()) samples_.resize(power(kTileBricks) * kBrickSamples);
-  const std::span<float> samples = std::span(samples_).subspan(number * kBrickSamples, kBrickSamples);
+  if (!samples_) samples_ = std::make_unique_for_overwrite<float[]>(power(kTileBricks) * kBrickSamples);
+  const std::span<float> samples(samples_.get() + number * kBrickSamples, kBrickSamples);
   if (evaluated_[number]) return samples;
   if (!block_) block_ = store_.noise_->block(store_.lattice_of(first_brick_, kTileBricks).bounds());
   block_->evaluate(store_.lattice_of(brick, 1), Samples<Dim>{samples, {}});
@@ -119,15 +121,14 @@ glm::vec<Dim, int> room_for(const SampleRange<Dim>& bricks) {
 
 // A part of a dense array of these bricks' samples.
 template <int Dim>
-SampleRows rows_of(const std::vector<float>& samples, const SampleRange<Dim>& bricks,
-                   const SampleRange<Dim>& part) {
+SampleRows rows_of(const float* samples, const SampleRange<Dim>& bricks, const SampleRange<Dim>& part) {
   const glm::vec<Dim, int> count = room_for<Dim>(bricks);
   Index<Dim> start;
   for (int axis = 0; axis < Dim; ++axis) {
     start[axis] = part.first[axis] - CoarseStore<Dim>::first_sample(bricks.first[axis]);
   }
   SampleRows rows;
-  rows.first = samples.data() + offset_of<Dim>(start, count);
+  rows.first = samples + offset_of<Dim>(start, count);
   rows.rows = static_cast<std::size_t>(part.count[Dim - 2]);
   rows.row_stride = static_cast<std::size_t>(count[Dim - 1]);
   if constexpr (Dim == 3) {
@@ -145,30 +146,29 @@ CoarseSamples<Dim>::CoarseSamples(CoarseStore<Dim>& store, const SampleRange<Dim
   double samples = Store::kBrickSamples;  // in double: may be huge
   for (int axis = 0; axis < Dim; ++axis) samples *= bricks_.count[axis];
   if (samples > static_cast<double>(kMostKept)) return;
-  samples_.resize(bricks_.size() * Store::kBrickSamples);
+  samples_ = std::make_unique_for_overwrite<float[]>(bricks_.size() * Store::kBrickSamples);
   fetched_.resize(bricks_.size(), false);
 }
 
 template <int Dim>
 SampleRows CoarseSamples<Dim>::rows(const SampleRange<Dim>& part) {
   const SampleRange<Dim> needed = bricks_of<Dim>(part);
-  const bool keep = !samples_.empty();
-  if (!keep) passing_.resize(needed.size() * Store::kBrickSamples);
+  const bool keep = samples_ != nullptr;
+  if (!keep) passing_ = std::make_unique_for_overwrite<float[]>(needed.size() * Store::kBrickSamples);
   for_each_index<Dim>(needed.count, [&](const glm::vec<Dim, int>& index) {
     const Index<Dim> brick = needed.first + Index<Dim>(index);
-    if (!keep) return fetch(brick, needed, passing_);
+    if (!keep) return fetch(brick, needed, passing_.get());
     const std::size_t number = offset_of<Dim>(brick - bricks_.first, bricks_.count);
     if (fetched_[number]) return;
-    fetch(brick, bricks_, samples_);
+    fetch(brick, bricks_, samples_.get());
     fetched_[number] = true;
   });
-  return keep ? rows_of<Dim>(samples_, bricks_, part) : rows_of<Dim>(passing_, needed, part);
+  return keep ? rows_of<Dim>(samples_.get(), bricks_, part) : rows_of<Dim>(passing_.get(), needed, part);
 }
 
 // Copies a brick to its place in the dense array of some.
 template <int Dim>
-void CoarseSamples<Dim>::fetch(const Index<Dim>& brick, const SampleRange<Dim>& bricks,
-                               std::vector<float>& samples) {
+void CoarseSamples<Dim>::fetch(const Index<Dim>& brick, const SampleRange<Dim>& bricks, float* samples) {
   const auto tile = store_.tile_of(brick);
   const float* from = tile->brick(brick).data();
   const glm::vec<Dim, int> count = room_for<Dim>(bricks);
@@ -176,7 +176,7 @@ void CoarseSamples<Dim>::fetch(const Index<Dim>& brick, const SampleRange<Dim>& 
   glm::vec<Dim, int> rows(Store::kBrickSide);
   rows[Dim - 1] = 1;
   for_each_index<Dim>(rows, [&](const glm::vec<Dim, int>& row) {
-    std::copy_n(from, Store::kBrickSide, samples.data() + offset_of<Dim>(start + Index<Dim>(row), count));
+    std::copy_n(from, Store::kBrickSide, samples + offset_of<Dim>(start + Index<Dim>(row), count));
     from += Store::kBrickSide;
   });
 }

@@ -52,8 +52,8 @@ class CoarseStore {
     std::mutex mutex_;
     std::unique_ptr<FieldBlock<Dim>> block_;  // until all bricks are evaluated
     std::size_t missing_ = power(kTileBricks);
-    std::vector<bool> evaluated_;  // per brick
-    std::vector<float> samples_;   // brick by brick
+    std::vector<bool> evaluated_;       // per brick
+    std::unique_ptr<float[]> samples_;  // brick by brick
   };
 
   // `lattice` gives origin and step.
@@ -107,13 +107,14 @@ class CoarseSamples {
  private:
   using Store = CoarseStore<Dim>;
 
-  void fetch(const Index<Dim>& brick, const SampleRange<Dim>& bricks, std::vector<float>& samples);
+  void fetch(const Index<Dim>& brick, const SampleRange<Dim>& bricks, float* samples);
 
   Store& store_;
   SampleRange<Dim> bricks_;
-  std::vector<float> passing_;  // of the last part, where the range is too much to keep
-  std::vector<float> samples_;  // of all bricks; empty where that is too much to keep
-  std::vector<bool> fetched_;   // per brick
+  // Memory that is not touched before bricks are fetched into it.
+  std::unique_ptr<float[]> passing_;  // of the last part, where the range is too much to keep
+  std::unique_ptr<float[]> samples_;  // of all bricks; none where that is too much to keep
+  std::vector<bool> fetched_;         // per brick
 };
 
 extern template class CoarseSamples<2>;
