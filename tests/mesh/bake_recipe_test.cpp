@@ -75,9 +75,9 @@ TEST(BakeRecipe, OnlyANoiseByExampleHasItsColors) {
   EXPECT_EQ(message_of<std::invalid_argument>([&] { recipe.validate(); }),
             "ramp is exemplar; only a noise by example has such colours");
   recipe = recipe_by_example();
-  recipe.frequency = ParameterRange{1.0, 2.0};
+  recipe.bandwidth = ParameterRange{1.0, 2.0};
   EXPECT_EQ(message_of<std::invalid_argument>([&] { recipe.validate(); }),
-            "frequency is 1..2; this noise has one frequency for all vertices");
+            "bandwidth is 1..2; this noise has one bandwidth for all vertices");
 }
 
 TEST(BakeRecipe, ComesBackFromJsonAsItWas) {
@@ -121,9 +121,9 @@ TEST(BakeRecipe, RefusesWhatIsOutOfRange) {
             "frequency is -1;");
   EXPECT_EQ(refused([](BakeRecipe& r) {
               r.noise.kind = SurfaceNoiseKind::kensler;
-              r.frequency = ParameterRange{4.0, 8.0};
+              r.bandwidth = ParameterRange{1.0, 2.0};
             }),
-            "frequency is 4..8; this noise has one frequency for all vertices");
+            "bandwidth is 1..2; this noise has one bandwidth for all vertices");
   EXPECT_EQ(refused([](BakeRecipe& r) { r.direction.axis = Vec<3>(0.0); }),
             "direction is 0 0 0; it must point somewhere");
   EXPECT_NE(refused([](BakeRecipe& r) { r.ramp = "rusty"; }).find("rusty"), std::string::npos);

@@ -35,11 +35,11 @@ PolygonMesh wall(UpAxis up) {
   });
 }
 
-// Mean square of what the values change by over (right, up) squares.
-double change(const std::vector<double>& values, int right, int up) {
+// Mean square of what the values of rows 0 to `rows` change by over (right, up) squares.
+double change(const std::vector<double>& values, int right, int up, int rows = kSide) {
   double sum = 0.0;
   int count = 0;
-  for (int j = std::max(0, -up); j + std::max(0, up) <= kSide; ++j) {
+  for (int j = std::max(0, -up); j + std::max(0, up) <= rows; ++j) {
     for (int i = std::max(0, -right); i + std::max(0, right) <= kSide; ++i) {
       const double d = values[static_cast<std::size_t>((j + up) * (kSide + 1) + i + right)] -
                        values[static_cast<std::size_t>(j * (kSide + 1) + i)];
@@ -77,6 +77,20 @@ TEST(ExampleOnSurface, ADirectionTurnsThePhotograph) {
   recipe.direction.axis = Vec<3>(1.0, 0.0, 0.0);
   const std::vector<double> values = baked(recipe);
   EXPECT_GT(change(values, 5, 0), 10.0 * change(values, 0, 5));
+}
+
+// Four cycles at the top for one at the bottom: values change by (2 pi f step)^2 from one square to the next,
+// some 14 times as much. Half of that leaves room for the few waves that rows have.
+TEST(ExampleOnSurface, ItsFrequencyMayFollowTheSurface) {
+  BakeRecipe recipe = wave_recipe({1.0, 0.0});
+  recipe.frequency = ParameterRange{1.0, 4.0};
+  recipe.by.source = SteeringSource::height;
+  const std::vector<double> values = baked(recipe);
+  const auto change_in_rows = [&](int first) {
+    const auto row = values.begin() + first * (kSide + 1);
+    return change({row, row + 8 * (kSide + 1)}, 1, 0, 7);
+  };
+  EXPECT_GT(change_in_rows(kSide + 1 - 8), 7.0 * change_in_rows(0));
 }
 
 }  // namespace

@@ -122,7 +122,7 @@ void declare_output(FlagSet& flags, BakeOptions& options) {
              [&](const std::string& text) { options.keep = parse_names("--keep", text); });
 }
 
-// A noise by example has one frequency and the colours of the exemplar: what a preset says of other noises
+// A noise by example has the frequency and the colours of the exemplar: what a preset says of other noises
 // does not suit it.
 void take_example(BakeRecipe& recipe, const std::string& file) {
   const std::uint64_t seed = recipe.noise.seed;

@@ -50,8 +50,10 @@ BakeCost bake_cost(const BakePlan& plan, const BakeRecipe& recipe) {
       recipe.noise.kind == SurfaceNoiseKind::surface || recipe.noise.kind == SurfaceNoiseKind::oriented;
   const double vertices = static_cast<double>(plan.mesh.positions.size());
   const double frequency = plan.parameters.frequency.constant;
+  const bool is_graded = plan.parameters.frequency.varies() && !has_bandwidth(recipe.noise.kind);
   const double impulses =
-      kLeastImpulses + impulses_at_point(recipe.noise, {frequency, plan.parameters.bandwidth.constant, {}});
+      (is_graded ? 2.0 : 1.0) *
+      (kLeastImpulses + impulses_at_point(recipe.noise, {frequency, plan.parameters.bandwidth.constant, {}}));
   const double channels = recipe.has_exemplar_colors()
                               ? static_cast<double>(recipe.noise.exemplar.channels.size())
                               : 1.0 + count_layers(recipe.layers) + count_properties(recipe);

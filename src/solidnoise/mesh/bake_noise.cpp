@@ -46,10 +46,6 @@ void SurfaceNoiseRecipe::validate() const {
   evolution().validate();
 }
 
-bool may_vary(SurfaceNoiseKind kind) {
-  return has_bandwidth(kind);
-}
-
 bool is_gabor(SurfaceNoiseKind kind) {
   return has_bandwidth(kind) || kind == SurfaceNoiseKind::spectrum;
 }
@@ -109,11 +105,8 @@ void validate(const SurfaceNoiseRecipe& recipe, const BakeVertices& vertices) {
   require_number("bandwidth", vertices.bandwidth, kBandwidths, count);
   require_number("magnitude", vertices.magnitude, between(0.0, 1e12), count);
   if (has_direction(recipe)) require_size("direction", vertices.directions.size(), count);
-  if (may_vary(recipe.kind)) return;
-  for (const auto& [name, number] :
-       {std::pair("frequency", &vertices.frequency), std::pair("bandwidth", &vertices.bandwidth)}) {
-    if (number->varies())
-      throw std::invalid_argument(fmt::format("{} cannot vary: this noise has one for all vertices", name));
+  if (vertices.bandwidth.varies() && !has_bandwidth(recipe.kind)) {
+    throw std::invalid_argument("bandwidth cannot vary: this noise has one for all vertices");
   }
 }
 

@@ -56,9 +56,9 @@ struct SurfaceNoiseRecipe {
   friend bool operator==(const SurfaceNoiseRecipe&, const SurfaceNoiseRecipe&) = default;
 };
 
-// Whether frequency and bandwidth may differ from vertex to vertex.
-bool may_vary(SurfaceNoiseKind kind);
-// Whether there is an error and a number of impulses; and also a bandwidth.
+// Whether there is an error and a number of impulses; and also a bandwidth, which may then differ from vertex
+// to vertex. Where the frequency does, kernels that have a bandwidth have every frequency, other noises are
+// graded (make_graded_field).
 bool is_gabor(SurfaceNoiseKind kind);
 bool has_bandwidth(SurfaceNoiseKind kind);
 // Whether impulses are taken from a layer around the surface.
@@ -107,8 +107,8 @@ Box<3> place_bounds(std::span<const Vec<3>> positions);
 // of GaborNoise<3>, and `kensler_solid` that of GradientNoise<3>.
 //
 // Throws std::invalid_argument naming the field or vertex: recipe.validate(); spans whose sizes differ; a
-// parameter that is out of range, or that varies where may_vary() says no; a noise that has_direction()
-// without any. Throws Cancelled.
+// parameter that is out of range, or a bandwidth that varies where the noise has none; a noise that
+// has_direction() without any. Throws Cancelled.
 std::vector<float> bake_noise(const SurfaceNoiseRecipe& recipe, const BakeVertices& vertices,
                               Progress* progress = nullptr);
 

@@ -48,12 +48,6 @@ void validate_properties(const BakeRecipe& recipe) {
   }
 }
 
-void refuse_variation(std::string_view field, const ParameterRange& range) {
-  if (!range.varies()) return;
-  throw std::invalid_argument(fmt::format("{} is {}..{}; this noise has one {} for all vertices", field,
-                                          range.from, range.to, field));
-}
-
 }  // namespace
 
 void BakeRecipe::validate() const {
@@ -67,10 +61,9 @@ void BakeRecipe::validate() const {
     throw std::invalid_argument(
         "feature_size has no effect where there is a frequency; leave one of them out");
   }
-  if (!may_vary(noise.kind)) {
-    if (frequency) refuse_variation("frequency", *frequency);
-    refuse_variation("detail", detail);
-    refuse_variation("bandwidth", bandwidth);
+  if (bandwidth.varies() && !has_bandwidth(noise.kind)) {
+    throw std::invalid_argument(fmt::format(
+        "bandwidth is {}..{}; this noise has one bandwidth for all vertices", bandwidth.from, bandwidth.to));
   }
   validate_layers(layers, noise_of_layers(noise), fields, LayerSpace::surface);
   validate_properties(*this);

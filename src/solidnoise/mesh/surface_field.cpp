@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <numbers>
 #include <stdexcept>
 #include <utility>
@@ -11,6 +12,7 @@
 
 #include "solidnoise/core/random.h"
 #include "solidnoise/field/combined_field.h"
+#include "solidnoise/field/graded_field.h"
 #include "solidnoise/field/value_maps.h"
 #include "solidnoise/noise/convolution/kernel_cells.h"
 #include "solidnoise/noise/gabor/surface_gabor_noise.h"
@@ -176,6 +178,25 @@ FieldPtr make_tangent_field(const SurfaceNoiseRecipe& recipe, const SurfaceKerne
   });
 }
 
+// Whether noises of several frequencies make up for one whose kernels cannot vary.
+bool is_graded(const SurfaceNoiseRecipe& recipe, const SurfaceKernel& kernel) {
+  return kernel.fields.frequency && !has_bandwidth(recipe.kind);
+}
+
+// The streams of the grades, beside those of octaves and channels (SeedStream).
+constexpr std::uint64_t kGradeStream = 3000;
+
+FieldPtr make_graded(const SurfaceNoiseRecipe& recipe, const SurfaceKernel& kernel) {
+  return make_graded_field(kernel.fields.frequency, [&](double frequency, int grade) {
+    SurfaceNoiseRecipe single = recipe;
+    single.seed = derive_seed(recipe.seed, kGradeStream + static_cast<std::uint64_t>(grade));
+    SurfaceKernel own = kernel;
+    own.frequency = frequency;
+    own.fields.frequency = {};
+    return make_surface_field(single, own);
+  });
+}
+
 // Directions that are turned in the planes of points' normals.
 class TurnedField final : public PointwiseField {
  public:
@@ -263,6 +284,7 @@ std::shared_ptr<const Noise<3>> solid_noise_of(const SurfaceNoiseRecipe& recipe,
 
 FieldPtr make_surface_field(const SurfaceNoiseRecipe& recipe, const SurfaceKernel& kernel) {
   recipe.validate();
+  if (is_graded(recipe, kernel)) return make_graded(recipe, kernel);
   if (const auto solid = solid_recipe(recipe, kernel)) {
     if (kernel.fields.frequency || kernel.fields.bandwidth) {
       return make_varying_field(*solid, {recipe.dims, recipe.time, Vec<3>(0.0)},
@@ -288,7 +310,8 @@ LayerNoise surface_layer_noise(const SurfaceNoiseRecipe& recipe, const SurfaceKe
     const double ratio = std::pow(recipe.fractal.lacunarity, k);
     single.evolve = evolution_of_octave(recipe.evolution(), ratio).rate;
     const SurfaceKernel own = scaled(kernel, ratio);
-    return solid_recipe(single, own) ? make_surface_field(single, own) : make_tangent_field(single, own);
+    const bool is_tangent = !solid_recipe(single, own) && !is_graded(single, own);
+    return is_tangent ? make_tangent_field(single, own) : make_surface_field(single, own);
   };
   const auto channel = [=](int axis) {
     SurfaceNoiseRecipe other = recipe;
