@@ -11,8 +11,8 @@
 
 namespace solidnoise {
 
-// How long a task will take yet that has come this far, a share of it, in so many seconds: ", 12 s left". Empty
-// while that cannot be told: within the first second, or before 2 % are done.
+// How long a task will take yet that has come this far, a share of it, in so many seconds: ", 12 s left".
+// Empty while that cannot be told: within the first second, or before 2 % are done.
 std::string time_left(double seconds, double done);
 
 // Shows the progress of a tool's tasks, one after the other, and cancels them when the process is
