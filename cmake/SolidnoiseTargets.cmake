@@ -51,16 +51,6 @@ function(solidnoise_library name)
   set_property(GLOBAL APPEND PROPERTY SOLIDNOISE_LIBRARIES solidnoise_${name})
 endfunction()
 
-# solidnoise_precompile(TARGET HEADER...): parses these headers once for all of a target's files. Worth it for OpenVDB, which takes
-# 3 s a file, and for tests, which are compiled one by one: their helpers have the same names. ccache needs to be told that it may
-# trust the result (scripts/build.sh).
-function(solidnoise_precompile target)
-  target_precompile_headers(${target} PRIVATE ${ARGN})
-  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    target_compile_options(${target} PRIVATE -fpch-preprocess)
-  endif()
-endfunction()
-
 # solidnoise_test(NAME LIBRARIES ...): one test program for the folder tests/NAME, without the files whose names match
 # SOLIDNOISE_TESTS_LEFT_OUT, compiled with SOLIDNOISE_TEST_OPTIONS besides what all is compiled with.
 set(SOLIDNOISE_TESTS_LEFT_OUT "" CACHE STRING "Files of tests that are not built: a regular expression; empty: all are built")
@@ -76,11 +66,7 @@ function(solidnoise_test name)
   add_executable(${name}_tests ${_sources})
   target_include_directories(${name}_tests PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_compile_options(${name}_tests PRIVATE ${_warnings} ${SOLIDNOISE_TEST_OPTIONS})
-  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    # There are false ones in strings whose code is precompiled.
-    target_compile_options(${name}_tests PRIVATE -Wno-array-bounds -Wno-stringop-overflow)
-  endif()
-  solidnoise_precompile(${name}_tests <gtest/gtest.h>)
   target_link_libraries(${name}_tests PRIVATE solidnoise_settings solidnoise_test_paths ${ARGN} GTest::gtest_main)
+  solidnoise_compile_together(${name}_tests)
   gtest_discover_tests(${name}_tests TEST_PREFIX "${name}/" DISCOVERY_TIMEOUT 60)
 endfunction()

@@ -10,7 +10,6 @@ shift
 if command -v ccache >/dev/null; then
   export CMAKE_CXX_COMPILER_LAUNCHER=ccache
   export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1  # objects do not depend on the folder
-  export CCACHE_SLOPPINESS=pch_defines,time_macros  # precompiled headers may be trusted
 fi
 
 # One compiler per core, as long as each has 1 GB (OpenVDB's headers need most of it).

@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-scripts/setup.sh libgtest-dev libopenvdb-tools python3-openvdb python3-jsonschema python3-pytest python3-scipy mypy blender xvfb xauth help2man lintian dpkg-dev zsh \
+scripts/setup.sh libgtest-dev libopenvdb-tools python3-openvdb python3-jsonschema python3-pil python3-pytest python3-scipy mypy blender xvfb xauth help2man lintian dpkg-dev zsh \
   slurmctld slurmd slurm-client munge
 scripts/build.sh release -DSOLIDNOISE_BUILD_TESTS=ON "$@"
 ctest --preset release --parallel "$(nproc)"

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace solidnoise {
+namespace solidnoise::edit_spectrum_test {
 namespace {
 
 // Two groups in two bands.
@@ -154,4 +154,4 @@ TEST(EditSpectrum, SelectsComponentsByFrequencyAndDirection) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::edit_spectrum_test

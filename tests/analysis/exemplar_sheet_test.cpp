@@ -10,7 +10,7 @@
 
 #include "solidnoise/analysis/exemplar/cross_spectra.h"
 
-namespace solidnoise {
+namespace solidnoise::exemplar_sheet_test {
 namespace {
 
 // Two channels' worth of colours: brightness, and red against blue.
@@ -81,4 +81,4 @@ TEST(ExemplarSheet, ShowsFourPanels) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::exemplar_sheet_test

@@ -14,7 +14,7 @@
 #include "solidnoise/analysis/fft.h"
 #include "support/golden.h"
 
-namespace solidnoise {
+namespace solidnoise::exemplar_statistics_test {
 namespace {
 
 // The golden image: 8 x 8, three channels, i the row and j the column.
@@ -200,4 +200,4 @@ TEST(CrossSpectra, LeaveFewSamplesOut) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::exemplar_statistics_test

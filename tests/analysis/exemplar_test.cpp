@@ -19,7 +19,7 @@
 #include "support/paths.h"
 #include "support/temporary_folder.h"
 
-namespace solidnoise {
+namespace solidnoise::exemplar_test {
 namespace {
 
 Image random_image(int width, int height, int channels) {
@@ -220,4 +220,4 @@ TEST(Gaussianity, WarnsOfBricksPatchesAndLopsidedValues) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::exemplar_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace solidnoise {
+namespace solidnoise::expected_spectrum_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -150,4 +150,4 @@ TEST(ExpectedSpectrum, OfAnAxialNoiseMayBeTabulated) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::expected_spectrum_test

@@ -11,7 +11,7 @@
 
 #include "solidnoise/core/random.h"
 
-namespace solidnoise {
+namespace solidnoise::fft_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -109,4 +109,4 @@ TEST(Fft, RefusesCountsThatDoNotFit) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::fft_test

@@ -10,7 +10,7 @@
 #include "solidnoise/analysis/exemplar/fit_exemplar.h"
 #include "solidnoise/analysis/exemplar/gaussian_field.h"
 
-namespace solidnoise {
+namespace solidnoise::fill_spectrum_test {
 namespace {
 
 // As steep as photographs are, and twice as strong along one axis.
@@ -78,4 +78,4 @@ TEST(FillSpectrum, KeepsThePowerOfEveryRing) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::fill_spectrum_test

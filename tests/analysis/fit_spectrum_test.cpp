@@ -11,7 +11,7 @@
 #include "solidnoise/analysis/exemplar/fit_exemplar.h"
 #include "solidnoise/analysis/exemplar/gaussian_field.h"
 
-namespace solidnoise {
+namespace solidnoise::fit_spectrum_test {
 namespace {
 
 double band_a(int b) {
@@ -170,4 +170,4 @@ TEST(GaussianVersion, KeepsTheSpectrumAndTheMean) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::fit_spectrum_test

@@ -11,7 +11,7 @@
 #include "solidnoise/analysis/field_picture.h"
 #include "solidnoise/analysis/line_plot.h"
 
-namespace solidnoise {
+namespace solidnoise::four_panel_test {
 namespace {
 
 DenseField<2> wave(const Vec<2>& frequency, const glm::ivec2& count, double step) {
@@ -152,4 +152,4 @@ TEST(FourPanels, AreDrawnForOddInput) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::four_panel_test

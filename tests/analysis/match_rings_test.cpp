@@ -10,7 +10,7 @@
 #include "solidnoise/analysis/exemplar/fit_exemplar.h"
 #include "solidnoise/analysis/exemplar/gaussian_field.h"
 
-namespace solidnoise {
+namespace solidnoise::match_rings_test {
 namespace {
 
 constexpr int kSide = 480;
@@ -92,4 +92,4 @@ TEST(MatchRings, GivesEachRingItsPower) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::match_rings_test

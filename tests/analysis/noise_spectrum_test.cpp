@@ -7,7 +7,7 @@
 #include "solidnoise/noise/gabor/gabor_noise.h"
 #include "solidnoise/noise/registry/noise_recipe.h"
 
-namespace solidnoise {
+namespace solidnoise::noise_spectrum_test {
 namespace {
 
 constexpr double kStep = 1.0 / 40.0;  // 5 samples per cycle of the principal frequency
@@ -79,4 +79,4 @@ TEST(NoiseSpectrum, OfAnotherFrequencyIsRecognised) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::noise_spectrum_test

@@ -14,7 +14,7 @@
 
 #include "solidnoise/noise/registry/noise_recipe.h"
 
-namespace solidnoise {
+namespace solidnoise::parallel_evaluation_test {
 namespace {
 
 // Stops after the first report, or never.
@@ -83,4 +83,4 @@ TEST(ParallelEvaluation, StopsAndRefuses) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::parallel_evaluation_test

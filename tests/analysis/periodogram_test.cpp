@@ -7,7 +7,7 @@
 
 #include "analysis/synthetic_fields.h"
 
-namespace solidnoise {
+namespace solidnoise::periodogram_test {
 namespace {
 
 TEST(Periodogram, WithoutAWindowAddsUpToTheMeanSquare) {
@@ -83,4 +83,4 @@ TEST(Periodogram, RefusesBlocksThatDoNotFit) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::periodogram_test

@@ -9,7 +9,7 @@
 
 #include "solidnoise/image/color.h"
 
-namespace solidnoise {
+namespace solidnoise::prepare_exemplars_test {
 namespace {
 
 // Independent normal values.
@@ -56,4 +56,4 @@ TEST(ChooseValues, TakesLinearLightWhereOneHoldsItAlready) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::prepare_exemplars_test

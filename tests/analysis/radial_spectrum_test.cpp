@@ -10,7 +10,7 @@
 #include "analysis/synthetic_fields.h"
 #include "solidnoise/analysis/expected_spectrum.h"
 
-namespace solidnoise {
+namespace solidnoise::radial_spectrum_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -194,4 +194,4 @@ TEST(ChiSquareSignificance, MatchesTheTables) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::radial_spectrum_test

@@ -11,7 +11,7 @@
 
 #include "solidnoise/analysis/exemplar/gaussian_field.h"
 
-namespace solidnoise {
+namespace solidnoise::solid_spectrum_test {
 namespace {
 
 double band_a(int b) {
@@ -99,4 +99,4 @@ TEST(SolidSpectrum, DoesNotWarnOfScatter) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::solid_spectrum_test

@@ -11,7 +11,7 @@
 #include "solidnoise/core/vec.h"
 #include "support/golden.h"
 
-namespace solidnoise {
+namespace solidnoise::sparse_fit_test {
 namespace {
 
 // The golden 16 x 16 problem: two bands, Gaussians at every frequency.
@@ -210,4 +210,4 @@ TEST(SparseFit, RefusesNonsense) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::sparse_fit_test

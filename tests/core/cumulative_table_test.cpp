@@ -10,7 +10,7 @@
 #include "solidnoise/core/random.h"
 #include "solidnoise/core/special_functions.h"
 
-namespace solidnoise {
+namespace solidnoise::cumulative_table_test {
 namespace {
 
 // The exact probabilities of a table's numbers, from how much of [0, 1) draws each: between multiples of
@@ -65,4 +65,4 @@ TEST(CumulativeTable, RefusesWhatIsNoDistribution) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::cumulative_table_test

@@ -10,7 +10,7 @@
 
 #include "support/message_of.h"
 
-namespace solidnoise {
+namespace solidnoise::fields_test {
 namespace {
 
 enum class Colour { red, blue };
@@ -70,4 +70,4 @@ TEST(Fields, NumbersOutOfTheirIntervalAreRefusedByNameValueAndRange) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::fields_test

@@ -5,7 +5,7 @@
 #include "solidnoise/core/digest.h"
 #include "support/temporary_folder.h"
 
-namespace solidnoise {
+namespace solidnoise::file_digest_test {
 namespace {
 
 // The values that the authors of FNV publish for these texts.
@@ -28,4 +28,4 @@ TEST(FileDigest, IsNoneOfWhatIsNoFile) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::file_digest_test

@@ -10,7 +10,7 @@
 #include "support/message_of.h"
 #include "support/temporary_folder.h"
 
-namespace solidnoise {
+namespace solidnoise::input_file_test {
 namespace {
 
 TEST(ReadFile, HasAllBytes) {
@@ -47,4 +47,4 @@ TEST(ReadFile, RefusesWhatIsNoFileOrTooLong) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::input_file_test

@@ -5,7 +5,7 @@
 
 #include "solidnoise/core/choices.h"
 
-namespace solidnoise {
+namespace solidnoise::nearest_word_test {
 namespace {
 
 TEST(NearestWord, IsWithinTwoMistakesOrOneInShortWords) {
@@ -22,4 +22,4 @@ TEST(NearestWord, IsWithinTwoMistakesOrOneInShortWords) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::nearest_word_test

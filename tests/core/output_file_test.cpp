@@ -10,7 +10,7 @@
 #include "support/message_of.h"
 #include "support/temporary_folder.h"
 
-namespace solidnoise {
+namespace solidnoise::output_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -205,4 +205,4 @@ TEST(RequireWritable, NamesThePathAndTheReason) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::output_file_test

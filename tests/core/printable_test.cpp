@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace solidnoise {
+namespace solidnoise::printable_test {
 namespace {
 
 TEST(Printable, KeepsWordsOfAnyScript) {
@@ -29,4 +29,4 @@ TEST(Printable, CutsLongTextsBetweenCharacters) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::printable_test

@@ -5,7 +5,7 @@
 
 #include "solidnoise/core/numerics.h"
 
-namespace solidnoise {
+namespace solidnoise::quadrature_test {
 namespace {
 
 TEST(Quadrature, GaussLegendreIsExactForPolynomialsOfItsDegree) {
@@ -42,4 +42,4 @@ TEST(Bisection, FindsTheZeroOfRisingAndFallingFunctions) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::quadrature_test

@@ -7,7 +7,7 @@
 
 #include "solidnoise/core/numerics.h"
 
-namespace solidnoise {
+namespace solidnoise::special_functions_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -106,4 +106,4 @@ TEST(SpecialFunctions, IncompleteGammaAgreesWithElementaryForms) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::special_functions_test

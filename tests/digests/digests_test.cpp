@@ -13,7 +13,7 @@
 #include "support/paths.h"
 #include "support/simd_targets.h"
 
-namespace solidnoise {
+namespace solidnoise::digests_test {
 namespace {
 
 constexpr char kFile[] = "tests/golden/digests.json";
@@ -136,4 +136,4 @@ TEST(DigestFile, HasTheSameForMergedVolumesAsForWholeOnes) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::digests_test

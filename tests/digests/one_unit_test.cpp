@@ -4,7 +4,7 @@
 #include "solidnoise/volume/make_volume.h"
 #include "solidnoise/volume/volume_recipe_json.h"
 
-namespace solidnoise {
+namespace solidnoise::one_unit_test {
 namespace {
 
 // Each name has one meaning in all of the library, so that a program may use volumes and meshes.
@@ -14,4 +14,4 @@ TEST(Headers, OfVolumesAndOfMeshesGoTogether) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::one_unit_test

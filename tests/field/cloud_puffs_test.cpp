@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-namespace solidnoise {
+namespace solidnoise::cloud_puffs_test {
 namespace {
 
 const PuffPile kPile{.size = {2.0, 1.0, 1.5}, .count = 22, .lean = 0.25, .seed = 1};
@@ -72,4 +72,4 @@ TEST(CloudPuffs, DependOnTheSeedAlone) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::cloud_puffs_test

@@ -7,7 +7,7 @@
 #include "solidnoise/core/random.h"
 #include "solidnoise/field/cloud_puffs.h"
 
-namespace solidnoise {
+namespace solidnoise::cloud_union_test {
 namespace {
 
 float distance_at(const PuffUnion& shape, const Vec<3>& p) {
@@ -67,4 +67,4 @@ TEST(PuffUnion, DistanceIsNeverBelowItsBound) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::cloud_union_test

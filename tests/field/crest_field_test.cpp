@@ -13,7 +13,7 @@
 #include "solidnoise/field/pointwise_field.h"
 #include "support/message_of.h"
 
-namespace solidnoise {
+namespace solidnoise::crest_field_test {
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
@@ -147,4 +147,4 @@ TEST(CrestField, NeedsAGradient) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::crest_field_test

@@ -15,7 +15,7 @@
 #include "support/spectra.h"
 #include "support/vector_fields.h"
 
-namespace solidnoise {
+namespace solidnoise::derived_fields_test {
 namespace {
 
 Lattice<3> some_lattice() {
@@ -188,4 +188,4 @@ TEST(ExemplarColors, AreTheMeanAndTheChannelsAlongTheirAxes) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::derived_fields_test

@@ -12,7 +12,7 @@
 #include "solidnoise/field/pointwise_field.h"
 #include "solidnoise/noise/registry/noise_recipe.h"
 
-namespace solidnoise {
+namespace solidnoise::graded_field_test {
 namespace {
 
 // From 1 to 16 cycles per unit: 2^(4 x) where x is from 0 to 1.
@@ -102,4 +102,4 @@ TEST(GradedField, KnowsItsBandFromTheLowestGradeToTheHighest) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::graded_field_test

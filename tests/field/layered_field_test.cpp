@@ -16,7 +16,7 @@
 #include "solidnoise/noise/gabor/gabor_noise.h"
 #include "support/independent_values.h"
 
-namespace solidnoise {
+namespace solidnoise::layered_field_test {
 namespace {
 
 using Fold = Layer::Fold;
@@ -280,4 +280,4 @@ TEST(LayeredField, SeedsOfLayersAreMixedWithTheRecipes) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::layered_field_test

@@ -8,7 +8,7 @@
 #include "solidnoise/field/shaping.h"
 #include "solidnoise/noise/noise.h"
 
-namespace solidnoise {
+namespace solidnoise::shaped_field_test {
 namespace {
 
 // A "noise" whose value is the position's x.
@@ -130,4 +130,4 @@ TEST(ShapedField, VeinsAreLayersThatTheNoiseBends) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::shaped_field_test

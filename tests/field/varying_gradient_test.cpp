@@ -6,7 +6,7 @@
 #include "solidnoise/field/varying_field.h"
 #include "support/expect_gradient.h"
 
-namespace solidnoise {
+namespace solidnoise::varying_gradient_test {
 namespace {
 
 // A frequency that is another one beyond x = 0, and the same on either side.
@@ -48,4 +48,4 @@ TEST(VaryingField, HasTheGradientOfItsValuesInSpaceWhereParametersAreConstant) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::varying_gradient_test

@@ -11,7 +11,7 @@
 #include "support/sample_meshes.h"
 #include "support/sound_mesh.h"
 
-namespace solidnoise {
+namespace solidnoise::damaged_mesh_test {
 namespace {
 
 // A file that is damaged is either refused by one line that begins with its name, or read as a sound mesh.
@@ -76,4 +76,4 @@ TEST(DamagedMesh, OfStlIsRefusedOrSound) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::damaged_mesh_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace solidnoise {
+namespace solidnoise::inspect_mesh_test {
 namespace {
 
 // A unit cube of six squares.
@@ -83,4 +83,4 @@ TEST(InspectMesh, CountsEdgesOfFacesThatAreInsideOut) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::inspect_mesh_test

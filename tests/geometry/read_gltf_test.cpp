@@ -13,7 +13,7 @@
 #include "support/message_of.h"
 #include "support/sample_meshes.h"
 
-namespace solidnoise {
+namespace solidnoise::read_gltf_test {
 namespace {
 
 using nlohmann::json;
@@ -145,4 +145,4 @@ TEST(RewriteGltf, KeepsAllButColorsAndNumbers) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::read_gltf_test

@@ -7,7 +7,7 @@
 #include "solidnoise/geometry/mesh_file.h"
 #include "support/message_of.h"
 
-namespace solidnoise {
+namespace solidnoise::read_obj_test {
 namespace {
 
 MeshReading read(const std::string& text) {
@@ -118,4 +118,4 @@ TEST(ReadObj, NamesLineAndElementOfAnError) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::read_obj_test

@@ -8,7 +8,7 @@
 #include "support/mesh_text.h"
 #include "support/message_of.h"
 
-namespace solidnoise {
+namespace solidnoise::read_off_test {
 namespace {
 
 MeshReading read(const std::string& text) {
@@ -125,4 +125,4 @@ TEST(ReadOff, NamesLineAndElementOfAnError) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::read_off_test

@@ -10,7 +10,7 @@
 #include "support/message_of.h"
 #include "support/sample_meshes.h"
 
-namespace solidnoise {
+namespace solidnoise::read_om_test {
 namespace {
 
 MeshReading read(const std::string& bytes) {
@@ -105,4 +105,4 @@ TEST(ReadOm, RefusesWhatIsNotThereOrNotKnown) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::read_om_test

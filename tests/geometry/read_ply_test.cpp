@@ -11,7 +11,7 @@
 #include "support/mesh_text.h"
 #include "support/message_of.h"
 
-namespace solidnoise {
+namespace solidnoise::read_ply_test {
 namespace {
 
 MeshReading read(const std::string& bytes) {
@@ -214,4 +214,4 @@ TEST(ReadPly, RefusesCountsThatTheFileCannotHold) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::read_ply_test

@@ -11,7 +11,7 @@
 #include "support/mesh_text.h"
 #include "support/message_of.h"
 
-namespace solidnoise {
+namespace solidnoise::read_stl_test {
 namespace {
 
 MeshReading read(const std::string& bytes) {
@@ -111,4 +111,4 @@ TEST(ReadStl, NamesFaceAndLineOfAnError) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::read_stl_test

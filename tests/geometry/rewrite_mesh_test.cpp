@@ -9,7 +9,7 @@
 #include "support/mesh_text.h"
 #include "support/message_of.h"
 
-namespace solidnoise {
+namespace solidnoise::rewrite_mesh_test {
 namespace {
 
 // A mesh that was read from the bytes, moved and coloured.
@@ -96,4 +96,4 @@ TEST(RewriteMesh, RefusesAnotherNumberOfVertices) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::rewrite_mesh_test

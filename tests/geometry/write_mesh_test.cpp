@@ -18,7 +18,7 @@
 #include "support/sample_meshes.h"
 #include "support/temporary_folder.h"
 
-namespace solidnoise {
+namespace solidnoise::write_mesh_test {
 namespace {
 
 MeshReading again(const PolygonMesh& mesh, MeshFormat format, const MeshWriteOptions& options = {}) {
@@ -350,4 +350,4 @@ TEST_F(MeshFiles, AreNotLeftBehindByACancelledWrite) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::write_mesh_test

@@ -1,7 +1,6 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -10,8 +9,9 @@
 
 #include "solidnoise/geometry/mesh_file.h"
 #include "solidnoise/geometry/scene_values.h"
+#include "support/mesh_text.h"
 
-namespace solidnoise {
+namespace solidnoise::write_scenes_test {
 namespace {
 
 PolygonMesh square() {
@@ -21,12 +21,6 @@ PolygonMesh square() {
   mesh.set_property(
       {"noise", ScalarType::float32, {0.0, 0.5, std::numeric_limits<double>::quiet_NaN(), -1e300}});
   return mesh;
-}
-
-std::string written(const PolygonMesh& mesh, MeshFormat format, const MeshWriteOptions& options = {}) {
-  std::ostringstream stream;
-  write_mesh(stream, format, mesh, options);
-  return stream.str();
 }
 
 std::uint32_t number_at(const std::string& bytes, std::size_t at) {
@@ -106,4 +100,4 @@ TEST(LinearColor, IsThatOfTheStandard) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::write_scenes_test

@@ -7,7 +7,7 @@
 
 #include "solidnoise/image/color.h"
 
-namespace solidnoise {
+namespace solidnoise::color_ramp_test {
 namespace {
 
 // Single precision, and powers: some 10 roundings of 2^-24 relative.
@@ -105,4 +105,4 @@ TEST(ColorRamp, RefusesBadTextAndQuotesIt) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::color_ramp_test

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace solidnoise {
+namespace solidnoise::drawing_test {
 namespace {
 
 double ink(const Image& image) {
@@ -155,4 +155,4 @@ TEST(DrawingDeathTest, AMissingFontIsNamed) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::drawing_test

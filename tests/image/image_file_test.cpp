@@ -17,7 +17,7 @@
 #include "solidnoise/core/random.h"
 #include "support/temporary_folder.h"
 
-namespace solidnoise {
+namespace solidnoise::image_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -195,4 +195,4 @@ TEST_F(ImageFile, FilesThatAreNoPicturesAreRefused) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::image_file_test

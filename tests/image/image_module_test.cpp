@@ -9,7 +9,7 @@
 #include "support/paths.h"
 #include "support/temporary_folder.h"
 
-namespace solidnoise {
+namespace solidnoise::image_module_test {
 namespace {
 
 // In a process of its own: the module is looked for once.
@@ -51,4 +51,4 @@ TEST(ImageModule, IsFoundBesideTheLibraryThatWasLoaded) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::image_module_test

@@ -13,7 +13,7 @@
 #include "support/message_of.h"
 #include "support/temporary_folder.h"
 
-namespace solidnoise {
+namespace solidnoise::untrusted_picture_test {
 namespace {
 
 constexpr char kFormats[] = "it must be a PNG, JPEG, TIFF, OpenEXR or Radiance HDR file";
@@ -219,4 +219,4 @@ TEST_F(UntrustedPicture, CutAtHalfIsRefused) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::untrusted_picture_test

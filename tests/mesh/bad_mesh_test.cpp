@@ -14,7 +14,7 @@
 #include "solidnoise/mesh/surface_mesh.h"
 #include "solidnoise/mesh/vertex_parameters.h"
 
-namespace solidnoise {
+namespace solidnoise::bad_mesh_test {
 namespace {
 
 // Triangles between vertices at random, with all the faults there are: edges of many faces, faces without
@@ -74,4 +74,4 @@ TEST(BadMesh, HasFiniteValuesAtEveryVertex) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::bad_mesh_test

@@ -13,7 +13,7 @@
 #include "solidnoise/noise/registry/noise_recipe.h"
 #include "support/message_of.h"
 
-namespace solidnoise {
+namespace solidnoise::bake_layers_test {
 namespace {
 
 // Points all over a sphere of radius 1, their own normals.
@@ -153,4 +153,4 @@ TEST(BakeLayers, UseNamedFieldsWeightsAndValues) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::bake_layers_test

@@ -13,7 +13,7 @@
 #include "support/spectra.h"
 #include "support/surfaces.h"
 
-namespace solidnoise {
+namespace solidnoise::bake_mesh_test {
 namespace {
 
 // Bent differently everywhere, with a number per vertex of its own.
@@ -280,4 +280,4 @@ TEST(BakeMesh, HasTheRecipesPropertiesAndIsDisplacedByTheHeight) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::bake_mesh_test

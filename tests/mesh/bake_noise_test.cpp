@@ -17,7 +17,7 @@
 #include "support/message_of.h"
 #include "support/spectra.h"
 
-namespace solidnoise {
+namespace solidnoise::bake_noise_test {
 namespace {
 
 constexpr SurfaceNoiseKind kKinds[] = {SurfaceNoiseKind::surface,       SurfaceNoiseKind::oriented,
@@ -209,4 +209,4 @@ TEST(BakeNoise, RefusesWhatDoesNotFit) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::bake_noise_test

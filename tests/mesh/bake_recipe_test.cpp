@@ -11,7 +11,7 @@
 #include "support/message_of.h"
 #include "support/spectra.h"
 
-namespace solidnoise {
+namespace solidnoise::bake_recipe_test {
 namespace {
 
 BakeRecipe plain_recipe() {
@@ -179,4 +179,4 @@ TEST(BakeRecipe, AFeatureIsACycleOfTheFrequency) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::bake_recipe_test

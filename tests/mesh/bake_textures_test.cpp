@@ -12,7 +12,7 @@
 #include "solidnoise/noise/gabor/surface_gabor_noise.h"
 #include "support/message_of.h"
 
-namespace solidnoise {
+namespace solidnoise::bake_textures_test {
 namespace {
 
 constexpr int kSize = 256;
@@ -267,4 +267,4 @@ TEST(BakeTextures, NamesMapsOfTheRecipe) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::bake_textures_test

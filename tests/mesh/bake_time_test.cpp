@@ -15,7 +15,7 @@
 #include "support/message_of.h"
 #include "support/spectra.h"
 
-namespace solidnoise {
+namespace solidnoise::bake_time_test {
 namespace {
 
 // Points on a large sphere, a golden spiral: 1.4 wavelengths apart at frequency 8, so that they hardly
@@ -151,4 +151,4 @@ TEST(BakeTime, RefusesWhatHasNoEffect) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::bake_time_test

@@ -11,7 +11,7 @@
 #include "support/relative_error.h"
 #include "support/surfaces.h"
 
-namespace solidnoise {
+namespace solidnoise::curvature_invariance_test {
 namespace {
 
 constexpr std::array kEachSmoothing{CurvatureOptions{}, CurvatureOptions{.rounds = 3},
@@ -109,4 +109,4 @@ TEST(CurvatureOptions, AreChecked) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::curvature_invariance_test

@@ -14,7 +14,7 @@
 #include "support/known_curvature.h"
 #include "support/surfaces.h"
 
-namespace solidnoise {
+namespace solidnoise::curvature_test {
 namespace {
 
 // A surface of known curvature, at any resolution.
@@ -223,4 +223,4 @@ TEST(Curvature, OfAFanIsThatOfItsSurface) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::curvature_test

@@ -12,7 +12,7 @@
 #include "support/message_of.h"
 #include "support/surfaces.h"
 
-namespace solidnoise {
+namespace solidnoise::direction_field_test {
 namespace {
 
 const Vec<3> kY(0.0, 1.0, 0.0);
@@ -164,4 +164,4 @@ TEST(CurvatureDirections, RefuseWhatDoesNotFit) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::direction_field_test

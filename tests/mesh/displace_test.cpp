@@ -13,7 +13,7 @@
 #include "support/message_of.h"
 #include "support/surfaces.h"
 
-namespace solidnoise {
+namespace solidnoise::displace_test {
 namespace {
 
 std::vector<Vec<3>> normals_of(const PolygonMesh& mesh) {
@@ -85,4 +85,4 @@ TEST(Displace, RefusesAmountsThatAreNotNumbers) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::displace_test

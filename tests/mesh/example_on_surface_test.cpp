@@ -9,7 +9,7 @@
 #include "solidnoise/mesh/bake_mesh.h"
 #include "support/surfaces.h"
 
-namespace solidnoise {
+namespace solidnoise::example_on_surface_test {
 namespace {
 
 constexpr int kSide = 48;
@@ -94,4 +94,4 @@ TEST(ExampleOnSurface, ItsFrequencyMayFollowTheSurface) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::example_on_surface_test

@@ -12,7 +12,7 @@
 #include "solidnoise/noise/gabor/surface_spectrum_noise.h"
 #include "solidnoise/noise/gabor/varying_gabor_noise.h"
 
-namespace solidnoise {
+namespace solidnoise::filtered_surface_noise_test {
 namespace {
 
 // Points of the plane z = 0.3, and what a noise is given there.
@@ -220,4 +220,4 @@ TEST(FilteredVaryingNoise, IsTheNoiseConvolvedWithAGaussian) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::filtered_surface_noise_test

@@ -10,7 +10,7 @@
 #include "support/message_of.h"
 #include "support/surfaces.h"
 
-namespace solidnoise {
+namespace solidnoise::steering_numbers_test {
 namespace {
 
 // Two vertices: one on a ridge that also bends the other way, one in a crease.
@@ -89,4 +89,4 @@ TEST(SteeringNumbers, OfMeanCurvatureGoFromCreasesToRidges) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::steering_numbers_test

@@ -11,7 +11,7 @@
 
 #include "support/message_of.h"
 
-namespace solidnoise {
+namespace solidnoise::steering_test {
 namespace {
 
 std::vector<double> up_to(int count) {
@@ -117,4 +117,4 @@ TEST(Steering, RefusesWhatMakesNoSense) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::steering_test

@@ -9,7 +9,7 @@
 #include "support/expect_gradient.h"
 #include "support/spectra.h"
 
-namespace solidnoise {
+namespace solidnoise::surface_gradient_test {
 namespace {
 
 // The same direction everywhere.
@@ -54,4 +54,4 @@ TEST(SurfaceField, HasTheGradientOfItsValuesAlongTheSurface) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::surface_gradient_test

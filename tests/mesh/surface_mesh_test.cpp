@@ -16,7 +16,7 @@
 #include "support/message_of.h"
 #include "support/surfaces.h"
 
-namespace solidnoise {
+namespace solidnoise::surface_mesh_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -189,4 +189,4 @@ TEST(SurfaceMesh, IsTheSameForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::surface_mesh_test

@@ -17,7 +17,7 @@
 #include "support/paths.h"
 #include "support/surfaces.h"
 
-namespace solidnoise {
+namespace solidnoise::surface_scale_test {
 namespace {
 
 PolygonMesh wyrm() {
@@ -146,4 +146,4 @@ TEST(SurfaceScale, RefiningStaysWithinItsBudget) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::surface_scale_test

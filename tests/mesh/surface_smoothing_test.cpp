@@ -12,7 +12,7 @@
 
 #include "support/surfaces.h"
 
-namespace solidnoise {
+namespace solidnoise::surface_smoothing_test {
 namespace {
 
 using Line = std::complex<double>;
@@ -107,4 +107,4 @@ TEST(Lines, HaveNoSign) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::surface_smoothing_test

@@ -8,7 +8,7 @@
 #include "meshnoise/sample_torus.h"
 #include "tools/refusal.h"
 
-namespace solidnoise {
+namespace solidnoise::bad_input_test {
 namespace {
 
 constexpr char kPlane[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 4 3\n";
@@ -131,10 +131,6 @@ const Refusal kUsage[] = {
      2,
      {"--out", "x.ply", "--direction", "0", "0", "1"},
      {"--direction", "oriented"}},
-    {"KenslerOfARange",
-     2,
-     {"--out", "x.ply", "--noise", "kensler", "--frequency", "1..2"},
-     {"--frequency is 1..2", "for all vertices"}},
     {"KenslerBandwidth",
      2,
      {"--out", "x.ply", "--noise", "kensler", "--bandwidth", "1"},
@@ -254,4 +250,4 @@ INSTANTIATE_TEST_SUITE_P(Usage, MeshnoiseBadInput, testing::ValuesIn(kUsage), kN
 INSTANTIATE_TEST_SUITE_P(Files, MeshnoiseBadInput, testing::ValuesIn(kFiles), kName);
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::bad_input_test

@@ -7,7 +7,7 @@
 #include "meshnoise/run_meshnoise.h"
 #include "meshnoise/sample_torus.h"
 
-namespace solidnoise {
+namespace solidnoise::bake_test {
 namespace {
 
 const std::vector<std::string> kFormats{"ply", "obj", "off", "om"};
@@ -187,4 +187,4 @@ TEST(Bake, StandardOutputCarriesTheMeshAndNothingElse) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::bake_test

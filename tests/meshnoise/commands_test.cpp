@@ -10,7 +10,7 @@
 #include "meshnoise/sample_torus.h"
 #include "solidnoise/mesh/bake_recipe_json.h"
 
-namespace solidnoise {
+namespace solidnoise::commands_test {
 namespace {
 
 // Runs in a folder with a torus, in.ply, and expects it to go well.
@@ -181,4 +181,4 @@ TEST(Meshnoise, HelpListsTheFlags) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::commands_test

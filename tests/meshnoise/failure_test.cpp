@@ -11,7 +11,7 @@
 #include "support/paths.h"
 #include "tools/expect_whole_or_nothing.h"
 
-namespace solidnoise {
+namespace solidnoise::failure_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -203,4 +203,4 @@ TEST(MeshnoiseDamagedInput, IsRefusedOrRead) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::failure_test

@@ -7,7 +7,7 @@
 #include "meshnoise/sample_torus.h"
 #include "tools/expect_estimate.h"
 
-namespace solidnoise {
+namespace solidnoise::limits_test {
 namespace {
 
 TEST(MeshnoiseEstimatedMemory, IsWhatABakeTakes) {
@@ -58,4 +58,4 @@ TEST(MeshnoiseDisplace, FartherThanTheMeshIsLongIsWarnedOf) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::limits_test

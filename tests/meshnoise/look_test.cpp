@@ -10,7 +10,7 @@
 #include "meshnoise/sample_torus.h"
 #include "solidnoise/mesh/surface_mesh.h"
 
-namespace solidnoise {
+namespace solidnoise::look_test {
 namespace {
 
 // A torus with numbers, baked with some flags into a .ply.
@@ -191,4 +191,4 @@ TEST(BakeLook, BlemishesAreCountedAndBaked) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::look_test

@@ -8,7 +8,7 @@
 #include "meshnoise/sample_torus.h"
 #include "solidnoise/geometry/read_points.h"
 
-namespace solidnoise {
+namespace solidnoise::round_trip_test {
 namespace {
 
 ToolResult run_in(const TemporaryFolder& folder, const std::vector<std::string>& arguments) {
@@ -84,4 +84,4 @@ TEST(RoundTrip, NumbersOfTheVerticesSayWhereTheyRest) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::round_trip_test

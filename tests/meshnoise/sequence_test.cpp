@@ -7,7 +7,7 @@
 #include "meshnoise/run_meshnoise.h"
 #include "meshnoise/sample_torus.h"
 
-namespace solidnoise {
+namespace solidnoise::sequence_test {
 namespace {
 
 std::vector<double> noise_in(const TemporaryFolder& folder, const std::string& name) {
@@ -99,4 +99,4 @@ TEST(MeshSequence, RefusesWhatIsNoSequence) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::sequence_test

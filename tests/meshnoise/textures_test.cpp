@@ -11,7 +11,7 @@
 #include "solidnoise/image/image_file.h"
 #include "tools/run_tool.h"
 
-namespace solidnoise {
+namespace solidnoise::textures_test {
 namespace {
 
 // Two squares side by side, of which the second is in another tile.
@@ -123,4 +123,4 @@ TEST_F(Textures, GoWithAMesh) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::textures_test

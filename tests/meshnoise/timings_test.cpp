@@ -7,7 +7,7 @@
 #include "meshnoise/sample_torus.h"
 #include "tools/stage_lines.h"
 
-namespace solidnoise {
+namespace solidnoise::timings_test {
 namespace {
 
 TEST(MeshnoiseTimings, ArePrintedStageByStageWhenAskedFor) {
@@ -25,4 +25,4 @@ TEST(MeshnoiseTimings, ArePrintedStageByStageWhenAskedFor) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::timings_test

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace solidnoise {
+namespace solidnoise::axis_weights_test {
 namespace {
 
 // That of a wave of eight samples under a Gaussian, at distances of samples.
@@ -117,4 +117,4 @@ TEST(AxisWeights, RespondToAWaveAsTheSumOverPhasesSays) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::axis_weights_test

@@ -5,7 +5,7 @@
 
 #include "solidnoise/noise/kernel/gabor_parameters.h"
 
-namespace solidnoise {
+namespace solidnoise::bandwidth_test {
 namespace {
 
 TEST(Bandwidth, IsWhereTheGaussianFallsToHalf) {
@@ -35,4 +35,4 @@ TEST(Bandwidth, IsUnlimitedWhenTheBandReachesZero) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::bandwidth_test

@@ -16,7 +16,7 @@
 #include "support/message_of.h"
 #include "support/simd_targets.h"
 
-namespace solidnoise {
+namespace solidnoise::cellular_noise_test {
 namespace {
 
 using Feature = CellularNoiseOptions::Feature;
@@ -155,4 +155,4 @@ TEST(CellularNoise, RefusesAPeriodOfTooFewCells) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::cellular_noise_test

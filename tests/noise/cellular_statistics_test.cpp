@@ -13,7 +13,7 @@
 #include "solidnoise/noise/cellular/cellular_noise.h"
 #include "support/each_dimension.h"
 
-namespace solidnoise {
+namespace solidnoise::cellular_statistics_test {
 namespace {
 
 using Feature = CellularNoiseOptions::Feature;
@@ -114,4 +114,4 @@ TEST(CellularStatistics, AreThoseOfTheNoise) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::cellular_statistics_test

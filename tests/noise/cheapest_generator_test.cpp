@@ -8,7 +8,7 @@
 #include "solidnoise/noise/gabor/oriented_gabor_noise.h"
 #include "solidnoise/noise/registry/noise_recipe.h"
 
-namespace solidnoise {
+namespace solidnoise::cheapest_generator_test {
 namespace {
 
 template <int Dim>
@@ -83,4 +83,4 @@ TEST(CheapestGenerator, LeavesWhatItCannotChoose) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::cheapest_generator_test

@@ -13,7 +13,7 @@
 #include "solidnoise/core/special_functions.h"
 #include "solidnoise/noise/kernel/gabor_parameters.h"
 
-namespace solidnoise {
+namespace solidnoise::compact_kernel_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -271,4 +271,4 @@ TEST(CompactEnvelope, ProductOverTheAxesHasTheRequestedError) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::compact_kernel_test

@@ -14,7 +14,7 @@
 #include "solidnoise/core/special_functions.h"
 #include "solidnoise/noise/gabor/oriented_gabor_noise.h"
 
-namespace solidnoise {
+namespace solidnoise::directions_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -233,4 +233,4 @@ TEST(DirectionCone, IsWhatTheNoisesWavesAreDrawnFrom) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::directions_test

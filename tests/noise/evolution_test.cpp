@@ -19,7 +19,7 @@
 #include "support/message_of.h"
 #include "support/tile_spectrum.h"
 
-namespace solidnoise {
+namespace solidnoise::evolution_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -248,4 +248,4 @@ TEST(Evolution, BadOptionsAreRefused) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::evolution_test

@@ -17,7 +17,7 @@
 #include "support/simd_targets.h"
 #include "support/spectra.h"
 
-namespace solidnoise {
+namespace solidnoise::gabor_determinism_test {
 namespace {
 
 // Runs a check with each Gabor noise, in Dim dimensions, with sums of octaves, and, in 3D, with frames.
@@ -247,4 +247,4 @@ TEST(GaborDeterminism, ThreadsShareANoise) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::gabor_determinism_test

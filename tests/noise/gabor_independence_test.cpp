@@ -14,7 +14,7 @@
 #include "support/gabor_noises.h"
 #include "support/independent_values.h"
 
-namespace solidnoise {
+namespace solidnoise::gabor_independence_test {
 namespace {
 
 // The same noise of another seed.
@@ -131,4 +131,4 @@ TEST(GaborIndependence, OctavesAreNotCopiesOfEachOther) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::gabor_independence_test

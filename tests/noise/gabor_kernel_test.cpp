@@ -14,7 +14,7 @@
 #include "support/golden.h"
 #include "support/relative_error.h"
 
-namespace solidnoise {
+namespace solidnoise::gabor_kernel_test {
 namespace {
 
 using nlohmann::json;
@@ -202,4 +202,4 @@ TEST(GaborKernel, RefusesParametersThatMakeNoKernel) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::gabor_kernel_test

@@ -14,7 +14,7 @@
 #include "support/gabor_noises.h"
 #include "support/simd_targets.h"
 
-namespace solidnoise {
+namespace solidnoise::gabor_noise_test {
 namespace {
 
 // Bounds of the error against double precision, relative to the value where that is above the noise's
@@ -183,4 +183,4 @@ TEST(GaborNoise, TakesDifferentStepsAlongEachAxis) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::gabor_noise_test

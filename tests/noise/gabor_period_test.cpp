@@ -16,7 +16,7 @@
 #include "support/gabor_noises.h"
 #include "support/message_of.h"
 
-namespace solidnoise {
+namespace solidnoise::gabor_period_test {
 namespace {
 
 // Expects the same bits any number of periods away, where a period is so many steps along every axis.
@@ -201,4 +201,4 @@ TEST(GaborPeriod, BelowTwoRadiiIsRefused) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::gabor_period_test

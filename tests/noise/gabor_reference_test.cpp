@@ -7,7 +7,7 @@
 
 #include "solidnoise/noise/kernel/isotropic_gabor_kernel.h"
 
-namespace solidnoise {
+namespace solidnoise::gabor_reference_test {
 namespace {
 
 constexpr double kFrequency = 1.0;
@@ -93,4 +93,4 @@ TEST(GaborReference, SumsGivenImpulses) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::gabor_reference_test

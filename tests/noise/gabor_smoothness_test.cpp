@@ -9,7 +9,7 @@
 #include "support/evaluated.h"
 #include "support/gabor_noises.h"
 
-namespace solidnoise {
+namespace solidnoise::gabor_smoothness_test {
 namespace {
 
 template <int Dim>
@@ -148,4 +148,4 @@ TEST(GaborSmoothness, ValueAndGradientVanishAtTheEndOfAnImpulsesSupport) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::gabor_smoothness_test

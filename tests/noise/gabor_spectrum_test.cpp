@@ -14,7 +14,7 @@
 #include "support/gabor_noises.h"
 #include "support/tile_spectrum.h"
 
-namespace solidnoise {
+namespace solidnoise::gabor_spectrum_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -318,4 +318,4 @@ TEST(GaborSpectrum, OfCompactKernelsDiffersFromThatOfUnlimitedOnesByLittle) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::gabor_spectrum_test

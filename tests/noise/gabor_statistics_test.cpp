@@ -17,7 +17,7 @@
 #include "support/gabor_noises.h"
 #include "support/independent_values.h"
 
-namespace solidnoise {
+namespace solidnoise::gabor_statistics_test {
 namespace {
 
 // Even cumulants of a noise's values, of orders 2 to 8; the odd ones are 0.
@@ -319,4 +319,4 @@ TEST(GaborStatistics, AFrameHasTheMomentsOfTheWhole) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::gabor_statistics_test

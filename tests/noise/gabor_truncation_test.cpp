@@ -9,7 +9,7 @@
 #include "support/gabor_noises.h"
 #include "support/independent_values.h"
 
-namespace solidnoise {
+namespace solidnoise::gabor_truncation_test {
 namespace {
 
 // The root mean square of what the noise lacks, relative to the noise of unlimited kernels at the same
@@ -82,4 +82,4 @@ TEST(GaborTruncation, MoreErrorMeansASmallerRadius) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::gabor_truncation_test

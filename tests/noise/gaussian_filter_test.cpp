@@ -19,7 +19,7 @@
 #include "support/message_of.h"
 #include "support/spectra.h"
 
-namespace solidnoise {
+namespace solidnoise::gaussian_filter_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -332,4 +332,4 @@ TEST(GaussianFilter, BadOptionsAreRefused) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::gaussian_filter_test

@@ -17,7 +17,7 @@
 #include "support/gabor_noises.h"
 #include "support/independent_values.h"
 
-namespace solidnoise {
+namespace solidnoise::gradient_error_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -125,4 +125,4 @@ TEST(GradientError, BoundsItWithTheSameImpulses) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::gradient_error_test

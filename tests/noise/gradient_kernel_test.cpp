@@ -10,7 +10,7 @@
 #include "support/golden.h"
 #include "support/relative_error.h"
 
-namespace solidnoise {
+namespace solidnoise::gradient_kernel_test {
 namespace {
 
 using Kernel = GradientNoiseOptions::Kernel;
@@ -159,4 +159,4 @@ TEST(GradientKernel, BandLeavesHalfAThousandthOnEitherSide) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::gradient_kernel_test

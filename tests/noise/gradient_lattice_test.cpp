@@ -12,7 +12,7 @@
 #include "solidnoise/core/random.h"
 #include "support/each_dimension.h"
 
-namespace solidnoise {
+namespace solidnoise::gradient_lattice_test {
 namespace {
 
 TEST(GradientLattice, GradientsOfEverySeedHaveMeanZeroAndIsotropicSecondMoments) {
@@ -97,4 +97,4 @@ TEST(GradientLattice, BoxHoldsTheHashOfEveryPointBothSidesOfZeroAndAcrossThePeri
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::gradient_lattice_test

@@ -13,7 +13,7 @@
 #include "support/each_dimension.h"
 #include "support/gradient_noises.h"
 
-namespace solidnoise {
+namespace solidnoise::gradient_noise_statistics_test {
 namespace {
 
 using Hash = GradientNoiseOptions::Hash;
@@ -321,4 +321,4 @@ TEST(GradientNoiseStatistics, CellsThatShareNoLatticePointAreIndependent) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::gradient_noise_statistics_test

@@ -15,7 +15,7 @@
 #include "support/message_of.h"
 #include "support/simd_targets.h"
 
-namespace solidnoise {
+namespace solidnoise::gradient_noise_test {
 namespace {
 
 // Bound of the error of a value, in standard deviations of the noise: the magnitudes of the terms add up to
@@ -283,4 +283,4 @@ TEST(GradientNoise, OptionsOutOfRangeAreRefused) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::gradient_noise_test

@@ -12,7 +12,7 @@
 #include "solidnoise/noise/registry/noise_recipe.h"
 #include "support/each_dimension.h"
 
-namespace solidnoise {
+namespace solidnoise::gradient_variance_test {
 namespace {
 
 constexpr double kTau = 2.0 * std::numbers::pi;
@@ -110,4 +110,4 @@ TEST(DirectionCone, SecondMomentsAreThoseOfTheDirectionsDrawn) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::gradient_variance_test

@@ -15,7 +15,7 @@
 #include "solidnoise/noise/convolution/impulse_block.h"
 #include "support/each_dimension.h"
 
-namespace solidnoise {
+namespace solidnoise::impulse_process_test {
 namespace {
 
 // Of every chi-square and of every bound of 4.4 standard deviations here: one false alarm in 1e5.
@@ -419,4 +419,4 @@ TEST(ImpulseProcess, EachPartOfTheSharesHasOneImpulseOfAStratum) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::impulse_process_test

@@ -12,7 +12,7 @@
 #include "support/golden.h"
 #include "support/relative_error.h"
 
-namespace solidnoise {
+namespace solidnoise::impulse_statistics_test {
 namespace {
 
 using nlohmann::json;
@@ -117,4 +117,4 @@ TEST(ImpulseStatistics, MomentsAgreeWithASimulation) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::impulse_statistics_test

@@ -12,7 +12,7 @@
 #include "solidnoise/noise/kernel/gabor_parameters.h"
 #include "support/each_dimension.h"
 
-namespace solidnoise {
+namespace solidnoise::impulse_strata_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -170,4 +170,4 @@ TEST(ImpulseStatistics, KurtosisOfStrataAgreesWithASimulation) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::impulse_strata_test

@@ -16,7 +16,7 @@
 #include "support/independent_values.h"
 #include "support/lattices.h"
 
-namespace solidnoise {
+namespace solidnoise::interpolation_error_test {
 namespace {
 
 // Kernels and interpolation together, against the noise of unlimited kernels, summed in double precision,
@@ -186,4 +186,4 @@ TEST(ErrorBudget, PartsMakeTheWhole) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::interpolation_error_test

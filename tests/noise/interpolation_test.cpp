@@ -21,7 +21,7 @@
 #include "support/simd_targets.h"
 #include "support/spectra.h"
 
-namespace solidnoise {
+namespace solidnoise::interpolation_test {
 namespace {
 
 // Makes an interpolated noise that has not kept any samples yet.
@@ -265,4 +265,4 @@ TEST(Interpolation, WhatIsNotStationaryOrNotResolvedIsEvaluatedDirectly) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::interpolation_test

@@ -14,7 +14,7 @@
 #include "support/golden.h"
 #include "support/relative_error.h"
 
-namespace solidnoise {
+namespace solidnoise::isotropic_gabor_kernel_test {
 namespace {
 
 using nlohmann::json;
@@ -227,4 +227,4 @@ TEST(IsotropicGaborKernel, RefusesParametersThatMakeNoKernel) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::isotropic_gabor_kernel_test

@@ -11,7 +11,7 @@
 #include "solidnoise/noise/kernel/gabor_parameters.h"
 #include "support/message_of.h"
 
-namespace solidnoise {
+namespace solidnoise::kernel_family_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -125,4 +125,4 @@ TEST(KernelFamily, RefusesBandwidthsOutOfRange) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::kernel_family_test

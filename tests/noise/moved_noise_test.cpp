@@ -5,7 +5,7 @@
 #include "solidnoise/noise/noise_views.h"
 #include "solidnoise/noise/registry/noise_recipe.h"
 
-namespace solidnoise {
+namespace solidnoise::moved_noise_test {
 namespace {
 
 std::vector<float> values_of(const Noise<3>& noise, const Vec<3>& origin) {
@@ -48,4 +48,4 @@ TEST(MovedNoise, RefusesAnOffsetThatIsNotFinite) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::moved_noise_test

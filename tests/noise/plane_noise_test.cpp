@@ -15,7 +15,7 @@
 #include "support/evaluated.h"
 #include "support/spectra.h"
 
-namespace solidnoise {
+namespace solidnoise::plane_noise_test {
 namespace {
 
 using NoisePtr = std::shared_ptr<const Noise<3>>;
@@ -126,4 +126,4 @@ TEST(PlaneNoise, IsInterpolated) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::plane_noise_test

@@ -20,7 +20,7 @@
 #include "support/simd_targets.h"
 #include "support/spectra.h"
 
-namespace solidnoise {
+namespace solidnoise::point_gradient_test {
 namespace {
 
 template <int Dim>
@@ -152,4 +152,4 @@ TEST(PointGradients, OfProjectedNoiseIsAlongTheSurface) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::point_gradient_test

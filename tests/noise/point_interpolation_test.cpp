@@ -18,7 +18,7 @@
 #include "support/evaluated.h"
 #include "support/lattices.h"
 
-namespace solidnoise {
+namespace solidnoise::point_interpolation_test {
 namespace {
 
 using NoisePtr = std::shared_ptr<const Noise<3>>;
@@ -189,4 +189,4 @@ TEST(PointInterpolation, IsNotDoneWhereNothingIsGained) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::point_interpolation_test

@@ -8,7 +8,7 @@
 #include "solidnoise/core/points.h"
 #include "support/scattered.h"
 
-namespace solidnoise {
+namespace solidnoise::point_order_test {
 namespace {
 
 template <int Dim>
@@ -51,4 +51,4 @@ TEST(PointOrder, TakesPointsThatAreAllTheSame) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::point_order_test

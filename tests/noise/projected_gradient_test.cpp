@@ -16,7 +16,7 @@
 #include "support/scattered.h"
 #include "support/simd_targets.h"
 
-namespace solidnoise {
+namespace solidnoise::projected_gradient_test {
 namespace {
 
 using Options = ProjectedGradientOptions;
@@ -257,4 +257,4 @@ TEST(ProjectedGradientNoise, RefusesWhatIsNotAllowed) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::projected_gradient_test

@@ -11,7 +11,7 @@
 #include "support/gabor_noises.h"
 #include "support/message_of.h"
 
-namespace solidnoise {
+namespace solidnoise::quadrature_noise_test {
 namespace {
 
 NoiseRecipe oriented(double anisotropy) {
@@ -81,4 +81,4 @@ TEST(QuadratureNoise, NeedsOrientedGaborNoiseOfOneOctave) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::quadrature_noise_test

@@ -23,7 +23,7 @@
 #include "support/message_of.h"
 #include "support/spectra.h"
 
-namespace solidnoise {
+namespace solidnoise::refused_input_test {
 namespace {
 
 template <typename Action>
@@ -206,4 +206,4 @@ TEST(NoiseOptionsInRecipes, ImpulsesAreNotChosenWithoutBound) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::refused_input_test

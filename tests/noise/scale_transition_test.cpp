@@ -6,7 +6,7 @@
 
 #include "solidnoise/core/numerics.h"
 
-namespace solidnoise {
+namespace solidnoise::scale_transition_test {
 namespace {
 
 TEST(ScaleTransition, PowerWeightsKeepTheVariance) {
@@ -78,4 +78,4 @@ TEST(ScaleFade, NeedsFewMoreImpulsesThanAStationaryNoise) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::scale_transition_test

@@ -15,7 +15,7 @@
 #include "support/spectra.h"
 #include "support/tile_spectrum.h"
 
-namespace solidnoise {
+namespace solidnoise::spectrum_noise_test {
 namespace {
 
 template <typename Check>
@@ -152,4 +152,4 @@ TEST(SpectrumNoise, RefusesWhatIsNoSpectrum) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::spectrum_noise_test

@@ -13,7 +13,7 @@
 #include "support/independent_values.h"
 #include "support/scattered.h"
 
-namespace solidnoise {
+namespace solidnoise::surface_gabor_statistics_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -209,4 +209,4 @@ TEST(SurfaceGaborStatistics, DefaultNumberOfImpulsesTakesTheExcessKurtosisAway) 
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::surface_gabor_statistics_test

@@ -15,7 +15,7 @@
 #include "support/scattered.h"
 #include "support/simd_targets.h"
 
-namespace solidnoise {
+namespace solidnoise::surface_gabor_test {
 namespace {
 
 constexpr double kImpulses = 20.0;
@@ -300,4 +300,4 @@ TEST(SurfaceGaborNoise, RefusesOptionsOutOfRange) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::surface_gabor_test

@@ -13,7 +13,7 @@
 #include "support/message_of.h"
 #include "support/spectra.h"
 
-namespace solidnoise {
+namespace solidnoise::surface_spectrum_test {
 namespace {
 
 constexpr double kLayer = 0.5;
@@ -137,4 +137,4 @@ TEST(SurfaceSpectrumNoise, RefusesWhatItCannotMake) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::surface_spectrum_test

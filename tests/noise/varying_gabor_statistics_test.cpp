@@ -13,7 +13,7 @@
 #include "support/independent_values.h"
 #include "support/scattered.h"
 
-namespace solidnoise {
+namespace solidnoise::varying_gabor_statistics_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -243,4 +243,4 @@ TEST(VaryingGaborStatistics, OrientedSpectrumIntegratesToOneAndLiesAlongTheDirec
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::varying_gabor_statistics_test

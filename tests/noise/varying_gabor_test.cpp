@@ -13,7 +13,7 @@
 #include "support/scattered.h"
 #include "support/simd_targets.h"
 
-namespace solidnoise {
+namespace solidnoise::varying_gabor_test {
 namespace {
 
 constexpr double kImpulses = 20.0;
@@ -357,4 +357,4 @@ TEST(VaryingGaborNoise, NoPointsAreNoValues) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::varying_gabor_test

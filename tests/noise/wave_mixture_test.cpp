@@ -16,7 +16,7 @@
 #include "support/independent_values.h"
 #include "support/spectra.h"
 
-namespace solidnoise {
+namespace solidnoise::wave_mixture_test {
 namespace {
 
 // Some displacements, from nothing to a few waves.
@@ -165,4 +165,4 @@ TEST(WaveMixture, OfGradientNoiseIsEmpty) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::wave_mixture_test

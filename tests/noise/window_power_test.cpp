@@ -12,7 +12,7 @@
 #include "support/gabor_noises.h"
 #include "support/independent_values.h"
 
-namespace solidnoise {
+namespace solidnoise::window_power_test {
 namespace {
 
 // Side of the windows, in radii of the kernel; samples to a radius.
@@ -88,4 +88,4 @@ TEST(WindowPower, OfStrataDiffersLessThanThatOfAGaussianField) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::window_power_test

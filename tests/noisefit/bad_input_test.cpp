@@ -8,7 +8,7 @@
 #include "tools/expect_whole_or_nothing.h"
 #include "tools/refusal.h"
 
-namespace solidnoise {
+namespace solidnoise::bad_input_test {
 namespace {
 
 const std::vector<Refusal> kRefusals = {
@@ -141,4 +141,4 @@ TEST(NoisefitFaults, LeaveAllOutputsOrNone) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::bad_input_test

@@ -5,7 +5,7 @@
 
 #include "noisefit/expect_fit_memory.h"
 
-namespace solidnoise {
+namespace solidnoise::memory_test {
 namespace {
 
 // In colour, of 64 to 1024 pixels along a side.
@@ -45,4 +45,4 @@ INSTANTIATE_TEST_SUITE_P(
                     std::vector<std::string>{"wide.png", "--grey", "--preview", "x.png"}));
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::memory_test

@@ -16,7 +16,7 @@
 #include "support/paths.h"
 #include "support/temporary_folder.h"
 
-namespace solidnoise {
+namespace solidnoise::noisefit_test {
 namespace {
 
 ExemplarModel model_in(const TemporaryFolder& folder, const std::string& name) {
@@ -141,4 +141,4 @@ TEST(Noisefit, KeepsTheLastSolutionWhenItIsInterrupted) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::noisefit_test

@@ -15,7 +15,7 @@
 #include "support/message_of.h"
 #include "support/surfaces.h"
 
-namespace solidnoise {
+namespace solidnoise::bake_openmesh_test {
 namespace {
 
 struct BytesTraits : OpenMesh::DefaultTraits {
@@ -195,4 +195,4 @@ TEST(BakeNoiseOpenMesh, TakesParametersFromProperties) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::bake_openmesh_test

@@ -16,7 +16,7 @@
 #include "support/surfaces.h"
 
 // A second opinion by OpenMesh on what is next to what, on manifolds, which it can represent.
-namespace solidnoise {
+namespace solidnoise::connectivity_test {
 namespace {
 
 struct DoubleTraits : OpenMesh::DefaultTraits {
@@ -82,4 +82,4 @@ TEST(Refine, TakesLittleMoreVerticesThanOpenMesh) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::connectivity_test

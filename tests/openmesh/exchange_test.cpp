@@ -14,7 +14,7 @@
 #include "support/temporary_folder.h"
 
 // What OpenMesh writes we read, and what we write it reads: a second opinion on each format.
-namespace solidnoise {
+namespace solidnoise::exchange_test {
 namespace {
 
 struct FloatTraits : OpenMesh::DefaultTraits {
@@ -226,4 +226,4 @@ TEST(ToOpenMesh, ReadsDoublesAndTrianglesOfItsOwnFormat) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::exchange_test

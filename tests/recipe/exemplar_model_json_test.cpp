@@ -10,7 +10,7 @@
 #include "support/message_of.h"
 #include "support/spectra.h"
 
-namespace solidnoise {
+namespace solidnoise::exemplar_model_json_test {
 namespace {
 
 // Of three channels, with numbers of 17 digits.
@@ -87,4 +87,4 @@ TEST(ExemplarModelJson, MessagesGiveThePathTheValueAndWhatIsAllowed) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::exemplar_model_json_test

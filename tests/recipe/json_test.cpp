@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace solidnoise {
+namespace solidnoise::json_test {
 namespace {
 
 std::string message_of(const std::string& text) {
@@ -95,4 +95,4 @@ TEST(Json, MessagesShowLittleOfALongValueAndNoControlCharacters) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::json_test

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace solidnoise {
+namespace solidnoise::noise_recipe_json_test {
 namespace {
 
 NoiseRecipe from_text(const std::string& text) {
@@ -108,4 +108,4 @@ TEST(NoiseRecipeJson, AsksWhetherAKnownKeyWasMeant) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::noise_recipe_json_test

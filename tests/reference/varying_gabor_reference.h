@@ -145,7 +145,8 @@ class VaryingGaborProcedure {
     double sum = 0.0;
     Index<Dim> cell = first;
     while (true) {
-      process.generate(cell, [&](const Impulse<Dim>& impulse) { sum += term(point, cell, size, impulse); });
+      process.generate(
+          cell, [&](const solidnoise::Impulse<Dim>& impulse) { sum += term(point, cell, size, impulse); });
       int axis = Dim - 1;
       while (axis >= 0 && ++cell[axis] > last[axis]) {
         cell[axis] = first[axis];
@@ -156,7 +157,7 @@ class VaryingGaborProcedure {
   }
 
   double term(const VaryingPoint<Dim>& point, const Index<Dim>& cell, double size,
-              const Impulse<Dim>& impulse) const {
+              const solidnoise::Impulse<Dim>& impulse) const {
     Position<Dim> offset;
     double height = 0.0;
     for (int axis = 0; axis < Dim; ++axis) {

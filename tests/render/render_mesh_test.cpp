@@ -11,7 +11,7 @@
 
 #include "support/message_of.h"
 
-namespace solidnoise {
+namespace solidnoise::render_mesh_test {
 namespace {
 
 // A sphere of latitudes and longitudes, with its normals.
@@ -129,4 +129,4 @@ TEST(RenderMesh, RefusesWhatDoesNotFit) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::render_mesh_test

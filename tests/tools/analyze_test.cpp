@@ -8,7 +8,7 @@
 #include "solidnoise/recipe/json.h"
 #include "tools/run_vdbnoise.h"
 
-namespace solidnoise {
+namespace solidnoise::analyze_test {
 namespace {
 
 Json analyze(const std::vector<std::string>& recipe_flags) {
@@ -92,4 +92,4 @@ TEST(Analyze, MeasuresTheMomentsOfACloud) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::analyze_test

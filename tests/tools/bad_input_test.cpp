@@ -7,7 +7,7 @@
 #include "tools/refusal.h"
 #include "tools/run_vdbnoise.h"
 
-namespace solidnoise {
+namespace solidnoise::bad_input_test {
 namespace {
 
 constexpr char kOpenMesh[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 2 3 4\n";
@@ -314,4 +314,4 @@ TEST(DamagedInput, VolumesAreRefusedOrRead) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::bad_input_test

@@ -11,7 +11,7 @@
 #include "solidnoise/volume/vdb/vdb_read.h"
 #include "tools/run_vdbnoise.h"
 
-namespace solidnoise {
+namespace solidnoise::band_limit_test {
 namespace {
 
 // Noise of two octaves, of which voxels of 0.1 hold the first, in a box of a thousand features.
@@ -112,4 +112,4 @@ TEST(VdbnoiseBandLimit, TheRecipeIsKeptAndTheVarianceDescribed) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::band_limit_test

@@ -9,7 +9,7 @@
 #include "tools/run_vdbnoise.h"
 #include "tools/same_grid.h"
 
-namespace solidnoise {
+namespace solidnoise::error_budget_test {
 namespace {
 
 // Noise of two octaves; voxels of 1/64 hold the first with ease, and the second just so that it can be
@@ -101,4 +101,4 @@ TEST(VdbnoiseError, ValuesDoNotDependOnTheRegion) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::error_budget_test

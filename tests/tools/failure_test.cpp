@@ -9,7 +9,7 @@
 #include "tools/expect_whole_or_nothing.h"
 #include "tools/run_vdbnoise.h"
 
-namespace solidnoise {
+namespace solidnoise::failure_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -163,4 +163,4 @@ TEST(FullDisk, OfTheStandardOutputIsReported) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::failure_test

@@ -7,7 +7,7 @@
 #include "tools/refusal.h"
 #include "tools/run_vdbnoise.h"
 
-namespace solidnoise {
+namespace solidnoise::flags_test {
 namespace {
 
 bool contains(const std::string& text, const std::string& part) {
@@ -112,4 +112,4 @@ TEST(StandardInput, IsAVolume) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::flags_test

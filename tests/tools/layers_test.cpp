@@ -7,7 +7,7 @@
 #include "tools/run_vdbnoise.h"
 #include "tools/same_grid.h"
 
-namespace solidnoise {
+namespace solidnoise::layers_test {
 namespace {
 
 constexpr char kTree[] = R"({
@@ -108,4 +108,4 @@ TEST(Layers, AreDescribedAndWarnOfTheirOwnPeriods) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::layers_test

@@ -4,7 +4,7 @@
 
 #include "tools/run_vdbnoise.h"
 
-namespace solidnoise {
+namespace solidnoise::link_test {
 namespace {
 
 // {"solidnoise":2,"noise":{"type":"kensler","frequency":3}} in base64 for addresses.
@@ -34,4 +34,4 @@ TEST(RecipeLink, IsRefusedWhereItHasNoneOrIsCut) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::link_test

@@ -7,7 +7,7 @@
 #include "tools/expect_estimate.h"
 #include "tools/run_vdbnoise.h"
 
-namespace solidnoise {
+namespace solidnoise::memory_test {
 namespace {
 
 const TemporaryFolder& files() {
@@ -58,4 +58,4 @@ INSTANTIATE_TEST_SUITE_P(
         std::vector<std::string>{"--preset", "velocity", "--dim", "96", "--boundary", "surface.vdb"}));
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::memory_test

@@ -15,7 +15,7 @@
 #include "tools/run_vdbnoise.h"
 #include "tools/same_grid.h"
 
-namespace solidnoise {
+namespace solidnoise::modify_test {
 namespace {
 
 using openvdb::Coord;
@@ -283,4 +283,4 @@ TEST_F(Modify, ReadsAndWritesFilesOfOpenVdbsOwnTools) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::modify_test

@@ -8,7 +8,7 @@
 #include "tools/refusal.h"
 #include "tools/run_vdbnoise.h"
 
-namespace solidnoise {
+namespace solidnoise::nvdb_test {
 namespace {
 
 bool contains(const std::string& text, const std::string& part) {
@@ -79,4 +79,4 @@ TEST_F(NvdbOutput, RefusesWhatItCannotKeep) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::nvdb_test

@@ -5,7 +5,7 @@
 
 #include "tools/run_vdbnoise.h"
 
-namespace solidnoise {
+namespace solidnoise::openvdb_tools_test {
 namespace {
 
 // Files that OpenVDB's own program and Python module make, and what they read of ours. Skipped where they are
@@ -102,4 +102,4 @@ assert grids[1].vectorType == 'covariant'
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::openvdb_tools_test

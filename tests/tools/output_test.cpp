@@ -14,7 +14,7 @@
 #include "solidnoise/volume/vdb/vdb_write.h"
 #include "tools/run_vdbnoise.h"
 
-namespace solidnoise {
+namespace solidnoise::output_test {
 namespace {
 
 std::string run_well(std::vector<std::string> arguments) {
@@ -329,4 +329,4 @@ TEST(VdbnoiseOutput, AnalyzeRefusesVectors) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::output_test

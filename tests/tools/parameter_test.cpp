@@ -16,7 +16,7 @@
 #include "tools/run_vdbnoise.h"
 #include "tools/same_grid.h"
 
-namespace solidnoise {
+namespace solidnoise::parameter_test {
 namespace {
 
 using Arguments = std::vector<std::string>;
@@ -339,4 +339,4 @@ INSTANTIATE_TEST_SUITE_P(Vdbnoise, BadParameters, testing::ValuesIn(kRefusals),
                          [](const auto& refusal) { return refusal.param.name; });
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::parameter_test

@@ -10,7 +10,7 @@
 #include "tools/run_vdbnoise.h"
 #include "tools/same_grid.h"
 
-namespace solidnoise {
+namespace solidnoise::parts_test {
 namespace {
 
 void run_well(const std::vector<std::string>& arguments, const TemporaryFolder& folder) {
@@ -156,4 +156,4 @@ TEST(Parts, WrongUsageIsRefused) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::parts_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace solidnoise {
+namespace solidnoise::progress_test {
 namespace {
 
 TEST(Progress, SaysHowLongWorkWillTakeYetOnceThatCanBeTold) {
@@ -15,4 +15,4 @@ TEST(Progress, SaysHowLongWorkWillTakeYetOnceThatCanBeTold) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::progress_test

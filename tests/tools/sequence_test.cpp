@@ -12,7 +12,7 @@
 #include "tools/run_vdbnoise.h"
 #include "tools/same_grid.h"
 
-namespace solidnoise {
+namespace solidnoise::sequence_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -286,4 +286,4 @@ TEST(Sequence, AFrameThatExistsIsRefusedBeforeAnyIsMade) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::sequence_test

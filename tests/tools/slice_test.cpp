@@ -14,7 +14,7 @@
 #include "tools/refusal.h"
 #include "tools/run_vdbnoise.h"
 
-namespace solidnoise {
+namespace solidnoise::slice_test {
 namespace {
 
 ToolResult run_slice(const std::vector<std::string>& flags, const RunOptions& options = {}) {
@@ -299,4 +299,4 @@ TEST(Slice, InterruptedLeavesNothing) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::slice_test

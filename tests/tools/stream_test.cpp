@@ -8,7 +8,7 @@
 #include "solidnoise/volume/vdb/grid_file.h"
 #include "tools/run_vdbnoise.h"
 
-namespace solidnoise {
+namespace solidnoise::stream_test {
 namespace {
 
 using Arguments = std::vector<std::string>;
@@ -71,4 +71,4 @@ TEST(Streaming, IsRefusedWhereItDoesNotFitEither) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::stream_test

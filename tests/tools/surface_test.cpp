@@ -10,7 +10,7 @@
 #include "tools/refusal.h"
 #include "tools/run_vdbnoise.h"
 
-namespace solidnoise {
+namespace solidnoise::surface_test {
 namespace {
 
 constexpr double kRing = 1.0;  // radii of the torus, in the plane y = 0
@@ -115,4 +115,4 @@ INSTANTIATE_TEST_SUITE_P(Vdbnoise, BadSurface, testing::ValuesIn(kRefusals),
                          [](const auto& refusal) { return refusal.param.name; });
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::surface_test

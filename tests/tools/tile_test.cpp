@@ -6,7 +6,7 @@
 #include "solidnoise/volume/vdb/vdb_read.h"
 #include "tools/run_vdbnoise.h"
 
-namespace solidnoise {
+namespace solidnoise::tile_test {
 namespace {
 
 // A tile of 20 voxels, and the box of two tiles along an axis.
@@ -82,4 +82,4 @@ TEST(VdbnoiseTiles, TheVoxelThatTheWarningNamesIsNotWarnedOf) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::tile_test

@@ -9,7 +9,7 @@
 #include "tools/run_vdbnoise.h"
 #include "tools/same_grid.h"
 
-namespace solidnoise {
+namespace solidnoise::time_test {
 namespace {
 
 // Noise that changes, the ways in which it may: all with a loop of 2.
@@ -84,4 +84,4 @@ TEST(VdbnoiseTime, ARecipeKeepsRateLoopAndTime) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::time_test

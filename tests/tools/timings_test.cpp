@@ -6,7 +6,7 @@
 #include "tools/run_vdbnoise.h"
 #include "tools/stage_lines.h"
 
-namespace solidnoise {
+namespace solidnoise::timings_test {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -38,4 +38,4 @@ TEST(VdbnoiseTimings, OfASequenceAreThoseOfAllFrames) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::timings_test

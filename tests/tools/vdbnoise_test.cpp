@@ -10,7 +10,7 @@
 #include "tools/run_vdbnoise.h"
 #include "tools/same_grid.h"
 
-namespace solidnoise {
+namespace solidnoise::vdbnoise_test {
 namespace {
 
 VolumeRecipe recipe_in(const std::string& file) {
@@ -363,4 +363,4 @@ TEST(Vdbnoise, StartsWithoutTheLibrariesOfImages) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::vdbnoise_test

@@ -8,7 +8,7 @@
 #include "tools/run_vdbnoise.h"
 #include "tools/same_grid.h"
 
-namespace solidnoise {
+namespace solidnoise::wind_test {
 namespace {
 
 void run_well(const TemporaryFolder& folder, std::vector<std::string> arguments,
@@ -82,4 +82,4 @@ TEST(SliceOfVectors, ShowsColoursOrAComponent) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::wind_test

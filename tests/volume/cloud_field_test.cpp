@@ -12,7 +12,7 @@
 #include "solidnoise/volume/make_volume.h"
 #include "solidnoise/volume/topology/fill.h"
 
-namespace solidnoise {
+namespace solidnoise::cloud_field_test {
 namespace {
 
 // The cumulus of the tool, coarser.
@@ -252,4 +252,4 @@ TEST(CloudShaping, RefusesWhatMakesNoCloud) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::cloud_field_test

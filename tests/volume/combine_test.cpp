@@ -10,7 +10,7 @@
 #include "solidnoise/field/pointwise_field.h"
 #include "support/message_of.h"
 
-namespace solidnoise {
+namespace solidnoise::combine_test {
 namespace {
 
 using openvdb::Coord;
@@ -202,4 +202,4 @@ TEST(FillGridAtPoints, LooksUpRestPositions) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::combine_test

@@ -19,7 +19,7 @@
 #include "support/gabor_noises.h"
 #include "support/vector_fields.h"
 
-namespace solidnoise {
+namespace solidnoise::curl_field_test {
 namespace {
 
 constexpr double kTau = 2.0 * std::numbers::pi;
@@ -311,4 +311,4 @@ TEST(CurlField, IsTheSameBeyondTheRampAndContinuousAcrossIt) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::curl_field_test

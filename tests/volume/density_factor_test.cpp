@@ -6,7 +6,7 @@
 #include "solidnoise/volume/finish_volume.h"
 #include "solidnoise/volume/make_volume.h"
 
-namespace solidnoise {
+namespace solidnoise::density_factor_test {
 namespace {
 
 VolumeRecipe small_smoke() {
@@ -58,4 +58,4 @@ TEST(DensityFactor, OfNothingIsNone) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::density_factor_test

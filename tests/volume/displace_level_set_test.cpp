@@ -21,7 +21,7 @@
 #include "support/message_of.h"
 #include "volume/wave_grid.h"
 
-namespace solidnoise {
+namespace solidnoise::displace_level_set_test {
 namespace {
 
 using openvdb::FloatGrid;
@@ -317,4 +317,4 @@ TEST(DisplaceLevelSet, SteepSpikesDoNotTear) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::displace_level_set_test

@@ -10,7 +10,7 @@
 #include "solidnoise/core/random.h"
 #include "support/message_of.h"
 
-namespace solidnoise {
+namespace solidnoise::distance_spline_test {
 namespace {
 
 constexpr double kRadius = 1.0;
@@ -108,4 +108,4 @@ TEST(DistanceSpline, RefusesWhatIsNoLevelSet) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::distance_spline_test

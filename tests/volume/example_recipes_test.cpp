@@ -8,7 +8,7 @@
 #include "solidnoise/volume/volume_recipe_json.h"
 #include "support/paths.h"
 
-namespace solidnoise {
+namespace solidnoise::example_recipes_test {
 namespace {
 
 // Recipes of meshnoise say how a surface is painted.
@@ -43,4 +43,4 @@ TEST(ExampleRecipes, AreAcceptedAndDescribedInTheirTable) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::example_recipes_test

@@ -14,7 +14,7 @@
 
 #include "support/wave_field.h"
 
-namespace solidnoise {
+namespace solidnoise::fill_test {
 namespace {
 
 using openvdb::Coord;
@@ -271,4 +271,4 @@ TEST(ScaleValues, MultipliesLeavesAndTilesAndKeepsTheTopology) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::fill_test

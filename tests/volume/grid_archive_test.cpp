@@ -9,7 +9,7 @@
 
 #include "support/temporary_folder.h"
 
-namespace solidnoise {
+namespace solidnoise::grid_archive_test {
 namespace {
 
 // Two grids of one name, one that shares the tree of the first, one of half floats that shares it too and so
@@ -105,4 +105,4 @@ TEST(GridArchive, FillsInTheOffsetsOfEachGrid) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::grid_archive_test

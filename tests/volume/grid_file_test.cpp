@@ -10,7 +10,7 @@
 #include "support/message_of.h"
 #include "support/temporary_folder.h"
 
-namespace solidnoise {
+namespace solidnoise::grid_file_test {
 namespace {
 
 TEST(ParseGridFile, SplitsFileAndGrid) {
@@ -72,4 +72,4 @@ TEST(GridFileJson, NamesThePlaceOfWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::grid_file_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace solidnoise {
+namespace solidnoise::grid_frame_test {
 namespace {
 
 using openvdb::Coord;
@@ -88,4 +88,4 @@ TEST(GridFrame, RefusesATransformThatRotatesOrMirrors) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::grid_frame_test

@@ -10,7 +10,7 @@
 #include "support/message_of.h"
 #include "support/parameter_grids.h"
 
-namespace solidnoise {
+namespace solidnoise::grid_in_memory_test {
 namespace {
 
 std::vector<std::uint64_t> made(const VolumeRecipe& recipe) {
@@ -90,4 +90,4 @@ TEST_F(GridInMemory, OfAnotherTypeIsRefused) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::grid_in_memory_test

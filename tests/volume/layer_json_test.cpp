@@ -8,7 +8,7 @@
 #include "solidnoise/volume/volume_recipe_json.h"
 #include "support/message_of.h"
 
-namespace solidnoise {
+namespace solidnoise::layer_json_test {
 namespace {
 
 std::string refusal_of(const std::string& layers) {
@@ -116,4 +116,4 @@ TEST(LayerJson, LayersMayEvolve) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::layer_json_test

@@ -21,7 +21,7 @@
 #include "solidnoise/volume/volume_recipe_json.h"
 #include "support/temporary_folder.h"
 
-namespace solidnoise {
+namespace solidnoise::merge_parts_test {
 namespace {
 
 constexpr char kCreator[] = "merge test";
@@ -190,4 +190,4 @@ TEST_F(MergeParts, RefusesAVoxelThatWasAdded) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::merge_parts_test

@@ -13,7 +13,7 @@
 #include "support/message_of.h"
 #include "support/temporary_folder.h"
 
-namespace solidnoise {
+namespace solidnoise::mesh_topology_test {
 namespace {
 
 TriangleMesh cube(const Vec<3>& lower, const Vec<3>& upper) {
@@ -169,4 +169,4 @@ TEST(MeshTopology, StopsWhenAsked) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::mesh_topology_test

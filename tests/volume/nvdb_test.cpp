@@ -11,7 +11,7 @@
 #include "solidnoise/volume/vdb/vdb_read.h"
 #include "support/temporary_folder.h"
 
-namespace solidnoise {
+namespace solidnoise::nvdb_test {
 namespace {
 
 // Smooth values over some leaves, one voxel far away, and a tile of 8^3 voxels.
@@ -179,4 +179,4 @@ TEST(Nvdb, IsNotWrittenOfWhatItCannotKeep) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::nvdb_test

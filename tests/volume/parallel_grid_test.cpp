@@ -7,7 +7,7 @@
 
 #include "solidnoise/volume/vdb/grid_archive.h"
 
-namespace solidnoise {
+namespace solidnoise::parallel_grid_test {
 namespace {
 
 // What OpenVDB writes of a grid: its topology, which tells the stream the background, and its values.
@@ -73,4 +73,4 @@ TEST(ParallelGrid, KeepsNameTransformAndMetadataAndOtherTypes) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::parallel_grid_test

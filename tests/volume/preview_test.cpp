@@ -8,7 +8,7 @@
 
 #include "solidnoise/volume/topology/fill.h"
 
-namespace solidnoise {
+namespace solidnoise::preview_test {
 namespace {
 
 // A ball of constant density, `scale` units wide.
@@ -134,4 +134,4 @@ TEST(RenderPreview, StopsWhenAsked) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::preview_test

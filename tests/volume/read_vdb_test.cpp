@@ -14,7 +14,7 @@
 #include "support/temporary_folder.h"
 #include "volume/wave_grid.h"
 
-namespace solidnoise {
+namespace solidnoise::read_vdb_test {
 namespace {
 
 TEST(ReadVdb, RefusesVoxelsWhoseDistanceHasNoIndex) {
@@ -244,4 +244,4 @@ TEST(ReadVdb, ReadsGridsOfEveryUsualType) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::read_vdb_test

@@ -13,7 +13,7 @@
 #include "solidnoise/volume/volume_recipe_json.h"
 #include "support/temporary_folder.h"
 
-namespace solidnoise {
+namespace solidnoise::several_grids_test {
 namespace {
 
 constexpr char kRecipe[] = R"({
@@ -112,4 +112,4 @@ TEST(SeveralGrids, MasksDropVoxelsAndDriftIsAdded) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::several_grids_test

@@ -9,7 +9,7 @@
 #include "solidnoise/volume/vdb/grid_values.h"
 #include "support/temporary_folder.h"
 
-namespace solidnoise {
+namespace solidnoise::shape_cover_test {
 namespace {
 
 // Of density 1 all over the shape.
@@ -121,4 +121,4 @@ TEST(Prune, LeavesOutWhatIsBelowAPartOfTheLargestDensity) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::shape_cover_test

@@ -7,7 +7,7 @@
 
 #include "solidnoise/volume/make_volume.h"
 
-namespace solidnoise {
+namespace solidnoise::slice_preview_test {
 namespace {
 
 // A volume of 40 x 20 x 12 voxels of the same vector everywhere, but for what `change` does.
@@ -82,4 +82,4 @@ TEST(RenderSlice, RefusesValuesAndShowsNothingAsBlack) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::slice_preview_test

@@ -6,7 +6,7 @@
 
 #include "solidnoise/volume/topology/topology.h"
 
-namespace solidnoise {
+namespace solidnoise::solid_preview_test {
 namespace {
 
 const PreviewOptions kSmall{.width = 80, .height = 60};
@@ -72,4 +72,4 @@ TEST(RenderSolid, ShowsNothingOfNothing) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::solid_preview_test

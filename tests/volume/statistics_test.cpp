@@ -9,7 +9,7 @@
 
 #include "solidnoise/volume/vdb/grid_values.h"
 
-namespace solidnoise {
+namespace solidnoise::statistics_test {
 namespace {
 
 using openvdb::Coord;
@@ -161,4 +161,4 @@ TEST(ThickestColumn, IsTheLargestIntegralAlongTheAxisInWorldUnits) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::statistics_test

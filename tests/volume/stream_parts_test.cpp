@@ -14,7 +14,7 @@
 #include "support/message_of.h"
 #include "support/temporary_folder.h"
 
-namespace solidnoise {
+namespace solidnoise::stream_parts_test {
 namespace {
 
 constexpr char kCreator[] = "merge test";
@@ -132,4 +132,4 @@ TEST_F(StreamParts, SaysWhereItCannot) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::stream_parts_test

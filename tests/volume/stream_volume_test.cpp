@@ -13,7 +13,7 @@
 #include "support/message_of.h"
 #include "support/temporary_folder.h"
 
-namespace solidnoise {
+namespace solidnoise::stream_volume_test {
 namespace {
 
 std::string read_bytes(const std::filesystem::path& path) {
@@ -161,4 +161,4 @@ TEST(StreamVolume, RefusesValuesThatAreNotFiniteAsTheyAreStored) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::stream_volume_test

@@ -6,7 +6,7 @@
 #include "solidnoise/volume/preview/preview.h"
 #include "support/message_of.h"
 
-namespace solidnoise {
+namespace solidnoise::surface_preview_test {
 namespace {
 
 const PreviewOptions kSmall{.width = 120, .height = 90};
@@ -74,4 +74,4 @@ TEST(RenderSurface, StopsWhenAsked) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::surface_preview_test

@@ -9,7 +9,7 @@
 #include "solidnoise/volume/topology/fill.h"
 #include "support/wave_field.h"
 
-namespace solidnoise {
+namespace solidnoise::topology_test {
 namespace {
 
 using openvdb::Coord;
@@ -105,4 +105,4 @@ TEST(EstimateMemory, DoesNotOverflow) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::topology_test

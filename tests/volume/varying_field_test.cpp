@@ -18,7 +18,7 @@
 #include "support/independent_values.h"
 #include "support/parameter_grids.h"
 
-namespace solidnoise {
+namespace solidnoise::varying_field_test {
 namespace {
 
 using openvdb::CoordBBox;
@@ -334,4 +334,4 @@ TEST_F(Painted, DirectionsHaveNoSign) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::varying_field_test

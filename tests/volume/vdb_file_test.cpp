@@ -15,7 +15,7 @@
 #include "support/temporary_folder.h"
 #include "volume/wave_grid.h"
 
-namespace solidnoise {
+namespace solidnoise::vdb_file_test {
 namespace {
 
 // What write_vdb says when it refuses.
@@ -226,4 +226,4 @@ TEST(WriteVdb, StopsWhenAskedAndLeavesNothingBehind) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::vdb_file_test

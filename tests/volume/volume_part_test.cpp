@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace solidnoise {
+namespace solidnoise::volume_part_test {
 namespace {
 
 Topology ball() {
@@ -107,4 +107,4 @@ TEST(VolumePart, RefusesWhatIsNoPart) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::volume_part_test

@@ -8,7 +8,7 @@
 
 #include "solidnoise/recipe/json_reader.h"
 
-namespace solidnoise {
+namespace solidnoise::volume_recipe_json_test {
 namespace {
 
 std::string message_of(const std::string& text) {
@@ -206,4 +206,4 @@ TEST(VolumeRecipeJson, TellsTheAlgorithmsThatARecipeWasMadeWith) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::volume_recipe_json_test

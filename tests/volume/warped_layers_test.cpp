@@ -8,7 +8,7 @@
 #include "solidnoise/volume/make_volume.h"
 #include "solidnoise/volume/volume_recipe_json.h"
 
-namespace solidnoise {
+namespace solidnoise::warped_layers_test {
 namespace {
 
 openvdb::FloatGrid::Ptr make(VolumeRecipe recipe, bool exact) {
@@ -58,4 +58,4 @@ TEST(WarpedLayers, AreThoseOfTheSumWithinTheError) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::warped_layers_test

@@ -199,13 +199,6 @@ class Refiner {
   std::vector<Piece> pieces_;     // of those that are cut, in their order
 };
 
-template <typename Number>
-std::vector<Number> carry_means(std::vector<Number> numbers, const std::vector<Parents>& parents) {
-  numbers.reserve(numbers.size() + parents.size());
-  for (const Parents& of_vertex : parents) numbers.push_back(of_vertex.mean(numbers));
-  return numbers;
-}
-
 // One for each vertex. Throws std::invalid_argument.
 std::vector<double> targets_of(const PolygonMesh& mesh, std::span<const double> target) {
   const std::size_t vertices = mesh.positions.size();
@@ -237,11 +230,9 @@ std::array<VertexProperty*, 3> find_normals(PolygonMesh& mesh) {
 }  // namespace
 
 std::vector<float> RefinedMesh::carry(std::vector<float> numbers) const {
-  return carry_means(std::move(numbers), parents);
-}
-
-std::vector<double> RefinedMesh::carry(std::vector<double> numbers) const {
-  return carry_means(std::move(numbers), parents);
+  numbers.reserve(numbers.size() + parents.size());
+  for (const Parents& of_vertex : parents) numbers.push_back(of_vertex.mean(numbers));
+  return numbers;
 }
 
 void RefinedMesh::carry_properties() {

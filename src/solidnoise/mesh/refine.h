@@ -62,7 +62,6 @@ struct RefinedMesh {
   // on the mesh as it was, such as curvature, is better carried over than measured again: edges stay where
   // they were, and cutting them up makes them sharper.
   std::vector<float> carry(std::vector<float> numbers) const;
-  std::vector<double> carry(std::vector<double> numbers) const;
   // The same for lines, of either sign and length 1: a direction between those of the parents.
   std::vector<Vec<3>> carry_lines(std::vector<Vec<3>> directions) const;
   // The same for the mesh's properties: nx ny nz at length 1, integers rounded.

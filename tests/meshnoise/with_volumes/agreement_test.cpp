@@ -9,7 +9,7 @@
 #include "solidnoise/volume/vdb/vdb_read.h"
 #include "tools/run_vdbnoise.h"
 
-namespace solidnoise {
+namespace solidnoise::agreement_test {
 namespace {
 
 constexpr double kVoxel = 0.1;
@@ -79,4 +79,4 @@ TEST(Agreement, SolidNoiseOfAMeshIsThatOfAVolume) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::agreement_test

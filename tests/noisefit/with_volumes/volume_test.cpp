@@ -14,7 +14,7 @@
 #include "tools/refusal.h"
 #include "tools/run_vdbnoise.h"
 
-namespace solidnoise {
+namespace solidnoise::volume_test {
 namespace {
 
 // A block of Gabor noise of a known frequency, as vdbnoise makes it, and the noise that is learnt from it.
@@ -121,4 +121,4 @@ TEST_F(NoisefitVolume, RefusesWhatItCannotLearnFrom) {
 }
 
 }  // namespace
-}  // namespace solidnoise
+}  // namespace solidnoise::volume_test

@@ -40,9 +40,4 @@ double density_for_excess_kurtosis(double kurtosis, const KernelMoments& kernel,
   return of_weights * kernel.fourth / (kernel.second * kernel.second) / kurtosis;
 }
 
-double impulses_for_quality(int n, double radius, const KernelMoments& kernel, const WeightMoments& weights) {
-  return std::ceil(
-      impulses_in_ball(n, density_for_excess_kurtosis(kDefaultKurtosis, kernel, weights), radius));
-}
-
 }  // namespace solidnoise

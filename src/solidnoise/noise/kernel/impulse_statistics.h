@@ -58,10 +58,7 @@ double noise_excess_kurtosis(double density, const KernelMoments& kernel, const 
 double density_for_excess_kurtosis(double kurtosis, const KernelMoments& kernel,
                                    const WeightMoments& weights = {});
 
-// The fewest impulses, a whole number, in a ball of this radius that bring the excess kurtosis to
-// kDefaultKurtosis as a Poisson process.
+// That a Poisson process has by default.
 inline constexpr double kDefaultKurtosis = 0.5;
-double impulses_for_quality(int n, double radius, const KernelMoments& kernel,
-                            const WeightMoments& weights = {});
 
 }  // namespace solidnoise
