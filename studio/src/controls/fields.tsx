@@ -2,7 +2,7 @@ import { type ComponentChildren, type JSX } from "preact";
 import { useId, useState } from "preact/hooks";
 import { edit, type Path, problem } from "../store.ts";
 import {
-  fromSlider, helpOf, isObject, type Json, labelOf, resolved, rounded, type Schema, slideOf, toSlider, typeName,
+  aboutOf, fromSlider, isObject, type Json, labelOf, resolved, rounded, type Schema, slideOf, toSlider, typeName,
 } from "./schema.ts";
 import { RampEditor } from "./ramp.tsx";
 
@@ -25,14 +25,15 @@ const isWrong = (path: Path): boolean => {
   return wrong !== undefined && tagOf(wrong) === tagOf(path);
 };
 
-export function Row({ label, help, unit, children, path, id, onRemove }: {
-  label: string; help: string; unit?: string | undefined; children: ComponentChildren; path: Path; id?: string; onRemove?: () => void;
-}): JSX.Element {
+// A name, the control, and back to the default where the value is another one; the pointer shows help, unit, range and default.
+function Row({ schema, value, path, name, id, children }: Omit<FieldProps, "root"> & { id?: string; children: ComponentChildren }): JSX.Element {
+  const changed = value !== undefined && schema.default !== undefined && JSON.stringify(value) !== JSON.stringify(schema.default);
   return (
-    <div class={`row${isWrong(path) ? " wrong" : ""}`} title={unit ? `${help} (${unit})` : help} data-path={tagOf(path)}>
-      <label class="name" for={id}>{label}</label>
+    <div class={`row${changed ? " changed" : ""}${isWrong(path) ? " wrong" : ""}`} title={aboutOf(schema)} data-path={tagOf(path)}>
+      <span class="name"><label for={id}>{labelOf(name)}</label>
+        {changed && <button class="icon reset" aria-label={`${labelOf(name)} back to the default`} title="Back to the default" onClick={() => remove(path)}>↺</button>}
+      </span>
       {children}
-      {onRemove && <button class="icon remove" aria-label={`Remove ${label}`} title="Back to the default" onClick={onRemove}>×</button>}
     </div>
   );
 }
@@ -49,10 +50,9 @@ export function NumberField({ schema, value, path, name }: FieldProps): JSX.Elem
     if (Number.isFinite(x)) set(path, whole ? Math.round(x) : x);
   };
   const t = toSlider(now, number);
-  const help = helpOf(schema);
   if (huge) {
     return (
-      <Row label={labelOf(name)} help={help} unit={schema.unit} path={path} id={id}>
+      <Row {...{ schema, value, path, name, id }}>
         <input id={id} class="text" type="text" inputMode="numeric" value={String(number)}
           onChange={(event) => /^\d+$/.test(event.currentTarget.value) && void edit([{ path, value: event.currentTarget.value }], tagOf(path))} />
         <button class="icon" aria-label={`Another ${name}`} title="Another one" onClick={() => write(Math.floor(Math.random() * 1e6))}>⚄</button>
@@ -60,15 +60,16 @@ export function NumberField({ schema, value, path, name }: FieldProps): JSX.Elem
     );
   }
   return (
-    <Row label={labelOf(name)} help={help} unit={schema.unit} path={path} id={id}>
+    <Row {...{ schema, value, path, name, id }}>
       <span class="slide" style={{ "--t": `${100 * t}%` }}>
         <input id={id} type="range" min="0" max="1" step={whole && !now.logarithmic ? 1 / Math.max(1, now.high - now.low) : 0.001} value={t}
-          aria-valuetext={`${number} ${schema.unit ?? ""}`}
+          aria-valuetext={`${number} ${schema.unit ?? ""}`} aria-description={aboutOf(schema)}
           onInput={(event) => {
             const x = fromSlider(now, Number(event.currentTarget.value));
             write(whole ? Math.round(x) : rounded(x, now));
           }}
           onChange={() => setSlide(slideOf(schema, number, number))} />
+        {schema.unit && <i class="unit" aria-hidden="true">{schema.unit.replace(/;.*/, "")}</i>}
       </span>
       <input class="number" type="text" inputMode="decimal" aria-label={`${labelOf(name)}, number`} value={String(Number(number.toPrecision(7)))}
         onChange={(event) => write(Number(event.currentTarget.value))}
@@ -87,7 +88,7 @@ function NumbersField({ schema, value, path, name }: FieldProps): JSX.Element {
   const numbers = (Array.isArray(value) ? value : (schema.default as number[] | undefined) ?? []).map(Number);
   const axis = (i: number): string => (numbers.length === 6 ? `${i < 3 ? "from" : "to"} ${kAxes[i % 3]}` : (kAxes[i] ?? ""));
   return (
-    <Row label={labelOf(name)} help={helpOf(schema)} unit={schema.unit} path={path}>
+    <Row {...{ schema, value, path, name }}>
       <span class={`numbers n${numbers.length}`}>
         {numbers.map((number, i) => (
           <input key={i} class="number" type="text" inputMode="decimal" aria-label={`${labelOf(name)} ${axis(i)}`} title={axis(i)}
@@ -122,7 +123,7 @@ function WordField({ schema, value, path, name }: FieldProps): JSX.Element {
   const id = useId();
   const words = schema.enum ?? [];
   return (
-    <Row label={labelOf(name)} help={helpOf(schema)} path={path} id={id}>
+    <Row {...{ schema, value, path, name, id }}>
       <select id={id} value={String(value ?? schema.default)} onChange={(event) => set(path, event.currentTarget.value)}>
         {words.map((word) => <option key={word} value={String(word)}>{String(word)}</option>)}
       </select>
@@ -133,7 +134,7 @@ function WordField({ schema, value, path, name }: FieldProps): JSX.Element {
 function ToggleField({ schema, value, path, name }: FieldProps): JSX.Element {
   const id = useId();
   return (
-    <Row label={labelOf(name)} help={helpOf(schema)} path={path} id={id}>
+    <Row {...{ schema, value, path, name, id }}>
       <input id={id} class="toggle" type="checkbox" role="switch" checked={Boolean(value ?? schema.default)}
         onChange={(event) => set(path, event.currentTarget.checked)} />
     </Row>
@@ -143,7 +144,7 @@ function ToggleField({ schema, value, path, name }: FieldProps): JSX.Element {
 function TextField({ schema, value, path, name }: FieldProps): JSX.Element {
   const id = useId();
   return (
-    <Row label={labelOf(name)} help={helpOf(schema)} path={path} id={id}>
+    <Row {...{ schema, value, path, name, id }}>
       <input id={id} class="text" type="text" value={String(value ?? "")} onChange={(event) => set(path, event.currentTarget.value)} />
     </Row>
   );

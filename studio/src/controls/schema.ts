@@ -40,9 +40,15 @@ export const labelOf = (key: string): string => {
   return words.charAt(0).toUpperCase() + words.slice(1);
 };
 
-// What it says without the unit, which stands beside the number.
-export const helpOf = (schema: Schema): string =>
-  (schema.description ?? "").replace(schema.unit ? ` (${schema.unit})` : "\0", "");
+// Help, unit, range and default in a line.
+export function aboutOf({ description = "", minimum, exclusiveMinimum, maximum, default: standard }: Schema): string {
+  const range = [
+    ...(minimum === undefined ? [] : [`at least ${minimum}`]), ...(exclusiveMinimum === undefined ? [] : [`more than ${exclusiveMinimum}`]),
+    ...(maximum === undefined ? [] : [`at most ${maximum}`]),
+  ];
+  const words = standard === undefined || standard === "" ? [] : [`default ${typeof standard === "object" ? JSON.stringify(standard) : String(standard)}`];
+  return [description, ...range, ...words].join("; ");
+}
 
 // Where a slider goes from and to: the allowed range where that is of a size to slide over, otherwise around the default and the value.
 export interface Slide {
