@@ -1,5 +1,6 @@
 import type { JSX } from "preact";
 import { useState } from "preact/hooks";
+import { CopyButton } from "./controls/copy.tsx";
 import { Controls } from "./controls/controls.tsx";
 import { Gallery } from "./views/gallery.tsx";
 import { RecipePanel } from "./views/recipe.tsx";
@@ -69,17 +70,6 @@ function titleOf(text: string): string {
   const kind = /"type": "([\w-]+)"/.exec(text)?.[1] ?? "noise";
   const frequency = /"frequency": ([\d.]+)/.exec(text)?.[1];
   return frequency ? `${kind} ${Number(frequency)}` : kind;
-}
-
-export function CopyButton({ text, label }: { text: () => string; label: string }): JSX.Element {
-  const [done, setDone] = useState(false);
-  return (
-    <button class="wide" onClick={async () => {
-      await navigator.clipboard.writeText(text()).catch(() => undefined);
-      setDone(true);
-      setTimeout(() => setDone(false), 1200);
-    }}>{done ? "Copied" : label}</button>
-  );
 }
 
 function toggleTheme(): void {

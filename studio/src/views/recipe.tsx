@@ -1,7 +1,7 @@
 import { useSignalEffect } from "@preact/signals";
 import type { JSX } from "preact";
 import { useRef, useState } from "preact/hooks";
-import { CopyButton } from "../app.tsx";
+import { CopyButton, saveAs } from "../controls/copy.tsx";
 import { addressOf } from "../engine/address.ts";
 import { activeNoise, infoOf, problem, setText, state } from "../store.ts";
 
@@ -39,19 +39,12 @@ export function RecipePanel(): JSX.Element {
     }, 160);
   };
   const lines = text.split("\n").length;
-  const download = (): void => {
-    const link = document.createElement("a");
-    link.href = URL.createObjectURL(new Blob([activeNoise().text], { type: "application/json" }));
-    link.download = "recipe.json";
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href), 1000);
-  };
   return (
     <aside class="recipe" aria-label="Recipe">
       <header>
         <h2>Recipe</h2>
         <CopyButton text={() => activeNoise().text} label="Copy" />
-        <button class="wide" onClick={download}>Download</button>
+        <button class="wide" onClick={() => saveAs("recipe.json", activeNoise().text)}>Download</button>
       </header>
       <div class="editor">
         <div class="gutter" ref={gutter} aria-hidden="true">
