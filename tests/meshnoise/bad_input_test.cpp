@@ -59,6 +59,10 @@ TEST_P(MeshnoiseBadInput, IsRefusedInOneLineAndLeavesNothing) {
 
 const Refusal kUsage[] = {
     {"NoCommand", 2, {}, {"bake, curvature, info or farm"}},
+    {"FarmOfTextures",
+     2,
+     {"farm", "in.ply", "--uv", "x.<UDIM>.png"},
+     {"--uv is not for a farm's job, which makes meshes; meshnoise bake makes textures"}},
     {"UnknownCommand", 2, {"frobnicate", "in.ply"}, {"frobnicate", "bake, curvature, info or farm"}},
     {"NoMesh", 2, {"bake"}, {"IN is missing"}},
     {"UnknownFlag", 2, {"--out", "x.ply", "--frequncy", "3"}, {"--frequncy", "did you mean --frequency"}},

@@ -57,5 +57,15 @@ INSTANTIATE_TEST_SUITE_P(
         std::vector<std::string>{"--on", "surface.vdb", "--raw", "--displace", "0.02"},
         std::vector<std::string>{"--preset", "velocity", "--dim", "96", "--boundary", "surface.vdb"}));
 
+// Of clouds most of a box is empty, and more of the boxes of a sky.
+TEST(EstimatedMemory, IsWhatASkyTakes) {
+  const auto run = [](const std::vector<std::string>& arguments) {
+    return run_vdbnoise(arguments, {.folder = files().path()});
+  };
+  expect_estimate(run, {"sky", "--kinds", "3", "--voxel", "20", "--out", "sky.vdb"}, {"--force"});
+  expect_estimate(run, {"sky", "--count", "4", "--kinds", "1", "--voxel", "7", "--out", "sky.usda"},
+                  {"--force"});
+}
+
 }  // namespace
 }  // namespace solidnoise::memory_test

@@ -49,9 +49,11 @@ class BakeFarm final : public FarmWork {
     }
     read_.apply(start_);
     BakeOptions& options = read_.options;
+    read_.flags.refuse({"--uv"},
+                       "is not for a farm's job, which makes meshes; meshnoise bake makes textures");
     if (options.out.empty()) throw UsageError("--out is missing; say where meshes go: --out out.####.ply");
     if (options.out == "-" || read_.in == "-") throw UsageError("a farm needs files, such as out.####.ply");
-    read_.flags.refuse({"--uv", "--write-recipe", "--describe", "--timings"},
+    read_.flags.refuse({"--write-recipe", "--describe", "--timings"},
                        "is not for a farm's job; leave it out");
     options.threads = options.threads.value_or(1);
     if (!place) return;

@@ -16,6 +16,7 @@
 #include "solidnoise/volume/topology/fill.h"
 #include "solidnoise/volume/topology/topology.h"
 #include "solidnoise/volume/vdb/vdb_write.h"
+#include "solidnoise/volume/volume_field.h"
 
 namespace solidnoise {
 namespace {
@@ -126,18 +127,43 @@ SkyPlan plan_in(const SkyPlan& plan, const Box<3>& region) {
   return result;
 }
 
-Cost placing_cost(const SkyPlan& plan) {
+double kept_share(const VolumeRecipe& recipe, const VolumePlan& plan) {
+  constexpr int kLeaf = 8;
+  constexpr int kMostAlong = 64;  // else blocks of leaves, so that few are looked at
+  const FieldPtr field = make_volume_field(recipe, plan).field;
+  int side = kLeaf;
+  while (side * kMostAlong < plan.voxels.dim()[plan.voxels.maxExtent()]) side *= 2;
+  const openvdb::Coord first = plan.voxels.min() & -side;
+  double all = 0.0;
+  double kept = 0.0;
+  for (openvdb::Coord block = first; block.x() <= plan.voxels.max().x(); block.x() += side) {
+    for (block.y() = first.y(); block.y() <= plan.voxels.max().y(); block.y() += side) {
+      for (block.z() = first.z(); block.z() <= plan.voxels.max().z(); block.z() += side) {
+        all += 1.0;
+        if (!field->empty(plan.frame.bounds(openvdb::CoordBBox::createCube(block, side)))) kept += 1.0;
+      }
+    }
+  }
+  return kept / all;
+}
+
+Cost placing_cost(const SkyPlan& plan, const std::vector<double>& kept) {
   constexpr double kSecondsPerVoxel = 100e-9;  // of an instance's bounds; measured with the preset
+  constexpr double kTopologyShare = 1.0 / 12;  // of what a leaf takes: its mask, and its place in lists
+  constexpr double kWriting = 1.08;            // what compresses the grid
   const auto bytes_of = [](const openvdb::CoordBBox& voxels) {
     return static_cast<double>(estimate_memory(voxels));
   };
+  const VolumeRecipe& cloud = plan.recipe.cloud;
   Cost cost;
-  for (const SkyCloud& cloud : plan.clouds)
-    cost.bytes += bytes_of(GridFrame(*cloud.recipe.voxel).voxels_in(cloud.recipe.box));
+  for (std::size_t i = 0; i < plan.clouds.size(); ++i)
+    cost.bytes += kept[i] * bytes_of(GridFrame(*plan.clouds[i].recipe.voxel).voxels_in(cloud.box));
   const GridFrame frame(plan.recipe.voxel);
   for (const SkyInstance& instance : plan.instances) {
     const openvdb::CoordBBox voxels = frame.voxels_in(bounds_of(plan, instance));
-    cost.bytes += bytes_of(voxels);
+    const GridFrame scaled(*plan.clouds[instance.cloud].recipe.voxel / instance.scale);
+    cost.bytes += kTopologyShare * bytes_of(voxels) +
+                  kWriting * kept[instance.cloud] * bytes_of(scaled.voxels_in(cloud.box));
     cost.seconds += kSecondsPerVoxel * voxels.dim().x() * voxels.dim().y() * voxels.dim().z();
   }
   return cost;

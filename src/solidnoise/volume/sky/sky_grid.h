@@ -2,9 +2,11 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "solidnoise/core/progress.h"
 #include "solidnoise/noise/interpolation/noise_cost.h"
+#include "solidnoise/volume/make_volume.h"
 #include "solidnoise/volume/sky/sky_plan.h"
 #include "solidnoise/volume/topology/grid_frame.h"
 #include "solidnoise/volume/volume.h"
@@ -26,7 +28,10 @@ Box<3> bounds_of(const SkyPlan& plan, const SkyInstance& instance);
 // The plan without what does not reach into a region.
 SkyPlan plan_in(const SkyPlan& plan, const Box<3>& region);
 
-// What placing the clouds takes beside making them.
-Cost placing_cost(const SkyPlan& plan);
+// Of the leaves in the box of a cloud, the share that are not surely nothing.
+double kept_share(const VolumeRecipe& recipe, const VolumePlan& plan);
+
+// What placing the clouds takes beside making them; `kept` has the kept_share() of each.
+Cost placing_cost(const SkyPlan& plan, const std::vector<double>& kept);
 
 }  // namespace solidnoise

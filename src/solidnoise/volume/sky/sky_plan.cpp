@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <numeric>
 #include <set>
@@ -207,26 +208,35 @@ Volume make_sky_cloud(const SkyCloud& cloud, const std::string& creator, Progres
 
 namespace {
 
+// What one cloud takes, and its kept_share().
+struct CloudCost {
+  Cost cost;
+  double kept = 1.0;
+};
+
 // Of clouds whose voxels are within a tenth of each other's the costs are those of the one with the finest.
 class CloudCosts {
  public:
   explicit CloudCosts(int threads) : threads_(threads) {}
 
-  const Cost& of(const VolumeRecipe& recipe) {
+  const CloudCost& of(const VolumeRecipe& recipe) {
     const int step = static_cast<int>(std::floor(8.0 * std::log2(*recipe.voxel)));
     const auto [found, is_new] = costs_.try_emplace(step);
     if (is_new) {
       VolumeRecipe finest = recipe;
       finest.voxel = std::exp2(step / 8.0);
       finest.band_limit = false;  // no less than with it
-      found->second = volume_cost(finest, plan_volume(finest), threads_);
+      VolumePlan plan = plan_volume(finest);
+      const double kept = kept_share(finest, plan);
+      plan.memory = plan.mask_memory + static_cast<std::uint64_t>(kept * static_cast<double>(plan.memory));
+      found->second = {volume_cost(finest, plan, threads_), kept};
     }
     return found->second;
   }
 
  private:
   int threads_;
-  std::map<int, Cost> costs_;
+  std::map<int, CloudCost> costs_;
 };
 
 }  // namespace
@@ -235,16 +245,18 @@ Cost sky_cost(const SkyPlan& plan, int threads) {
   constexpr double kBytesPerPoint = 1000.0;  // of the plan, and of the text of a scene
   CloudCosts costs(threads);
   Cost total;
+  std::vector<double> kept;
   std::set<DensityKey> measured;
   for (const SkyCloud& cloud : plan.clouds) {
     if (measured.insert(density_key(cloud)).second)
-      total.seconds += costs.of(measured_recipe(cloud.recipe)).seconds;
-    const Cost& cost = costs.of(cloud.recipe);
-    total.seconds += cost.seconds;
-    total.bytes = std::max(total.bytes, cost.bytes);
+      total.seconds += costs.of(measured_recipe(cloud.recipe)).cost.seconds;
+    const CloudCost& one = costs.of(cloud.recipe);
+    kept.push_back(one.kept);
+    total.seconds += one.cost.seconds;
+    total.bytes = std::max(total.bytes, one.cost.bytes);
   }
   total.bytes += kBytesPerPoint * static_cast<double>(plan.instances.size());
-  if (plan.form == SkyForm::grid) total += placing_cost(plan);
+  if (plan.form == SkyForm::grid) total += placing_cost(plan, kept);
   return total;
 }
 
