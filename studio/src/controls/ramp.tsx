@@ -52,7 +52,7 @@ export function RampEditor({ value, path, name }: { value: Json | undefined; pat
       <line class="axis" y1={top(0)} y2={top(0)} x1="0" x2={kWidth} />
       <polyline points={`0,${top(ys[0] ?? 0)} ${line} ${kWidth},${top(ys[ys.length - 1] ?? 0)}`} />
       {points.map(([x, y], i) => (
-        <circle key={i} cx={left(x)} cy={top(y)} r="5" tabIndex={0} role="slider" aria-label={`Point ${i + 1}`} aria-valuenow={y} aria-valuetext={`${x} becomes ${y}`}
+        <circle key={i} cx={left(x)} cy={top(y)} r="5" tabindex={0} role="slider" aria-label={`Point ${i + 1}`} aria-valuenow={y} aria-valuetext={`${x} becomes ${y}`}
           onPointerDown={(event) => {
             event.currentTarget.ownerSVGElement?.setPointerCapture(event.pointerId);
             dragged.current = i;

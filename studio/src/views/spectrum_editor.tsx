@@ -67,7 +67,7 @@ export function SpectrumEditor({ model, change }: { model: Model; change: (edits
         {spots.map((spot, i) => [1, -1].map((sign) => (
           <ellipse key={`${name(spot)}${sign}`} cx={sign * px(spot.x)} cy={-sign * px(spot.y)} rx={Math.max(2.5, px(0.47 * spot.a))} ry={Math.max(2.5, px(0.47 * spot.a))}
             fill={kColors[spot.group % kColors.length]} fill-opacity={0.08 + 0.7 * Math.sqrt(spot.variance / largest)}
-            class={chosen === name(spot) ? "chosen" : ""} tabIndex={sign === 1 && i < 60 ? 0 : -1} role="button"
+            class={chosen === name(spot) ? "chosen" : ""} tabindex={sign === 1 && i < 60 ? 0 : -1} role="button"
             aria-label={`${own.groups[spot.group]}, frequency ${spot.x.toPrecision(3)} ${spot.y.toPrecision(3)}, ${(100 * spot.variance / largest).toFixed(0)} % of the strongest`}
             onPointerDown={(event) => {
               event.currentTarget.ownerSVGElement?.setPointerCapture(event.pointerId);
