@@ -1,6 +1,6 @@
 import { batch, signal } from "@preact/signals";
 import { Dropped, type Pool } from "./engine/pool.ts";
-import { readAddress, writeAddress } from "./engine/address.ts";
+import { addressOf, readAddress, writeAddress } from "./engine/address.ts";
 
 // Everything that undo brings back, reload keeps, and a link carries.
 
@@ -29,6 +29,11 @@ export interface State {
   mesh: string; // by its file's name
   example: string; // the model of a photograph, as JSON; empty: none
   groups: Record<string, GroupEdit>; // what is done to its groups
+  photograph: KeptPhotograph | undefined; // of which it is, where it is known
+}
+export interface KeptPhotograph {
+  name: string;
+  url: string; // of its pixels, as it was fitted
 }
 export interface GroupEdit {
   magnitude: number;
@@ -58,16 +63,24 @@ export interface Edit {
   keep?: string[]; // keys of what was there that stay
 }
 
+export const kFront: Pick<Plane, "normal" | "up"> = { normal: [0, 0, 1], up: [0, 1, 0] };
+// As much of a plane as shows all of a box, with room around it.
+export const across = (box: number[], room = 1): Pick<Plane, "origin" | "width"> => ({
+  origin: [0, 1, 2].map((axis) => (box[axis]! + box[axis + 3]!) / 2) as Vector,
+  width: room * Math.max(...[0, 1, 2].map((axis) => box[axis + 3]! - box[axis]!)),
+});
+
 const kStart: State = {
   noises: [{ text: "", grid: "" }],
   active: 0,
-  plane: { origin: [0, 0, 0], normal: [0, 0, 1], up: [0, 1, 0], width: 2 },
+  plane: { ...kFront, origin: [0, 0, 0], width: 2 },
   ramp: "",
   mode: "slice",
   bake: "",
   mesh: "wyrm.ply",
   example: "",
   groups: {},
+  photograph: undefined,
 };
 
 export const state = signal<State>(kStart);
@@ -82,8 +95,8 @@ export const activeNoise = (): Noise =>
 export const infoOf = (noise: Noise): Info | undefined => infos.value.get(noise.text);
 
 let desk: Pool;
-let past: State[] = [];
-let future: State[] = [];
+const past: State[] = [];
+const future: State[] = [];
 let lastTag = "";
 // Changes of one kind are one step of undo while the pointer is down, or keys follow each other.
 let gesture = 0;
@@ -104,7 +117,7 @@ export function commit(next: State, kind: string, at = gesture): void {
     past.push(state.value);
     if (past.length > kMostSteps) past.shift();
   }
-  future = [];
+  future.length = 0;
   lastTag = tag;
   show(next);
 }
@@ -119,7 +132,7 @@ function show(next: State): void {
 }
 
 let saving: ReturnType<typeof setTimeout> | undefined;
-export function save(): void {
+function save(): void {
   try {
     localStorage.setItem(kStorage, JSON.stringify(state.value));
   } catch {
@@ -129,27 +142,18 @@ export function save(): void {
 }
 
 // What is still being edited is done first: one undo takes all of a gesture back, and redo brings all of it.
-export async function undo(): Promise<void> {
+async function step(from: State[], to: State[]): Promise<void> {
   await editing;
-  const before = past.pop();
-  if (!before) return;
-  future.push(state.value);
+  const there = from.pop();
+  if (!there) return;
+  to.push(state.value);
   lastTag = "";
   problem.value = undefined;
-  show(before);
+  show(there);
   void knowAll();
 }
-
-export async function redo(): Promise<void> {
-  await editing;
-  const after = future.pop();
-  if (!after) return;
-  past.push(state.value);
-  lastTag = "";
-  problem.value = undefined;
-  show(after);
-  void knowAll();
-}
+export const undo = (): Promise<void> => step(past, future);
+export const redo = (): Promise<void> => step(future, past);
 
 function learn(text: string, info: Info): void {
   const known = new Map(infos.value);
@@ -210,8 +214,12 @@ export function edit(edits: Edit[], tag: string): Promise<void> {
     waiting.push(one);
   }
   waitingSince = gesture;
-  editing ??= apply(tag).finally(() => (editing = undefined));
-  return editing;
+  return editing ?? during(() => apply(tag));
+}
+
+// Something that changes the state, of the gesture that it is told, and is waited for by undo.
+export function during(work: (at: number) => Promise<void>): Promise<void> {
+  return (editing = work(gesture).finally(() => (editing = undefined)));
 }
 
 async function apply(tag: string): Promise<void> {
@@ -235,38 +243,52 @@ async function apply(tag: string): Promise<void> {
   }
 }
 
-// What the page begins with: its address, what was there before, or a preset.
+let first: Pick<State, "noises" | "bake">; // where an address or what was kept has nothing else
+
+// Throws an Error that says what is wrong with a recipe of it.
+async function whole(from: Partial<State>): Promise<State> {
+  const known = async ({ text, grid }: Noise): Promise<Noise> => ({ text: (await check(text)).recipe, grid });
+  const noises: Noise[] = [];
+  for (const noise of from.noises?.length ? from.noises.slice(0, 3) : first.noises) noises.push(await known(noise));
+  const { text: bake } = await known({ text: from.bake || first.bake, grid: "" });
+  return { ...kStart, ...from, noises, bake, active: Math.min(from.active ?? 0, noises.length - 1) };
+}
+
+function stored(): Partial<State> | undefined {
+  try {
+    return (JSON.parse(localStorage.getItem(kStorage) ?? "null") as Partial<State> | null) ?? undefined;
+  } catch {
+    return undefined;
+  }
+}
+
+// What the page begins with: its address, what was there before, or a preset. Of an address that is that of what was there before, all
+// of it is taken, as an address does not have everything.
 export async function begin(pool: Pool, preset: string, surface: string): Promise<void> {
   desk = pool;
-  const bake = (await check(surface)).recipe;
-  const stored = (): Partial<State> | undefined => {
+  first = { noises: [{ text: preset, grid: "" }], bake: surface };
+  const kept = stored();
+  const asked = readAddress();
+  const same = kept && asked && addressOf({ ...kStart, ...kept }) === location.href;
+  for (const from of [same ? kept : asked, kept, {}]) {
+    if (!from) continue;
     try {
-      return JSON.parse(localStorage.getItem(kStorage) ?? "null") as Partial<State> | undefined;
-    } catch {
-      return undefined;
-    }
-  };
-  for (const from of [readAddress(), stored()]) {
-    if (!from?.noises?.length && !from?.bake) continue;
-    try {
-      const noises: Noise[] = [];
-      // A surface may come alone.
-      const given = from.noises?.length ? from.noises.slice(0, 3) : [{ text: preset, grid: "" }];
-      for (const { text, grid } of given) noises.push({ text: (await check(text)).recipe, grid });
-      const own = from.bake ? (await check(from.bake)).recipe : bake;
-      show({ ...kStart, ...from, noises, bake: own, active: Math.min(from.active ?? 0, noises.length - 1) });
-      return;
+      return show(await whole(from));
     } catch (error) {
       problem.value = { message: (error as Error).message };
     }
   }
-  const info = await check(preset);
-  show({ ...kStart, noises: [{ text: info.recipe, grid: "" }], bake });
 }
 
 // Another address in the same page: a link that was pasted, or the browser's way back.
-addEventListener("hashchange", () => {
+addEventListener("hashchange", async () => {
   const from = readAddress();
-  if (!from?.noises?.[0] || from.noises[0].text === activeNoise().text) return;
-  void setText(from.noises[0].text, "address", { ...(from.plane ? { plane: from.plane } : {}), mode: from.mode ?? "slice" });
+  if (!from) return;
+  try {
+    const next = await whole(from);
+    problem.value = undefined;
+    commit(next, "address");
+  } catch (error) {
+    problem.value = { message: (error as Error).message };
+  }
 });

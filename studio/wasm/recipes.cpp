@@ -46,40 +46,43 @@ Json describe(const VolumeRecipe& recipe) {
   return json;
 }
 
-// Whether a text is of meshnoise: by a key that vdbnoise does not have.
-bool is_of_surface(const std::string& text) {
+// Whether it is of meshnoise: by a key that vdbnoise does not have.
+bool is_of_surface(const Json& json) {
   static const Json of_volume = volume_recipe_schema()["properties"];
   static const Json of_surface = bake_recipe_schema()["properties"];
-  const Json json = parse_json(text);
   for (const auto& [key, value] : json.items()) {
     if (of_surface.contains(key) && !of_volume.contains(key)) return true;
   }
   return false;
 }
 
-Answer described(const std::string& text) {
-  if (is_of_surface(text)) {
-    const BakeRecipe recipe = read_bake_recipe(text);
+VolumeRecipe volume_of(const Json& json) {
+  VolumeRecipe recipe = volume_recipe_from_json(json);
+  refuse_files(recipe);
+  return recipe;
+}
+
+Answer described(const Json& json) {
+  if (is_of_surface(json)) {
+    const BakeRecipe recipe = bake_recipe_from_json(json);
     return {Json{{"kind", "surface"},
                  {"recipe", format_json(to_json(recipe))},
                  {"changes", recipe.changes_with_time()},
                  {"grids", Json::array()},
                  {"box", {-1, -1, -1, 1, 1, 1}}}};
   }
-  const VolumeRecipe recipe = read_recipe(text);
-  Json json = describe(recipe);
-  json["kind"] = "volume";
-  json["recipe"] = format_json(to_json(recipe));
-  return {json};
+  const VolumeRecipe recipe = volume_of(json);
+  Json description = describe(recipe);
+  description["kind"] = "volume";
+  description["recipe"] = format_json(to_json(recipe));
+  return {description};
 }
 
 }  // namespace
 
 VolumeRecipe read_recipe(const std::string& text) {
   try {
-    VolumeRecipe recipe = volume_recipe_from_json(parse_json(text));
-    refuse_files(recipe);
-    return recipe;
+    return volume_of(parse_json(text));
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(with_line(text, error.what()));
   }
@@ -106,7 +109,12 @@ Answer describe_fields(const Json&, std::span<const unsigned char>) {
 }
 
 Answer check_recipe(const Json& question, std::span<const unsigned char>) {
-  return described(question.at("recipe"));
+  const std::string text = question.at("recipe");
+  try {
+    return described(parse_json(text));
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(with_line(text, error.what()));
+  }
 }
 
 // "edits": {"path": ["noise", "frequency"], "value": 4}, in order; without a value the key is removed. With
@@ -140,7 +148,11 @@ Answer edit_recipe(const Json& question, std::span<const unsigned char>) {
     }
     place = std::move(value);
   }
-  return described(format_json(recipe));
+  try {
+    return described(recipe);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(with_line(format_json(recipe), error.what()));
+  }
 }
 
 }  // namespace solidnoise::studio

@@ -38,7 +38,7 @@ const Preview& preview_of(const Json& question) {
 }  // namespace
 
 // Values of the first channel in the slab of voxels "first" to first + "count" along x, z fastest. The answer
-// says how many there are in all.
+// says how many there are in all, and between which numbers these are.
 Answer make_volume_values(const Json& question, std::span<const unsigned char>) {
   const Preview& preview = preview_of(question);
   Lattice<3> lattice = preview.plan.frame.lattice(preview.plan.voxels);
@@ -62,6 +62,9 @@ Answer make_volume_values(const Json& question, std::span<const unsigned char>) 
     }
     values.resize(lattice.size());
   }
+  const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
+  answer.json["low"] = *least;
+  answer.json["high"] = *greatest;
   answer.floats.push_back(std::move(values));
   return answer;
 }

@@ -4,8 +4,8 @@ import type { Path } from "../store.ts";
 import { set } from "./fields.tsx";
 import type { Json } from "./schema.ts";
 
-// Pairs of a value and what it becomes, as a curve whose points are dragged; a double click adds one or takes one away, arrow keys move
-// the one that has the focus.
+// Pairs of a value and what it becomes, as a curve whose points are dragged; a double click adds one or takes one away; of the one that
+// has the focus arrow keys, Insert and Delete do the same.
 
 const kWidth = 240;
 const kHeight = 110;
@@ -39,15 +39,16 @@ export function RampEditor({ value, path, name }: { value: Json | undefined; pat
     const high = i + 1 < points.length ? points[i + 1]![0] - gap : Infinity;
     set(path, points.map((point, k) => (k === i ? [short(Math.min(high, Math.max(low, x))), short(y)] : point)));
   };
+  const insert = (x: number, y: number): void => set(path, [...points, [short(x), short(y)] as [number, number]].sort((a, b) => a[0] - b[0]));
+  const drop = (i: number): void => {
+    if (points.length > 2) set(path, points.filter((_, k) => k !== i));
+  };
   const line = points.map(([x, y]) => `${left(x)},${top(y)}`).join(" ");
   return (
     <svg class="ramp" viewBox={`0 0 ${kWidth} ${kHeight}`} role="group" aria-label={`${name}: points of a curve`}
       onPointerMove={(event) => dragged.current !== undefined && moveTo(dragged.current, at(event))}
       onPointerUp={() => { dragged.current = undefined; frame.current = undefined; }}
-      onDblClick={(event) => {
-        const [x, y] = at(event);
-        set(path, [...points, [short(x), short(y)] as [number, number]].sort((a, b) => a[0] - b[0]));
-      }}>
+      onDblClick={(event) => insert(...at(event))}>
       <line class="axis" x1={left(0)} x2={left(0)} y1="0" y2={kHeight} />
       <line class="axis" y1={top(0)} y2={top(0)} x1="0" x2={kWidth} />
       <polyline points={`0,${top(ys[0] ?? 0)} ${line} ${kWidth},${top(ys[ys.length - 1] ?? 0)}`} />
@@ -60,13 +61,16 @@ export function RampEditor({ value, path, name }: { value: Json | undefined; pat
           }}
           onDblClick={(event) => {
             event.stopPropagation();
-            if (points.length > 2) set(path, points.filter((_, k) => k !== i));
+            drop(i);
           }}
           onKeyDown={(event) => {
             const [dx, dy] = ({ ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] } as Record<string, [number, number]>)[event.key] ?? [0, 0];
-            if (dx === 0 && dy === 0) return;
+            const [x2, y2] = points[i + 1] ?? points[i - 1] ?? [x, y];
+            if (dx !== 0 || dy !== 0) moveTo(i, [x + 0.02 * dx * (x1 - x0), y + 0.02 * dy * (y1 - y0)]);
+            else if (event.key === "Insert") insert((x + x2) / 2, (y + y2) / 2);
+            else if (event.key === "Delete" || event.key === "Backspace") drop(i);
+            else return;
             event.preventDefault();
-            moveTo(i, [x + 0.02 * dx * (x1 - x0), y + 0.02 * dy * (y1 - y0)]);
           }} />
       ))}
       {points.map(([x, y], i) => <title key={i}>{`${x} → ${y}`}</title>)}

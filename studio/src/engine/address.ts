@@ -2,16 +2,17 @@ import type { Noise, State } from "../store.ts";
 
 // The whole state in the address: #recipe=..., which vdbnoise reads, too (base64url of the JSON), and what the view adds to it.
 
-const encode = (text: string): string => {
-  let bytes = "";
-  for (const byte of new TextEncoder().encode(text)) bytes += String.fromCharCode(byte);
-  return btoa(bytes).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
+export const base64 = (bytes: Uint8Array): string => {
+  let text = "";
+  for (const byte of bytes) text += String.fromCharCode(byte);
+  return btoa(text);
 };
-const decode = (code: string): string =>
-  new TextDecoder().decode(Uint8Array.from(atob(code.replaceAll("-", "+").replaceAll("_", "/")), (c) => c.charCodeAt(0)));
+export const bytesOf = (code: string): Uint8Array<ArrayBuffer> => Uint8Array.from(atob(code), (c) => c.charCodeAt(0));
+const encode = (text: string): string => base64(new TextEncoder().encode(text)).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
+const decode = (code: string): string => new TextDecoder().decode(bytesOf(code.replaceAll("-", "+").replaceAll("_", "/")));
 
 // Without blanks outside of strings; numbers stay as they are written.
-export const compact = (text: string): string => text.replace(/("(?:[^"\\]|\\.)*")|\s+/g, "$1");
+const compact = (text: string): string => text.replace(/("(?:[^"\\]|\\.)*")|\s+/g, "$1");
 
 export function addressOf(state: State): string {
   const order = [state.active, ...state.noises.keys()].filter((index, place, all) => all.indexOf(index) === place);
@@ -23,6 +24,7 @@ export function addressOf(state: State): string {
   parts.push(`plane=${[...origin, ...normal, ...up, width].map((x) => Number(x.toPrecision(6))).join("_")}`);
   if (state.ramp) parts.push(`ramp=${encodeURIComponent(state.ramp)}`);
   if (state.bake && state.mode === "surface") parts.unshift(`recipe=${encode(compact(state.bake))}`);
+  if (state.example && state.mode === "example") parts.push(`example=${encode(state.example)}`, `groups=${encode(JSON.stringify(state.groups))}`);
   parts.push(`view=${state.mode}`);
   return `${location.href.split("#")[0]}#${parts.join("&")}`;
 }
@@ -41,6 +43,8 @@ export function readAddress(): Partial<State> | undefined {
       const [key, value = ""] = [part.slice(0, part.indexOf("=")), part.slice(part.indexOf("=") + 1)];
       if (key === "recipe") read.noises!.push({ text: decode(value), grid: "" });
       if (key === "grid" && read.noises!.length > 0) read.noises![read.noises!.length - 1]!.grid = decodeURIComponent(value);
+      if (key === "example") read.example = decode(value);
+      if (key === "groups") read.groups = JSON.parse(decode(value)) as State["groups"];
       if (key === "ramp") read.ramp = decodeURIComponent(value);
       if (key === "view" && ["slice", "volume", "surface", "example"].includes(value)) read.mode = value as State["mode"];
       if (key === "plane") {

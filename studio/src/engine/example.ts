@@ -1,4 +1,5 @@
-import type { GroupEdit } from "../store.ts";
+import type { GroupEdit, KeptPhotograph } from "../store.ts";
+import { base64, bytesOf } from "./address.ts";
 import { engine } from "./engine.ts";
 
 // The model of a photograph: its fit, its pictures, what is done to it. All of it is the library's.
@@ -21,21 +22,36 @@ export async function readPhotograph(file: Blob, name: string, side: number): Pr
     throw new Error(`${name} is not a picture that this browser reads`);
   });
   const scale = Math.min(1, side / Math.max(whole.width, whole.height));
-  const [width, height] = [Math.max(16, Math.round(whole.width * scale)), Math.max(16, Math.round(whole.height * scale))];
-  const canvas = new OffscreenCanvas(width, height);
-  const context = canvas.getContext("2d", { willReadFrequently: true })!;
+  return pixelsOf(whole, name, Math.max(16, Math.round(whole.width * scale)), Math.max(16, Math.round(whole.height * scale)));
+}
+
+function pixelsOf(picture: ImageBitmap, name: string, width: number, height: number): Photograph {
+  const context = new OffscreenCanvas(width, height).getContext("2d", { willReadFrequently: true })!;
   context.imageSmoothingQuality = "high";
-  context.drawImage(whole, 0, 0, width, height);
-  whole.close();
-  const { data } = context.getImageData(0, 0, width, height);
-  return { name, width, height, bytes: new Uint8Array(data.buffer) };
+  context.drawImage(picture, 0, 0, width, height);
+  picture.close();
+  return { name, width, height, bytes: new Uint8Array(context.getImageData(0, 0, width, height).data.buffer) };
+}
+
+// As undo and reload keep it, and back.
+export async function keepPhotograph({ name, width, height, bytes }: Photograph): Promise<KeptPhotograph> {
+  const canvas = new OffscreenCanvas(width, height);
+  canvas.getContext("2d")!.putImageData(new ImageData(new Uint8ClampedArray(bytes), width, height), 0, 0);
+  const png = new Uint8Array(await (await canvas.convertToBlob()).arrayBuffer());
+  return { name, url: `data:image/png;base64,${base64(png)}` };
+}
+
+export async function restoredPhotograph(name: string, url: string): Promise<Photograph> {
+  const png = bytesOf(url.slice(url.indexOf(",") + 1));
+  const whole = await createImageBitmap(new Blob([png], { type: "image/png" }));
+  return pixelsOf(whole, name, whole.width, whole.height);
 }
 
 const sized = ({ width, height }: { width: number; height: number }) => ({ width, height, pixel: 1 / width });
 
 export async function fitPhotograph(photograph: Photograph, axes: string, progress: (done: number) => void): Promise<{ exemplar: string; report: string; warnings: string[] }> {
   const { json } = await engine.modeller.ask("fit", { do: "fit", ...sized(photograph), axes, raw: true }, { bytes: photograph.bytes.slice(), progress });
-  return { exemplar: JSON.stringify(json.exemplar), report: String(json.report), warnings: json.warnings as string[] };
+  return { exemplar: String(json.exemplar), report: String(json.report), warnings: json.warnings as string[] };
 }
 
 export async function versionOf(photograph: Photograph): Promise<ImageData> {
@@ -43,24 +59,42 @@ export async function versionOf(photograph: Photograph): Promise<ImageData> {
   return imageOf(json, floats[0]!);
 }
 
+// The sparse spectrum's texture, whole; the noise in strips, by all workers.
 export async function textureOf(exemplar: string, width: number, height: number, pixel: number, sparse: boolean): Promise<ImageData> {
-  const { json, floats } = await engine.pool.ask(sparse ? "sparse" : "texture", { do: "texture", exemplar: JSON.parse(exemplar), width, height, pixel, sparse }, { urgent: true });
-  return imageOf(json, floats[0]!);
+  const strips = sparse ? 1 : engine.pool.size;
+  const image = new ImageData(width, height);
+  await Promise.all(Array.from({ length: strips }, async (_, i) => {
+    const first = Math.floor((i * width) / strips);
+    const question = { do: "texture", exemplar, first, width: Math.floor(((i + 1) * width) / strips) - first, height, pixel, sparse };
+    const { json, floats } = await engine.pool.ask(sparse ? "sparse" : "texture", question, { urgent: true });
+    put(image, first, Number(json.width), floats[0]!);
+  }));
+  return image;
 }
 
 function imageOf(json: Record<string, unknown>, pixels: Float32Array): ImageData {
   const image = new ImageData(Number(json.width), Number(json.height));
-  for (let i = 0; i < pixels.length; ++i) image.data[4 * Math.floor(i / 3) + (i % 3)] = Math.round(255 * Math.min(1, Math.max(0, pixels[i]!)));
-  for (let i = 3; i < image.data.length; i += 4) image.data[i] = 255;
+  put(image, 0, image.width, pixels);
   return image;
+}
+
+// Colours, row by row, into columns of a picture.
+function put({ data, width, height }: ImageData, first: number, columns: number, pixels: Float32Array): void {
+  for (let from = 0, y = 0; y < height; ++y) {
+    for (let x = first; x < first + columns; ++x) {
+      const to = 4 * (y * width + x);
+      for (let c = 0; c < 3; ++c) data[to + c] = 255 * pixels[from++]!;
+      data[to + 3] = 255;
+    }
+  }
 }
 
 export type ComponentEdit = { edit: string; channel?: number; band?: number; component?: number; to?: [number, number]; by?: number; group?: string; a?: number; variance?: number };
 
 export async function edited(exemplar: string, edits: ComponentEdit[]): Promise<string> {
   if (edits.length === 0) return exemplar;
-  const { json } = await engine.desk.ask("example", { do: "edit example", exemplar: JSON.parse(exemplar), edits });
-  return JSON.stringify(json.exemplar);
+  const { json } = await engine.desk.ask("example", { do: "edit example", exemplar, edits });
+  return String(json.exemplar);
 }
 
 export const groupEdits = (groups: Record<string, GroupEdit>): ComponentEdit[] =>

@@ -42,10 +42,10 @@ export class Pool {
     return this.members.length;
   }
 
-  // An answer, or Dropped. `urgent` work goes before other work.
-  ask(topic: string, question: Question, options: { bytes?: Uint8Array<ArrayBuffer>; urgent?: boolean; progress?: (done: number) => void } = {}): Promise<Timed> {
+  // An answer, or Dropped. `urgent` work goes before other work; `bytes` go to the worker, and are here no more.
+  ask(topic: string, question: Question, options: Partial<Pick<Task, "bytes" | "urgent" | "progress">> = {}): Promise<Timed> {
     return new Promise((resolve, reject) => {
-      this.queue.push({ question, topic, urgent: options.urgent ?? false, resolve, reject, ...(options.bytes ? { bytes: options.bytes } : {}), ...(options.progress ? { progress: options.progress } : {}) });
+      this.queue.push({ urgent: false, ...options, question, topic, resolve, reject });
       this.assign();
     });
   }
@@ -99,7 +99,8 @@ export class Pool {
         Object.assign(member, this.hire());
         this.assign();
       };
-      worker.postMessage({ id: this.next++, question: task.question, ...(task.bytes ? { bytes: task.bytes } : {}) } satisfies ToWorker);
+      const { question, bytes } = task;
+      worker.postMessage({ id: this.next++, question, ...(bytes ? { bytes } : {}) } satisfies ToWorker, bytes ? [bytes.buffer] : []);
     }
   }
 }

@@ -1,5 +1,6 @@
 import type { Noise, Plane } from "../store.ts";
-import { Dropped, type Pool, type Timed } from "./pool.ts";
+import { Follower } from "./follower.ts";
+import type { Pool, Timed } from "./pool.ts";
 
 // A picture of a plane by the pool, in strips: as soon as a change comes, a draft of the size that is done within the time of a
 // glance, and sharper when nothing more comes.
@@ -125,83 +126,55 @@ export class SliceMaker {
   private shown = 0; // of the last one
   private form = ""; // of its recipe
   private cost = 0; // of a pixel, milliseconds of one worker
-  private running = false;
-  private again = false;
-  private rest: ReturnType<typeof setTimeout> | undefined;
-  private request: SliceRequest | undefined;
-  private generation = 0;
+  private readonly follower: Follower<SliceRequest>;
 
   constructor(
     private readonly pool: Pool,
     private readonly topic: string,
     private readonly show: (picture: SlicePicture, sharp: boolean) => void,
-    private readonly fail: (error: Error) => void,
-  ) {}
+    fail: (error: Error) => void,
+  ) {
+    this.follower = new Follower((request) => this.follow(request), (request, wanted) => this.sharpen(request, wanted), fail);
+  }
 
   // `request` has the size of the fine picture.
   want(request: SliceRequest): void {
-    this.request = request;
-    ++this.generation;
     this.pool.drop(`${this.topic} sharp`);
-    clearTimeout(this.rest);
-    if (this.running) {
-      this.again = true;
-      return;
-    }
-    void this.follow();
+    this.follower.want(request);
   }
 
   stop(): void {
-    clearTimeout(this.rest);
+    this.follower.stop();
     this.pool.drop(this.topic);
     this.pool.drop(`${this.topic} sharp`);
-    this.request = undefined;
   }
 
-  private sized(side: number): SliceRequest {
-    const request = this.request!;
-    const scale = Math.min(1, side / Math.max(request.columns, request.rows));
-    return { ...request, columns: Math.max(8, Math.round(request.columns * scale)), rows: Math.max(8, Math.round(request.rows * scale)) };
+  private async follow(request: SliceRequest): Promise<void> {
+    const form = formOf(request.noise);
+    if (form !== this.form) this.side = kSmallest;
+    this.form = form;
+    this.shown = this.side;
+    const picture = await sampleSlice(this.pool, this.topic, sized(request, this.side), { urgent: true, draft: true });
+    this.show(picture, false);
+    this.cost = picture.work / (picture.columns * picture.rows);
+    const left = Math.max(0, kGlance - picture.ready) / Math.max(1, picture.milliseconds - picture.ready);
+    this.side = Math.min(kLargest, Math.max(kSmallest, 32 * Math.floor((this.side * Math.sqrt(left)) / 32)));
   }
 
-  private async follow(): Promise<void> {
-    this.running = true;
-    try {
-      do {
-        this.again = false;
-        const form = formOf(this.request!.noise);
-        if (form !== this.form) this.side = kSmallest;
-        this.form = form;
-        this.shown = this.side;
-        const picture = await sampleSlice(this.pool, this.topic, this.sized(this.side), { urgent: true, draft: true });
-        if (!this.request) return;
-        this.show(picture, false);
-        this.cost = picture.work / (picture.columns * picture.rows);
-        const left = Math.max(0, kGlance - picture.ready) / Math.max(1, picture.milliseconds - picture.ready);
-        this.side = Math.min(kLargest, Math.max(kSmallest, 32 * Math.floor((this.side * Math.sqrt(left)) / 32)));
-      } while (this.again);
-      const generation = this.generation;
-      this.rest = setTimeout(() => void this.sharpen(generation), 90);
-    } catch (error) {
-      if (!(error instanceof Dropped)) this.fail(error as Error);
-    } finally {
-      this.running = false;
+  private async sharpen(request: SliceRequest, wanted: () => boolean): Promise<void> {
+    for (const side of [kLargest, 2048]) {
+      if (!wanted()) return;
+      const draft = side === kLargest;
+      if (draft && (this.shown === kLargest || Math.max(request.columns, request.rows) <= kLargest)) continue;
+      const whole = sized(request, side);
+      const parts = Math.max(this.pool.size, Math.ceil((this.cost * whole.columns * whole.rows) / kStrip));
+      const picture = await sampleSlice(this.pool, `${this.topic} sharp`, whole, { draft, parts });
+      if (wanted()) this.show(picture, !draft);
     }
   }
+}
 
-  private async sharpen(generation: number): Promise<void> {
-    try {
-      for (const side of [kLargest, 2048]) {
-        if (generation !== this.generation || !this.request) return;
-        const draft = side === kLargest;
-        if (draft && (this.shown === kLargest || Math.max(this.request.columns, this.request.rows) <= kLargest)) continue;
-        const request = this.sized(side);
-        const parts = Math.max(this.pool.size, Math.ceil((this.cost * request.columns * request.rows) / kStrip));
-        const picture = await sampleSlice(this.pool, `${this.topic} sharp`, request, { draft, parts });
-        if (generation === this.generation) this.show(picture, !draft);
-      }
-    } catch (error) {
-      if (!(error instanceof Dropped)) this.fail(error as Error);
-    }
-  }
+function sized(request: SliceRequest, side: number): SliceRequest {
+  const scale = Math.min(1, side / Math.max(request.columns, request.rows));
+  return { ...request, columns: Math.max(8, Math.round(request.columns * scale)), rows: Math.max(8, Math.round(request.rows * scale)) };
 }

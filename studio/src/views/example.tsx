@@ -1,17 +1,21 @@
-import { useSignalEffect } from "@preact/signals";
+import { useComputed, useSignalEffect } from "@preact/signals";
 import type { JSX } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
-import { edited, fitPhotograph, groupEdits, type Model, type Photograph, readPhotograph, textureOf, versionOf } from "../engine/example.ts";
+import {
+  edited, fitPhotograph, groupEdits, keepPhotograph, type Model, type Photograph, readPhotograph, restoredPhotograph, textureOf, versionOf,
+} from "../engine/example.ts";
+import { saveAs } from "../controls/copy.tsx";
 import { engine } from "../engine/engine.ts";
+import { Follower } from "../engine/follower.ts";
 import { Dropped } from "../engine/pool.ts";
-import { commit, type GroupEdit, setText, state } from "../store.ts";
+import { commit, type GroupEdit, type KeptPhotograph, setText, type State, state } from "../store.ts";
 import { SpectrumEditor } from "./spectrum_editor.tsx";
 
 // A noise from a photograph: the exemplar, the best that noise can do of it, its sparse spectrum, the noise; and the spectrum by hand.
 
 const kPhotographs = ["earth", "leaves", "moss", "rock", "sand", "soil", "wood"];
 const kNeutral: GroupEdit = { magnitude: 1, scale: 1, rotate: 0 };
-let photograph: Photograph | undefined; // for as long as the page is open
+let photograph: Photograph | undefined; // the one that is shown
 
 export function ExampleView(): JSX.Element {
   const [busy, setBusy] = useState<number | undefined>(undefined);
@@ -24,90 +28,93 @@ export function ExampleView(): JSX.Element {
   const [ms, setMs] = useState(0);
   const panels = { exemplar: useRef<HTMLCanvasElement>(null), version: useRef<HTMLCanvasElement>(null), sparse: useRef<HTMLCanvasElement>(null), noise: useRef<HTMLCanvasElement>(null) };
 
-  const put = (panel: keyof typeof panels, image: ImageData): void => {
+  const put = (panel: keyof typeof panels, image: ImageData, sharp = false): void => {
     const canvas = panels[panel].current;
     if (!canvas) return;
     canvas.width = image.width;
     canvas.height = image.height;
     canvas.getContext("2d")!.putImageData(image, 0, 0);
-    canvas.dispatchEvent(new CustomEvent("pictured", { bubbles: true, detail: { panel } }));
+    canvas.dispatchEvent(new CustomEvent("pictured", { bubbles: true, detail: { panel, side: image.width, sharp } }));
   };
-  const showPhotograph = (): void => {
-    if (!photograph) return;
-    const { width, height, bytes } = photograph;
-    put("exemplar", new ImageData(new Uint8ClampedArray(bytes), width, height));
+  // What a photograph is, beside the best that noise can do of it.
+  const shown = useRef("");
+  const showPhotograph = async ({ name, url }: KeptPhotograph): Promise<void> => {
+    if (shown.current === url) return;
+    shown.current = url;
+    const own = await restoredPhotograph(name, url);
+    if (shown.current !== url) return;
+    photograph = own;
+    put("exemplar", new ImageData(new Uint8ClampedArray(own.bytes), own.width, own.height));
+    engine.pool.drop("version");
+    const version = await versionOf(own);
+    if (shown.current === url) put("version", version);
   };
-  useEffect(showPhotograph, []);
+  const keptPhotograph = useComputed(() => state.value.photograph);
+  const showKept = (): void => void (keptPhotograph.value && showPhotograph(keptPhotograph.value).catch(() => undefined));
+  useSignalEffect(showKept);
 
-  const fit = async (taken: Photograph): Promise<void> => {
-    photograph = taken;
-    showPhotograph();
+  const stop = (): void => {
     engine.modeller.interrupt("fit");
-    setBusy(0);
-    setTrouble("");
-    const begin = performance.now();
-    try {
-      void versionOf(taken).then((image) => put("version", image), () => undefined);
-      const found = await fitPhotograph(taken, axes, setBusy);
-      const seconds = (performance.now() - begin) / 1000;
-      engine.times.fit = 1000 * seconds;
-      setReport({ text: found.report, warnings: found.warnings, seconds });
-      commit({ ...state.value, example: found.exemplar, groups: {} }, "fit");
-    } catch (error) {
-      if (!(error instanceof Dropped)) setTrouble((error as Error).message);
-    } finally {
-      setBusy(undefined);
-    }
+    setBusy(undefined);
+    showKept();
   };
   const take = async (file: Blob | undefined, name: string): Promise<void> => {
     if (!file) return;
+    engine.modeller.interrupt("fit");
+    setTrouble("");
     try {
-      await fit(await readPhotograph(file, name, side));
+      const taken = await readPhotograph(file, name, side);
+      const kept = await keepPhotograph(taken);
+      setBusy(0);
+      void showPhotograph(kept).catch(() => undefined);
+      const begin = performance.now();
+      const found = await fitPhotograph(taken, axes, setBusy);
+      engine.times.fit = performance.now() - begin;
+      setReport({ text: found.report, warnings: found.warnings, seconds: engine.times.fit / 1000 });
+      setBusy(undefined);
+      commit({ ...state.value, example: found.exemplar, groups: {}, photograph: kept }, "fit");
     } catch (error) {
+      if (error instanceof Dropped) return;
+      setBusy(undefined);
       setTrouble((error as Error).message);
     }
   };
 
   // The model with what is done to its groups, and its pictures: a small one that follows, then a large one.
-  const generation = useRef(0);
+  const changed = useRef("");
+  const drawNoise = async (scale: number, wanted = () => true): Promise<void> => {
+    const { width, height } = photograph ?? { width: 256, height: 256 };
+    const begin = performance.now();
+    const image = await textureOf(changed.current, Math.round(width * scale), Math.round(height * scale), 1 / (width * scale), false);
+    if (!wanted()) return;
+    put("noise", image, scale === 1);
+    setMs(performance.now() - begin);
+    if (scale < 1) return;
+    const sparse = await textureOf(changed.current, width, height, 1 / width, true);
+    if (wanted()) put("sparse", sparse);
+  };
+  const follower = useRef<Follower<Pick<State, "example" | "groups">>>(null);
+  follower.current ??= new Follower(async ({ example, groups }) => {
+    changed.current = await edited(example, groupEdits(groups));
+    setModel(changed.current);
+    setTrouble("");
+    await drawNoise(0.5);
+  }, (_, wanted) => drawNoise(1, wanted), (error) => setTrouble(error.message));
+  useEffect(() => () => follower.current?.stop(), []);
   useSignalEffect(() => {
     const { example, groups } = state.value;
-    const own = ++generation.current;
-    if (!example) return setModel("");
-    void (async () => {
-      try {
-        const changed = await edited(example, groupEdits(groups));
-        if (own !== generation.current) return;
-        setModel(changed);
-        setTrouble("");
-        const [width, height] = photograph ? [photograph.width, photograph.height] : [256, 256];
-        for (const scale of [0.5, 1]) {
-          const begin = performance.now();
-          const image = await textureOf(changed, Math.round(width * scale), Math.round(height * scale), 1 / (width * scale), false);
-          if (own !== generation.current) return;
-          put("noise", image);
-          setMs(performance.now() - begin);
-        }
-        put("sparse", await textureOf(changed, width, height, 1 / width, true));
-      } catch (error) {
-        if (!(error instanceof Dropped) && own === generation.current) setTrouble((error as Error).message);
-      }
-    })();
+    if (example) follower.current?.want({ example, groups });
+    else setModel("");
   });
 
   const parsed = model ? (JSON.parse(model) as Model) : undefined;
   const groups = [...new Set(parsed?.channels.flatMap((channel) => channel.groups) ?? [])];
   const change = (group: string, part: Partial<GroupEdit>): void =>
     commit({ ...state.value, groups: { ...state.value.groups, [group]: { ...kNeutral, ...state.value.groups[group], ...part } } }, `group ${group}`);
-  const download = (): void => {
-    const link = document.createElement("a");
-    link.href = URL.createObjectURL(new Blob([JSON.stringify({ solidnoise: 2, exemplar: parsed }, null, 1)], { type: "application/json" }));
-    link.download = `${(photograph?.name ?? "noise").replace(/\.\w+$/, "")}.json`;
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href), 1000);
-  };
+  const download = (): void =>
+    saveAs(`${(photograph?.name ?? "noise").replace(/\.\w+$/, "")}.json`, JSON.stringify({ solidnoise: 2, exemplar: parsed }, null, 1));
   const onMesh = (): void => {
-    const recipe = { solidnoise: 2, surface: { noise: "spectrum", exemplar: parsed }, frequency: Number((8).toFixed(1)), ramp: "exemplar" };
+    const recipe = { solidnoise: 2, surface: { noise: "spectrum", exemplar: parsed }, frequency: 8, ramp: "exemplar" };
     void setText(JSON.stringify(recipe), "example on a mesh", { mode: "surface" });
   };
 
@@ -124,7 +131,7 @@ export function ExampleView(): JSX.Element {
         ))}
         <label class="inline">Side <select value={side} onChange={(event) => setSide(Number(event.currentTarget.value))}>{[128, 256, 384, 512].map((n) => <option key={n} value={n}>{n} pixels</option>)}</select></label>
         <label class="inline">Colour axes <select value={axes} onChange={(event) => setAxes(event.currentTarget.value)}>{["independent", "pca", "rgb"].map((word) => <option key={word}>{word}</option>)}</select></label>
-        {busy !== undefined && <><progress value={busy} aria-label="Fitting" /><button onClick={() => { engine.modeller.interrupt("fit"); setBusy(undefined); }}>Stop</button></>}
+        {busy !== undefined && <><progress value={busy} aria-label="Fitting" /><button onClick={stop}>Stop</button></>}
       </div>
       {trouble && <p class="problem" role="alert">{trouble}</p>}
       <div class="panels">
@@ -138,10 +145,11 @@ export function ExampleView(): JSX.Element {
       )}
       {parsed && (
         <div class="workbench">
-          <SpectrumEditor model={parsed} change={async (edits) => {
+          <SpectrumEditor model={parsed} change={async (edits, at) => {
             // What was done to groups stays done: sliders begin anew.
+            const { example, groups } = state.value;
             try {
-              commit({ ...state.value, example: await edited(model, edits), groups: {} }, `spectrum ${edits[0]?.edit}`);
+              commit({ ...state.value, example: await edited(example, [...groupEdits(groups), ...edits]), groups: {} }, `spectrum ${edits[0]?.edit}`, at);
             } catch (error) {
               setTrouble((error as Error).message);
             }

@@ -2,7 +2,7 @@ import type { JSX } from "preact";
 import { useEffect, useRef } from "preact/hooks";
 import { engine } from "../engine/engine.ts";
 import { drawSlice, sampleSlice } from "../engine/slice.ts";
-import { check, setText, type Info } from "../store.ts";
+import { across, check, kFront, setText } from "../store.ts";
 import { type Start, starts } from "../starts.ts";
 
 // Presets and examples, each with a picture that is made while one looks.
@@ -34,13 +34,6 @@ const known = new Map<string, ImageData>();
 function Card({ start, close }: { start: Start; close: () => void }): JSX.Element | null {
   const canvas = useRef<HTMLCanvasElement>(null);
   const card = useRef<HTMLButtonElement>(null);
-  const fit = (info: Info): { origin: [number, number, number]; normal: [number, number, number]; up: [number, number, number]; width: number } => {
-    const { box } = info;
-    return {
-      origin: [0, 1, 2].map((axis) => (box[axis]! + box[axis + 3]!) / 2) as [number, number, number],
-      normal: [0, 0, 1], up: [0, 1, 0], width: Math.max(...[0, 1, 2].map((axis) => box[axis + 3]! - box[axis]!)),
-    };
-  };
   useEffect(() => {
     const put = (image: ImageData): void => canvas.current?.getContext("2d")?.putImageData(image, 0, 0);
     const ready = known.get(start.name);
@@ -49,7 +42,7 @@ function Card({ start, close }: { start: Start; close: () => void }): JSX.Elemen
       try {
         const info = await check(start.text);
         if (info.kind === "surface") return canvas.current?.remove();
-        const picture = await sampleSlice(engine.pool, "gallery", { noise: { text: info.recipe, grid: "" }, plane: fit(info), time: undefined, columns: 96, rows: 96 }, { draft: true });
+        const picture = await sampleSlice(engine.pool, "gallery", { noise: { text: info.recipe, grid: "" }, plane: { ...kFront, ...across(info.box) }, time: undefined, columns: 96, rows: 96 }, { draft: true });
         const image = drawSlice(picture, undefined);
         known.set(start.name, image);
         put(image);
@@ -63,7 +56,7 @@ function Card({ start, close }: { start: Start; close: () => void }): JSX.Elemen
   return (
     <button ref={card} class="start" title={description} onClick={async () => {
       const info = await check(start.text);
-      await setText(start.text, `start ${start.name}`, info.kind === "surface" ? {} : { plane: fit(info) });
+      await setText(start.text, `start ${start.name}`, info.kind === "surface" ? {} : { plane: { ...kFront, ...across(info.box) } });
       close();
     }}>
       <canvas ref={canvas} width="96" height="96" aria-hidden="true" />

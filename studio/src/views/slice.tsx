@@ -5,21 +5,28 @@ import { drawSlice, rangeOf, SliceMaker, type SlicePicture } from "../engine/sli
 import { engine } from "../engine/engine.ts";
 import { commit, type Plane, state, time, type Vector } from "../store.ts";
 
-// A plane through one of the noises: dragged with the mouse, zoomed with the wheel, turned with the right button or Alt.
+// A plane through one of the noises: dragged with the mouse, zoomed with the wheel, turned with the right button or Alt; by keys, too.
 
-export const add = (a: Vector, b: Vector, k = 1): Vector => [a[0] + k * b[0], a[1] + k * b[1], a[2] + k * b[2]];
-export const cross = (a: Vector, b: Vector): Vector => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-export const dot = (a: Vector, b: Vector): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-export const unit = (a: Vector): Vector => {
+const add = (a: Vector, b: Vector, k = 1): Vector => [a[0] + k * b[0], a[1] + k * b[1], a[2] + k * b[2]];
+const cross = (a: Vector, b: Vector): Vector => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+const dot = (a: Vector, b: Vector): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const unit = (a: Vector): Vector => {
   const length = Math.hypot(...a) || 1;
   return [a[0] / length, a[1] / length, a[2] / length];
 };
-export const tidy = (a: Vector): Vector => a.map((x) => Number(x.toPrecision(6))) as Vector;
+const tidy = (a: Vector): Vector => a.map((x) => Number(x.toPrecision(6))) as Vector;
 
-export function axesOf(plane: Plane): { right: Vector; up: Vector; normal: Vector } {
+function axesOf(plane: Plane): { right: Vector; up: Vector; normal: Vector } {
   const normal = unit(plane.normal);
   const right = unit(cross(plane.up, normal));
   return { right, up: cross(normal, right), normal };
+}
+
+// Turned by so much to the right and up, in radians while that is little.
+function turned(plane: Plane, across: number, upwards: number): Plane {
+  const { right, up, normal } = axesOf(plane);
+  const facing = unit(add(add(normal, right, across), up, upwards));
+  return { ...plane, normal: tidy(facing), up: tidy(unit(add(up, facing, -dot(up, facing)))) };
 }
 
 const setPlane = (plane: Plane, tag: string): void => commit({ ...state.value, plane }, tag);
@@ -72,7 +79,7 @@ export function SliceView({ index }: { index: number }): JSX.Element {
       fail("");
       tell({ ms: picture.milliseconds, range: rangeOf(picture), sharp, size: `${picture.columns} × ${picture.rows}` });
       engine.times.slice = picture.milliseconds;
-      canvas.current?.dispatchEvent(new CustomEvent("pictured", { bubbles: true, detail: { sharp, picture } }));
+      canvas.current?.dispatchEvent(new CustomEvent("pictured", { bubbles: true, detail: { sharp, picture, side: Math.max(picture.columns, picture.rows) } }));
     }, (error) => fail(error.message));
     const observer = new ResizeObserver(([entry]) => {
       const ratio = Math.min(2, devicePixelRatio);
@@ -109,12 +116,8 @@ export function SliceView({ index }: { index: number }): JSX.Element {
     if (begin) {
       const dx = event.clientX - begin.x;
       const dy = event.clientY - begin.y;
-      const { right, up, normal } = axesOf(begin.plane);
-      if (begin.turns) {
-        const turned = unit(add(add(normal, right, -dx / 200), up, dy / 200));
-        const upright = unit(add(up, turned, -dot(up, turned)));
-        return setPlane({ ...begin.plane, normal: tidy(turned), up: tidy(upright) }, "turn");
-      }
+      const { right, up } = axesOf(begin.plane);
+      if (begin.turns) return setPlane(turned(begin.plane, -dx / 200, dy / 200), "turn");
       const k = unitsPerPixel();
       return setPlane({ ...begin.plane, origin: tidy(add(add(begin.plane.origin, right, -dx * k), up, dy * k)) }, "pan");
     }
@@ -159,7 +162,10 @@ export function SliceView({ index }: { index: number }): JSX.Element {
       "+": () => ({ ...plane, width: plane.width / 1.2 }),
       "-": () => ({ ...plane, width: plane.width * 1.2 }),
     };
-    const move = moves[event.key];
+    const turns: Record<string, () => Plane> = {
+      ArrowLeft: () => turned(plane, 0.05, 0), ArrowRight: () => turned(plane, -0.05, 0), ArrowUp: () => turned(plane, 0, -0.05), ArrowDown: () => turned(plane, 0, 0.05),
+    };
+    const move = (event.shiftKey && turns[event.key]) || moves[event.key];
     if (!move) return;
     event.preventDefault();
     setPlane(move(), "keys");
@@ -168,7 +174,7 @@ export function SliceView({ index }: { index: number }): JSX.Element {
   return (
     <figure class="view slice">
       <canvas ref={canvas} width={size[0]} height={size[1]} tabIndex={0} role="img"
-        aria-label="A slice of the noise. Arrow keys move it, plus and minus zoom, page keys go deeper."
+        aria-label="A slice of the noise. Arrow keys move it, with Shift they turn it; plus and minus zoom, page keys go deeper."
         onPointerDown={(event) => {
           event.currentTarget.setPointerCapture(event.pointerId);
           drag.current = { x: event.clientX, y: event.clientY, plane: state.value.plane, turns: event.altKey || event.button === 2 };

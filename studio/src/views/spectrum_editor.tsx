@@ -1,13 +1,15 @@
 import type { JSX } from "preact";
 import { useRef, useState } from "preact/hooks";
 import type { ComponentEdit, Model } from "../engine/example.ts";
+import { during } from "../store.ts";
 
 // The Gaussians of a sparse spectrum as ellipses, each with its mirror image: dragged to other frequencies, scaled by the wheel, taken
-// away by Delete, added by a double click.
+// away by Delete, added by a double click; all of it by keys and buttons, too.
 
 const kSize = 360;
 const kColors = ["#f2a93b", "#5db7de", "#8fcf6a", "#e0708f", "#b69cff", "#d9d05c"];
 const kMostShown = 400;
+const kStep = 1.15; // of a variance
 
 interface Spot {
   band: number;
@@ -19,11 +21,13 @@ interface Spot {
   group: number;
 }
 
-export function SpectrumEditor({ model, change }: { model: Model; change: (edits: ComponentEdit[]) => Promise<void> }): JSX.Element {
+export function SpectrumEditor({ model, change }: { model: Model; change: (edits: ComponentEdit[], at: number) => Promise<void> }): JSX.Element {
   const [channel, setChannel] = useState(0);
   const [chosen, choose] = useState<string | undefined>(undefined);
   const drag = useRef<Spot | undefined>(undefined);
   const pending = useRef(false);
+  const next = useRef<ComponentEdit[] | undefined>(undefined);
+  const svg = useRef<SVGSVGElement>(null);
   const own = model.channels[Math.min(channel, model.channels.length - 1)]!;
   const spots: Spot[] = own.bands
     .flatMap(({ a, components }, band) => components.map(([x = 0, y = 0, variance = 0, group = 0], component) => ({ band, component, x, y, a, variance, group })))
@@ -39,59 +43,81 @@ export function SpectrumEditor({ model, change }: { model: Model; change: (edits
     const box = event.currentTarget.getBoundingClientRect();
     return [((event.clientX - box.left) / box.width * 2 - 1) * reach.current, (1 - (event.clientY - box.top) / box.height * 2) * reach.current];
   };
-  // One change at a time, so that a drag is never ahead of its picture.
-  const send = async (edits: ComponentEdit[]): Promise<void> => {
-    if (pending.current) return;
+  // One change at a time, so that a drag is never ahead of its picture; of where it is dragged meanwhile the last counts.
+  const send = (edits: ComponentEdit[]): void => {
+    if (pending.current) {
+      if (edits[0]?.edit === "move") next.current = edits;
+      return;
+    }
     pending.current = true;
-    await change(edits);
-    pending.current = false;
+    void during(async (at) => {
+      for (let now: ComponentEdit[] | undefined = edits; now; now = next.current) {
+        next.current = undefined;
+        await change(now, at);
+      }
+      pending.current = false;
+    });
   };
   const name = (spot: Spot): string => `${spot.band}.${spot.component}`;
+  const place = ({ band, component }: Spot) => ({ channel, band, component });
+  const stronger = (spot: Spot, by: number): void => send([{ edit: "variance", ...place(spot), by }]);
+  const insert = (to: [number, number]): void => send([{ edit: "add", channel, a: spots[0]?.a ?? 1, variance: 0.25 * largest, to }]);
+  const drop = (spot: Spot): void => send([{ edit: "drop", ...place(spot) }]);
+  // The one that keys reach: what was chosen, or the strongest; page keys go to the next one in strength.
+  const current = Math.max(0, spots.findIndex((spot) => name(spot) === chosen));
+  const go = (by: number): void => {
+    const to = Math.min(spots.length - 1, Math.max(0, current + by));
+    svg.current?.querySelectorAll<SVGElement>("ellipse:nth-of-type(odd)")[to]?.focus();
+  };
   return (
     <div class="spectrum-editor">
       <div class="kinds" role="radiogroup" aria-label="Channel">
         {model.channels.map((_, i) => <button key={i} role="radio" aria-checked={i === channel} class={i === channel ? "on" : ""} onClick={() => setChannel(i)}>Channel {i + 1}</button>)}
       </div>
-      <svg viewBox={`${-half} ${-half} ${kSize} ${kSize}`} role="group" aria-label="The spectrum's Gaussians"
+      <svg ref={svg} viewBox={`${-half} ${-half} ${kSize} ${kSize}`} role="group" aria-label="The spectrum's Gaussians"
         onPointerMove={(event) => {
           const spot = drag.current;
-          if (spot) void send([{ edit: "move", channel, band: spot.band, component: spot.component, to: at(event) }]);
+          if (spot) send([{ edit: "move", ...place(spot), to: at(event) }]);
         }}
         onPointerUp={() => { drag.current = undefined; }}
-        onDblClick={(event) => {
-          const a = spots[0]?.a ?? 1;
-          void send([{ edit: "add", channel, a, variance: 0.25 * largest, to: at(event) }]);
-        }}>
+        onDblClick={(event) => insert(at(event))}>
         <circle class="axis" r={half * 0.5} fill="none" /><circle class="axis" r={half * 0.99} fill="none" />
         <line class="axis" x1={-half} x2={half} /><line class="axis" y1={-half} y2={half} />
         {spots.map((spot, i) => [1, -1].map((sign) => (
           <ellipse key={`${name(spot)}${sign}`} cx={sign * px(spot.x)} cy={-sign * px(spot.y)} rx={Math.max(2.5, px(0.47 * spot.a))} ry={Math.max(2.5, px(0.47 * spot.a))}
             fill={kColors[spot.group % kColors.length]} fill-opacity={0.08 + 0.7 * Math.sqrt(spot.variance / largest)}
-            class={chosen === name(spot) ? "chosen" : ""} tabindex={sign === 1 && i < 60 ? 0 : -1} role="button"
+            class={chosen === name(spot) ? "chosen" : ""} tabindex={sign === 1 && i === current ? 0 : -1} role="button"
             aria-label={`${own.groups[spot.group]}, frequency ${spot.x.toPrecision(3)} ${spot.y.toPrecision(3)}, ${(100 * spot.variance / largest).toFixed(0)} % of the strongest`}
             onPointerDown={(event) => {
               event.currentTarget.ownerSVGElement?.setPointerCapture(event.pointerId);
               choose(name(spot));
-              // Of the mirror image the other one is dragged.
-              drag.current = sign === 1 ? spot : { ...spot };
+              drag.current = spot; // a mirror image goes where it is dragged, too: both are one wave
             }}
             onDblClick={(event) => event.stopPropagation()}
-            onWheel={(event) => { event.preventDefault(); void send([{ edit: "variance", channel, band: spot.band, component: spot.component, by: event.deltaY < 0 ? 1.15 : 1 / 1.15 }]); }}
+            onWheel={(event) => { event.preventDefault(); stronger(spot, event.deltaY < 0 ? kStep : 1 / kStep); }}
             onFocus={() => choose(name(spot))}
             onKeyDown={(event) => {
               const step = 0.01 * reach.current;
               const [dx, dy] = ({ ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, step], ArrowDown: [0, -step] } as Record<string, [number, number]>)[event.key] ?? [0, 0];
-              const place = { channel, band: spot.band, component: spot.component };
-              if (dx !== 0 || dy !== 0) void send([{ edit: "move", ...place, to: [spot.x + dx, spot.y + dy] }]);
-              else if (event.key === "Delete" || event.key === "Backspace") void send([{ edit: "drop", ...place }]);
-              else if (event.key === "+" || event.key === "-") void send([{ edit: "variance", ...place, by: event.key === "+" ? 1.15 : 1 / 1.15 }]);
+              if (dx !== 0 || dy !== 0) send([{ edit: "move", ...place(spot), to: [spot.x + dx, spot.y + dy] }]);
+              else if (event.key === "Delete" || event.key === "Backspace") drop(spot);
+              else if (event.key === "+" || event.key === "-") stronger(spot, event.key === "+" ? kStep : 1 / kStep);
+              else if (event.key === "PageUp" || event.key === "PageDown") go(event.key === "PageUp" ? -1 : 1);
               else return;
               event.preventDefault();
             }} />
         )))}
       </svg>
       <p class="hint">{own.groups.map((group, i) => <span key={group}><i style={{ background: kColors[i % kColors.length] }} />{group} </span>)}
-        <br />Drag, wheel, Delete; a double click adds one.</p>
+        <br />Drag one, scale it with the wheel, double-click to add one; or arrows, plus, minus, page keys, Delete.</p>
+      <div class="more">
+        <button onClick={() => insert([0.5 * reach.current, 0])}>+ Add</button>
+        {spots[current] && <>
+          <button onClick={() => stronger(spots[current]!, kStep)}>Stronger</button>
+          <button onClick={() => stronger(spots[current]!, 1 / kStep)}>Weaker</button>
+          <button onClick={() => drop(spots[current]!)}>Remove</button>
+        </>}
+      </div>
     </div>
   );
 }

@@ -2,7 +2,7 @@ import { useSignalEffect } from "@preact/signals";
 import type { JSX } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { engine } from "../engine/engine.ts";
-import { Dropped } from "../engine/pool.ts";
+import { Follower } from "../engine/follower.ts";
 import { commit, state, time } from "../store.ts";
 import { Orbit } from "./orbit.ts";
 import { SceneCanvas, useScene } from "./scene.tsx";
@@ -10,14 +10,14 @@ import { SurfaceRenderer } from "./surface_renderer.ts";
 
 // Noise on a mesh: one that comes with the page, or one that is dropped.
 
-const kMeshes = ["wyrm.ply", "torus.obj"];
+const kMeshes = ["wyrm.ply", "bowl.obj", "torus.obj"];
 // Meshes that were dropped, for as long as the page is open.
 const dropped = new Map<string, Uint8Array<ArrayBuffer>>();
 let inWorker = "";
 
 async function bytesOf(name: string): Promise<Uint8Array<ArrayBuffer>> {
   const own = dropped.get(name);
-  if (own) return own;
+  if (own) return own.slice();
   const response = await fetch(new URL(name, document.baseURI));
   if (!response.ok) throw new Error(`${name} is not here any more; drop it again`);
   return new Uint8Array(await response.arrayBuffer());
@@ -27,8 +27,6 @@ export function SurfaceView(): JSX.Element {
   const [told, tell] = useState("");
   const [plain, setPlain] = useState(false);
   const [over, setOver] = useState(false);
-  const working = useRef(false);
-  const again = useRef(false);
   const scene = useScene((canvas) => new SurfaceRenderer(canvas), new Orbit(0.6, 0.3, 2.05), () => Math.min(2, devicePixelRatio), (renderer, eye) => {
     const dark = document.documentElement.dataset.theme === "dark";
     renderer.render(eye, plain, dark ? [0.05, 0.055, 0.065] : [0.8, 0.79, 0.76]);
@@ -37,44 +35,35 @@ export function SurfaceView(): JSX.Element {
   useEffect(render, [plain]);
 
   const bake = async (): Promise<void> => {
-    if (working.current) {
-      again.current = true;
-      return;
+    const { bake: text, mesh } = state.value;
+    if (!text || !renderer.current) return;
+    const begin = performance.now();
+    if (inWorker !== mesh) {
+      inWorker = "";
+      await engine.modeller.ask("surface", { do: "mesh", name: mesh }, { bytes: await bytesOf(mesh) });
+      inWorker = mesh;
     }
-    working.current = true;
-    try {
-      do {
-        again.current = false;
-        const { bake: text, mesh } = state.value;
-        if (!text || !renderer.current) return;
-        const begin = performance.now();
-        if (inWorker !== mesh) {
-          inWorker = "";
-          await engine.modeller.ask("surface", { do: "mesh", name: mesh }, { bytes: await bytesOf(mesh) });
-          inWorker = mesh;
-        }
-        const when = time.value;
-        const { json, floats } = await engine.modeller.ask("surface", { do: "bake", recipe: text, ...(when === undefined ? {} : { time: when }) });
-        if (!renderer.current) return;
-        renderer.current.load({ positions: floats[0]!, normals: floats[1]!, colors: floats[2]!, corners: new Uint32Array(floats[3]!.buffer) });
-        render();
-        const aliases = Number(json.cycles_per_edge) > 0.5 ? " · finer than the mesh: give refine" : "";
-        tell(`${Number(json.vertices).toLocaleString("en")} vertices · ${(performance.now() - begin).toFixed(0)} ms${aliases}`);
-        setTrouble("");
-        scene.canvas.current?.dispatchEvent(new CustomEvent("pictured", { bubbles: true, detail: { colors: floats[2] } }));
-      } while (again.current);
-    } catch (error) {
-      inWorker = ""; // where memory has ended it is another worker
-      if (!(error instanceof Dropped)) setTrouble((error as Error).message);
-    } finally {
-      working.current = false;
-    }
+    const when = time.value;
+    const { json, floats } = await engine.modeller.ask("surface", { do: "bake", recipe: text, ...(when === undefined ? {} : { time: when }) });
+    if (!renderer.current) return;
+    renderer.current.load({ positions: floats[0]!, normals: floats[1]!, colors: floats[2]!, corners: new Uint32Array(floats[3]!.buffer) });
+    render();
+    const aliases = Number(json.cycles_per_edge) > 0.5 ? " · finer than the mesh: give refine" : "";
+    tell(`${Number(json.vertices).toLocaleString("en")} vertices · ${(performance.now() - begin).toFixed(0)} ms${aliases}`);
+    setTrouble("");
+    scene.canvas.current?.dispatchEvent(new CustomEvent("pictured", { bubbles: true, detail: { colors: floats[2] } }));
   };
+  const follower = useRef<Follower<unknown>>(null);
+  follower.current ??= new Follower(bake, async () => undefined, (error) => {
+    inWorker = ""; // where memory has ended it is another worker
+    setTrouble(error.message);
+  });
+  useEffect(() => () => follower.current?.stop(), []);
   useSignalEffect(() => {
     state.value.bake;
     state.value.mesh;
     time.value;
-    void bake();
+    follower.current?.want({});
   });
   const take = async (file: File | undefined): Promise<void> => {
     if (!file) return;

@@ -1,13 +1,12 @@
 import type { JSX } from "preact";
 import { useEffect, useState } from "preact/hooks";
 import { engine } from "../engine/engine.ts";
-import { activeNoise, commit, infoOf, type Plane, state, time } from "../store.ts";
-import { edit } from "../store.ts";
+import { across, activeNoise, commit, edit, infoOf, kFront, type Plane, state, time } from "../store.ts";
 
 // What belongs to the pictures, not to the recipe: the plane, colours, time that plays, another noise beside.
 
 const kFaces: [string, Partial<Plane>][] = [
-  ["Front", { normal: [0, 0, 1], up: [0, 1, 0] }],
+  ["Front", kFront],
   ["Side", { normal: [1, 0, 0], up: [0, 1, 0] }],
   ["Top", { normal: [0, 1, 0], up: [0, 0, -1] }],
 ];
@@ -16,15 +15,11 @@ export function ViewBar(): JSX.Element {
   const { plane, mode, noises, ramp } = state.value;
   const info = infoOf(activeNoise());
   const set = (part: Partial<Plane>, tag: string): void => commit({ ...state.value, plane: { ...plane, ...part } }, tag);
-  const box = info?.box ?? [-1, -1, -1, 1, 1, 1];
   return (
     <div class="viewbar" role="toolbar" aria-label="View">
       {mode === "slice" && kFaces.map(([name, face]) => <button key={name} onClick={() => set(face, `face ${name}`)}>{name}</button>)}
       {mode === "slice" && (
-        <button title="All of the box" onClick={() => set({
-          origin: [0, 1, 2].map((axis) => (box[axis]! + box[axis + 3]!) / 2) as [number, number, number],
-          width: 1.25 * Math.max(...[0, 1, 2].map((axis) => box[axis + 3]! - box[axis]!)),
-        }, "fit")}>Fit</button>
+        <button title="All of the box" onClick={() => set(across(info?.box ?? [-1, -1, -1, 1, 1, 1], 1.25), "fit")}>Fit</button>
       )}
       {mode !== "surface" && <label class="inline">Colours
         <select value={ramp} onChange={(event) => commit({ ...state.value, ramp: event.currentTarget.value }, "ramp")}>

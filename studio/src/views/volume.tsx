@@ -45,9 +45,9 @@ export function VolumeView(): JSX.Element {
         if (own !== generation.current) return;
         const size = parts[0]!.json.size as [number, number, number];
         const values = new Float32Array(size[0] * size[1] * size[2]);
-        for (const part of parts) {
-          if (part.floats[0]) values.set(part.floats[0], Number(part.json.first) * size[1] * size[2]);
-        }
+        const slabs = parts.filter(({ floats }) => floats[0]);
+        const range: [number, number] = [Math.min(...slabs.map(({ json }) => Number(json.low))), Math.max(...slabs.map(({ json }) => Number(json.high)))];
+        for (const { json, floats } of slabs) values.set(floats[0]!, Number(json.first) * size[1] * size[2]);
         let light: Float32Array | undefined;
         let factor = 1;
         if (!single.raw) {
@@ -58,7 +58,7 @@ export function VolumeView(): JSX.Element {
         }
         if (own !== generation.current || !renderer.current) return;
         const look: VolumeLook = single.raw ? "solid" : /nebula/.test(noise.text.match(/"look": "(\w+)"/)?.[1] ?? "") ? "glow" : "cloud";
-        renderer.current.load({ size, values, light, factor, sides: sides as [number, number, number], look, sun: kSun, up: /"up": "z"/.test(noise.text) ? 2 : 1,
+        renderer.current.load({ size, values, range, light, factor, sides: sides as [number, number, number], look, sun: kSun, up: /"up": "z"/.test(noise.text) ? 2 : 1,
           ramp: engine.ramps.get(state.value.ramp || (single.raw ? "marble" : "grey"))! });
         render();
         tell(`${size.join(" × ")} voxels · ${(performance.now() - begin).toFixed(0)} ms`);

@@ -6,6 +6,7 @@ export type VolumeLook = "cloud" | "glow" | "solid";
 export interface VolumeData {
   size: [number, number, number];
   values: Float32Array; // x slowest, z fastest
+  range: [number, number]; // of the values
   light: Float32Array | undefined; // optical depth to the sun
   factor: number; // from values to extinction per world unit
   sides: [number, number, number]; // of the box, world units
@@ -114,7 +115,6 @@ export class VolumeRenderer {
   private readonly program: WebGLProgram;
   private readonly textures: WebGLTexture[];
   private data: VolumeData | undefined;
-  private range: [number, number] = [-2.5, 2.5];
 
   constructor(private readonly canvas: HTMLCanvasElement) {
     this.gl = contextOf(canvas);
@@ -143,13 +143,6 @@ export class VolumeRenderer {
     gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGB8, 256, 1, 0, gl.RGB, gl.UNSIGNED_BYTE, Uint8Array.from(data.ramp, (x) => Math.round(255 * x)));
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE);
-    let low = Infinity;
-    let high = -Infinity;
-    for (const value of data.values) {
-      low = Math.min(low, value);
-      high = Math.max(high, value);
-    }
-    this.range = low < high ? [low, high] : [low - 1, low + 1];
   }
 
   render(orbit: Orbit, cut: number): void {
@@ -175,8 +168,9 @@ export class VolumeRenderer {
     gl.uniform2f(at("aspect"), ratio > 1 ? field * ratio : field, ratio > 1 ? field : field / ratio);
     gl.uniform1f(at("factor"), data.factor);
     gl.uniform1f(at("cut"), cut);
-    gl.uniform1f(at("low"), this.range[0]);
-    gl.uniform1f(at("high"), this.range[1]);
+    const [low, high] = data.range;
+    gl.uniform1f(at("low"), low);
+    gl.uniform1f(at("high"), high > low ? high : low + 1);
     gl.uniform1i(at("look"), ["cloud", "glow", "solid"].indexOf(data.look));
     gl.uniform1i(at("steps"), Math.min(300, Math.ceil(1.7 * Math.max(...data.size))));
     gl.uniform1i(at("values"), 0);
