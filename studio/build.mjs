@@ -39,7 +39,7 @@ copyFileSync(wasm, join(output, "solidnoise.wasm"));
 for (const photograph of ["earth", "leaves", "moss", "rock", "sand", "soil", "wood"]) {
   copyFileSync(join(root, `examples/exemplars/${photograph}.jpg`), join(output, `${photograph}.jpg`));
 }
-for (const mesh of ["wyrm.ply", "torus.obj"]) copyFileSync(join(root, "meshes", mesh), join(output, mesh));
+for (const mesh of ["wyrm.ply", "bowl.obj", "torus.obj"]) copyFileSync(join(root, "meshes", mesh), join(output, mesh));
 
 // What a visitor downloads before the first picture.
 let total = 0;

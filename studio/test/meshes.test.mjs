@@ -3,8 +3,8 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { codeOf, kSoftwareGl, launchChromium, picture, sharp, startPages, wellOf } from "./pages.mjs";
-import { folder, meshnoise, root } from "./tools.mjs";
+import { codeOf, dropFile, kPatience, kSoftwareGl, launchChromium, picture, sharp, startPages, wellOf } from "./pages.mjs";
+import { bakeByTool, folder, meshnoise, root } from "./tools.mjs";
 
 let pages;
 before(async () => {
@@ -51,6 +51,24 @@ test("the surface is shown as it is baked", async () => {
   await baked(page);
   await page.waitForTimeout(700);
   await picture(page, "surface");
+  await wellOf(page);
+});
+
+test("a surface has the colours that meshnoise bakes", async () => {
+  const page = await surfaces();
+  await baked(page);
+  await dropFile(page, "figure.surface", "own.obj", readFileSync(join(root, "meshes/torus.obj")));
+  await page.waitForFunction(() => globalThis.last.colors.length === 3 * 2016, null, kPatience);
+  const compare = async (recipe) => {
+    const worst = bakeByTool(recipe).colorDifference(await page.evaluate(() => Array.from(globalThis.last.colors)));
+    assert.ok(worst <= 1, `colours differ by ${worst} of 255`);
+  };
+  await compare(kQuick);
+  const rust = readFileSync(join(root, "tools/meshnoise/presets/rust.json"), "utf8");
+  const before = await page.evaluate(() => globalThis.pictured);
+  await page.fill("textarea", rust);
+  await page.waitForFunction((n) => globalThis.pictured > n, before, kPatience);
+  await compare(rust);
   await wellOf(page);
 });
 

@@ -60,16 +60,31 @@ export async function startPages(launch) {
   };
 }
 
-export const sharp = (page) => page.waitForFunction(() => globalThis.sharp > 0 && document.querySelector('figcaption [data-sharp="true"]'), null, kPatience);
+// Waits for a sharp slice, the first or one after so many.
+export const sharp = (page, after = 0) =>
+  page.waitForFunction((n) => globalThis.sharp > n && document.querySelector('figcaption [data-sharp="true"]'), after, kPatience);
 
 export async function wellOf(page) {
   assert.deepEqual(page.troubles, []);
   await page.context().close();
 }
 
+// Drops a file on what a selector finds, as a hand does.
+export async function dropFile(page, selector, name, bytes) {
+  const dataTransfer = await page.evaluateHandle(([own, code]) => {
+    const transfer = new DataTransfer();
+    transfer.items.add(new File([Uint8Array.from(atob(code), (c) => c.charCodeAt(0))], own));
+    return transfer;
+  }, [name, bytes.toString("base64")]);
+  for (const event of ["dragover", "drop"]) await page.dispatchEvent(selector, event, { dataTransfer });
+}
+
+// A plane askew, for comparisons, and as an address has it.
+export const kPlane = { origin: [0.1, 0.2, 0.3], normal: [1, 1, 2], up: [0, 1, 0], width: 2 };
+export const hashOf = (text, { origin, normal, up, width } = kPlane) => `#recipe=${codeOf(text)}&plane=${[...origin, ...normal, ...up, width].join("_")}&view=slice`;
+
 // By how many of 255 the slice that is shown differs from that of vdbnoise.
 export async function sliceDifference(page, text, plane) {
-  await sharp(page);
   const own = await page.evaluate(() => {
     const canvas = document.querySelector(".slice canvas");
     const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);

@@ -86,3 +86,17 @@ export function readPlyVertices(path) {
   }
   return columns;
 }
+
+// Of what a recipe bakes onto the torus by meshnoise, by how many of 255 these colours, in linear light, differ at the most; and the vertices.
+export function bakeByTool(recipe) {
+  const [file, out] = [join(folder, "bake.json"), join(folder, "baked.ply")];
+  writeFileSync(file, recipe);
+  meshnoise("bake", join(root, "meshes/torus.obj"), "--recipe", file, "--out", out, "--force", "--quiet");
+  const vertices = readPlyVertices(out);
+  const encoded = (c) => 255 * Math.min(1, Math.max(0, c <= 0.0031308 ? 12.92 * c : 1.055 * c ** (1 / 2.4) - 0.055));
+  const colorDifference = (colors) => {
+    if (colors.length !== 3 * vertices.red.length) return 255;
+    return colors.reduce((worst, color, i) => Math.max(worst, Math.abs(encoded(color) - vertices[["red", "green", "blue"][i % 3]][Math.floor(i / 3)])), 0);
+  };
+  return { vertices, colorDifference };
+}
