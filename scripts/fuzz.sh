@@ -8,7 +8,8 @@ names=("${@:2}")
 ((${#names[@]} > 0)) || names=(ply obj off stl om glb gltf noise image vdb nvdb recipe)
 
 scripts/setup.sh clang libclang-rt-dev
-scripts/build.sh fuzz
+targets=$(printf ',fuzz_%s' "${names[@]}")
+scripts/build.sh "fuzz:write_fuzz_seeds$targets"
 seeds=$PWD/tests/fuzz/corpus
 cd build/fuzz
 export SOLIDNOISE_IMAGE_MODULE=$PWD/lib/solidnoise/solidnoise_image_io.so

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <iostream>  // NanoVDB's validator writes there without including it
 #include <nanovdb/NanoVDB.h>
 #include <nanovdb/util/GridValidator.h>
 #include <stdexcept>
