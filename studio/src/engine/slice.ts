@@ -112,8 +112,8 @@ export function drawSlice(picture: SlicePicture, ramp: Float32Array | undefined)
   return image;
 }
 
-const kGlance = 35; // milliseconds that the picture may take that follows a slider
-const kSmallest = 64; // pixels along the longest side of a draft
+const kGlance = 28; // milliseconds that the picture may take that follows a slider
+const kSmallest = 48; // pixels along the longest side of a draft
 const kLargest = 256;
 // What of a recipe stays where a slider moves: of another form it is not known yet how long pictures take.
 const formOf = ({ text, grid }: Noise): string => `${grid} ${text.replace(/-?\d[\d.e+-]*/g, "")}`;
@@ -158,7 +158,7 @@ export class SliceMaker {
     this.show(picture, false);
     this.cost = picture.work / (picture.columns * picture.rows);
     const left = Math.max(0, kGlance - picture.ready) / Math.max(1, picture.milliseconds - picture.ready);
-    this.side = Math.min(kLargest, Math.max(kSmallest, 32 * Math.floor((this.side * Math.sqrt(left)) / 32)));
+    this.side = Math.min(kLargest, Math.max(kSmallest, 16 * Math.floor((this.side * Math.sqrt(left)) / 16)));
   }
 
   private async sharpen(request: SliceRequest, wanted: () => boolean): Promise<void> {

@@ -9,6 +9,7 @@ import { engine } from "../engine/engine.ts";
 import { Follower } from "../engine/follower.ts";
 import { Dropped } from "../engine/pool.ts";
 import { commit, type GroupEdit, type KeptPhotograph, setText, type State, state } from "../store.ts";
+import { paint } from "./paint.ts";
 import { SpectrumEditor } from "./spectrum_editor.tsx";
 
 // A noise from a photograph: the exemplar, the best that noise can do of it, its sparse spectrum, the noise; and the spectrum by hand.
@@ -33,7 +34,7 @@ export function ExampleView(): JSX.Element {
     if (!canvas) return;
     canvas.width = image.width;
     canvas.height = image.height;
-    canvas.getContext("2d")!.putImageData(image, 0, 0);
+    paint(canvas).putImageData(image, 0, 0);
     canvas.dispatchEvent(new CustomEvent("pictured", { bubbles: true, detail: { panel, side: image.width, sharp } }));
   };
   // What a photograph is, beside the best that noise can do of it.

@@ -3,6 +3,7 @@ import { useEffect, useRef } from "preact/hooks";
 import { engine } from "../engine/engine.ts";
 import { drawSlice, sampleSlice } from "../engine/slice.ts";
 import { across, check, kFront, setText } from "../store.ts";
+import { paint } from "./paint.ts";
 import { type Start, starts } from "../starts.ts";
 
 // Presets and examples, each with a picture that is made while one looks.
@@ -35,7 +36,9 @@ function Card({ start, close }: { start: Start; close: () => void }): JSX.Elemen
   const canvas = useRef<HTMLCanvasElement>(null);
   const card = useRef<HTMLButtonElement>(null);
   useEffect(() => {
-    const put = (image: ImageData): void => canvas.current?.getContext("2d")?.putImageData(image, 0, 0);
+    const put = (image: ImageData): void => {
+      if (canvas.current) paint(canvas.current).putImageData(image, 0, 0);
+    };
     const ready = known.get(start.name);
     if (ready) return put(ready);
     void (async () => {

@@ -4,6 +4,7 @@ import { useEffect, useRef, useState } from "preact/hooks";
 import { drawSlice, rangeOf, SliceMaker, type SlicePicture } from "../engine/slice.ts";
 import { engine } from "../engine/engine.ts";
 import { commit, type Plane, state, time, type Vector } from "../store.ts";
+import { paint } from "./paint.ts";
 
 // A plane through one of the noises: dragged with the mouse, zoomed with the wheel, turned with the right button or Alt; by keys, too.
 
@@ -46,7 +47,7 @@ export function SliceView({ index }: { index: number }): JSX.Element {
     const { ramp } = state.value;
     if (colored.current?.picture !== picture || colored.current.ramp !== ramp) {
       const store = new OffscreenCanvas(picture.columns, picture.rows);
-      store.getContext("2d")!.putImageData(drawSlice(picture, engine.ramps.get(ramp)), 0, 0);
+      paint(store).putImageData(drawSlice(picture, engine.ramps.get(ramp)), 0, 0);
       colored.current = { picture, ramp, store };
     }
     return colored.current.store;
@@ -57,7 +58,7 @@ export function SliceView({ index }: { index: number }): JSX.Element {
     const element = canvas.current;
     const picture = last.current;
     if (!element || !picture) return;
-    const context = element.getContext("2d")!;
+    const context = paint(element);
     const store = inColors(picture);
     context.imageSmoothingEnabled = true;
     context.imageSmoothingQuality = "high";

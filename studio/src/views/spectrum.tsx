@@ -4,6 +4,7 @@ import { useEffect, useRef, useState } from "preact/hooks";
 import { engine } from "../engine/engine.ts";
 import { Dropped } from "../engine/pool.ts";
 import { activeNoise, state } from "../store.ts";
+import { paint } from "./paint.ts";
 
 // The spectrum of the slice: its periodogram, and the mean over directions over what the noise's closed form says.
 
@@ -41,8 +42,8 @@ export function SpectrumView(): JSX.Element {
   });
 
   useEffect(() => {
-    const context = canvas.current?.getContext("2d");
-    if (!context || !spectrum) return;
+    if (!canvas.current || !spectrum) return;
+    const context = paint(canvas.current);
     const image = context.createImageData(kSide, kSide);
     let highest = 0;
     for (const value of spectrum.picture) highest = Math.max(highest, value);
