@@ -51,9 +51,9 @@ TEST(GaborSmoothness, GradientIsTheDerivativeAsFarAsAMillionUnitsFromTheOrigin) 
       // Whole steps of 2^-20 of a cell, to which positions are rounded.
       const double cell = noise.impulses().axes()[0].size();
       const double step = 0x1p-10 * cell * std::ceil(2.0 * support_of(noise) / cell);
-      // Values have rounding errors of up to 2.4e-6 (isotropic in 1D), of which the differences make 1.5 times
-      // that over the step of 4.5e-3: 8e-4. A kernel whose curvature jumped where it ends would be off by up to
-      // 0.05, a seam of 1 % of a kernel by 2, positions in single precision by more than that.
+      // Values have rounding errors of up to 2.4e-6 (isotropic in 1D), of which the differences make 1.5
+      // times that over the step of 4.5e-3: 8e-4. A kernel whose curvature jumped where it ends would be off
+      // by up to 0.05, a seam of 1 % of a kernel by 2, positions in single precision by more than that.
       const double bound = 2e-3;
       for (const double far : {0.0, 1e6, -1e6}) {
         for (int axis = 0; axis < Dim; ++axis) {
