@@ -17,6 +17,8 @@ const TemporaryFolder& files() {
     run_vdbnoise({"surface", in_source("meshes/torus.obj"), "--dim", "128", "--band", "0.3", "--quiet",
                   "--out", "surface.vdb"},
                  in_folder);
+    run_vdbnoise({"surface", in_source("meshes/torus.obj"), "--dim", "32", "--quiet", "--out", "small.vdb"},
+                 in_folder);
     run_vdbnoise({"--raw", "--noise", "kensler", "--dim", "96", "--quiet", "--out", "values.vdb"}, in_folder);
     // Three bands of an exemplar's.
     folder.write("exemplar.json", R"({"solidnoise": 2, "exemplar": {"mean": [0, 0, 0], "channels": [
@@ -48,6 +50,7 @@ INSTANTIATE_TEST_SUITE_P(
         std::vector<std::string>{"--raw", "--octaves", "5", "--dim", "128"},
         std::vector<std::string>{"--raw", "--octaves", "5", "--dim", "128", "--band-limit"},
         std::vector<std::string>{"--raw", "--dim", "256", "--exact", "--shard", "1/4"},
+        std::vector<std::string>{"--raw", "--impulses", "20000", "--frequency", "20", "--dim", "32"},
         std::vector<std::string>{"--raw", "--dims", "4", "--frequency", "4", "--dim", "160"},
         std::vector<std::string>{"--raw", "--noise", "exemplar.json", "--frequency", "8", "--dim", "160"},
         std::vector<std::string>{"--preset", "cumulus", "--dim", "64", "--preview", "x.png"},
@@ -55,7 +58,17 @@ INSTANTIATE_TEST_SUITE_P(
         std::vector<std::string>{"--preset", "marble", "--dim", "128", "--preview", "x.png"},
         std::vector<std::string>{"--on", "values.vdb", "--combine", "add"},
         std::vector<std::string>{"--on", "surface.vdb", "--raw", "--displace", "0.02"},
+        std::vector<std::string>{"--on", "small.vdb", "--raw", "--displace", "2"},
         std::vector<std::string>{"--preset", "velocity", "--dim", "96", "--boundary", "surface.vdb"}));
+
+// So many impulses are held for a brick at a time, and a brick of many kernels has many of them.
+TEST(EstimatedMemory, OfDenseImpulsesIsHeldAgainstWhatMayBeTaken) {
+  const ToolResult refused =
+      run_vdbnoise({"--dim", "32", "--impulses", "1e5", "--max-memory", "100M", "--out", "dense.vdb"},
+                   {.folder = files().path()});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_NE(refused.err.find("--max-memory"), std::string::npos) << refused.err;
+}
 
 // Of clouds most of a box is empty, and more of the boxes of a sky.
 TEST(EstimatedMemory, IsWhatASkyTakes) {

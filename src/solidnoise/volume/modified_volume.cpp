@@ -14,6 +14,14 @@ bool is_raw(const VolumeRecipe& recipe) {
   return std::holds_alternative<RawShaping>(recipe.shaping);
 }
 
+// Beyond so many sigmas a noise goes next to never: one value in 5e8 of a Gaussian does.
+constexpr double kMostSigmas = 6.0;
+
+double sigma_of(const VolumeRecipe& recipe) {
+  const auto* const raw = std::get_if<RawShaping>(&recipe.shaping);
+  return raw && raw->range == RawShaping::Range::raw ? 1.0 : 1.0 / kMostSigmas;
+}
+
 // Noise that is a fraction, which is what erodes.
 VolumeRecipe in_unit_range(VolumeRecipe recipe) {
   if (is_raw(recipe)) recipe.shaping = RawShaping{RawShaping::Range::unit};
@@ -51,10 +59,13 @@ ModificationPlan plan_modification(const VolumeRecipe& recipe) {
 }
 
 std::uint64_t estimate_memory(const VolumeRecipe& recipe, const ModificationPlan& plan) {
-  // Beyond so many sigmas a noise of unit variance goes next to never: one value in 5e8 of a Gaussian does.
-  constexpr double kMostSigmas = 6.0;
-  const auto* const raw = std::get_if<RawShaping>(&recipe.shaping);
-  return plan.memory(raw && raw->range == RawShaping::Range::raw ? kMostSigmas : 1.0);
+  return plan.memory(kMostSigmas * sigma_of(recipe), estimate_voxels(recipe, plan));
+}
+
+double estimate_voxels(const VolumeRecipe& recipe, const ModificationPlan& plan) {
+  const double frequency =
+      std::visit([](const auto& options) { return options.frequency; }, recipe.noise.noise);
+  return plan.voxels(frequency, sigma_of(recipe));
 }
 
 bool scales_density(const VolumeRecipe& recipe, const Modification& modification) {

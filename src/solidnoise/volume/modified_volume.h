@@ -14,6 +14,9 @@ namespace solidnoise {
 // noise where there are only points (std::invalid_argument).
 ModificationPlan plan_modification(const VolumeRecipe& recipe);
 
+// Voxels that are made, about.
+double estimate_voxels(const VolumeRecipe& recipe, const ModificationPlan& plan);
+
 // Bytes that it takes at most.
 std::uint64_t estimate_memory(const VolumeRecipe& recipe, const ModificationPlan& plan);
 

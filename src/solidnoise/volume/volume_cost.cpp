@@ -2,17 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <variant>
 #include <vector>
 
 #include <tbb/global_control.h>
 
-#include "solidnoise/noise/convolution/sparse_convolution.h"
 #include "solidnoise/noise/error_budget.h"
 #include "solidnoise/noise/interpolation/coarse_samples.h"
 #include "solidnoise/noise/interpolation/point_plan.h"
 #include "solidnoise/volume/finish_volume.h"
+#include "solidnoise/volume/modified_volume.h"
 #include "solidnoise/volume/stream_volume.h"
 #include "solidnoise/volume/volume_field.h"
 
@@ -23,6 +22,7 @@ namespace {
 constexpr double kSecondsPerVoxel = 15e-9;
 constexpr double kSecondsPerShapedVoxel = 30e-9;
 constexpr double kSecondsPerCloudVoxel = 150e-9;
+constexpr double kSecondsPerDisplacedVoxel = 8e-6;
 
 // Voxels from which on blocks are of 64^3, else of 32^3 (fill_grids()).
 constexpr double kManyVoxels = 64.0 * 512.0 * 512.0;
@@ -91,13 +91,10 @@ struct SampleSpacing {
 double interpolation_bytes(const SampleSpacing& samples, const WaveMixture<3>& waves,
                            const LatticeFrame<3>& lattice, const VolumePlan& volume, int threads) {
   constexpr double kTile = CoarseStore<3>::kBrickSide * CoarseStore<3>::kTileBricks;
-  constexpr double kBytesPerImpulse = 56.0;
   constexpr double kUnfinished = 0.5;
-  constexpr double kBall = 4.0 / 3.0 * std::numbers::pi;
   double tiles = 1.0;
   double inner_tiles = 1.0;
   double held = sizeof(float);
-  double impulses = waves.radius > 0.0 ? waves.impulses / (kBall * std::pow(waves.radius, 3)) : 0.0;
   for (int axis = 0; axis < 3; ++axis) {
     const double step = samples.step[axis];
     const double along = std::ceil((volume.voxels.dim()[axis] + 2.0 * samples.beyond) / (kTile * step) + 1.0);
@@ -105,12 +102,13 @@ double interpolation_bytes(const SampleSpacing& samples, const WaveMixture<3>& w
     inner_tiles *= std::max(along - 2.0, 0.0);
     held *= (block_side(volume) + 2.0 * samples.beyond) / step + samples.taps[axis] +
             2 * CoarseStore<3>::kBrickSide;
-    impulses *= kTile * step * lattice.step[axis] + 2.0 * waves.radius;
   }
-  if (impulses > kMostImpulsesInBlock) impulses = 0.0;  // these are made brick by brick
+  const ImpulsesHeld impulses = impulses_held(waves, samples.step * lattice.step, kTile);
+  const double holders =
+      impulses.side < kTile ? threads : kUnfinished * (tiles - inner_tiles) / volume.part.shards;
   const double kept = tiles * std::pow(kTile, 3) * sizeof(float) / volume.part.shards;
   return std::min(kept, static_cast<double>(CoarseStore<3>::kMostBytes)) + held * threads +
-         kUnfinished * (tiles - inner_tiles) / volume.part.shards * impulses * kBytesPerImpulse;
+         holders * impulses.count * kBytesPerImpulse;
 }
 
 Cost noise_cost(const VolumeRecipe& recipe, const NoiseRecipe& of, const VolumePlan& plan, int threads) {
@@ -179,6 +177,9 @@ int max_threads() {
 
 Cost volume_cost(const VolumeRecipe& recipe, const VolumePlan& plan, int threads, Making making) {
   Cost cost;
+  if (plan.modification && plan.modification->modification.displace) {
+    cost.seconds += kSecondsPerDisplacedVoxel * estimate_voxels(recipe, *plan.modification);
+  }
   for (const VolumeRecipe& grid : recipes_of_grids(recipe)) {
     const VolumeRecipe resolved = at_resolution(grid, plan.frame.voxel_size());
     cost.seconds += voxels_of(plan) * channel_count(grid) * seconds_per_voxel(grid);

@@ -1,5 +1,6 @@
 #include "solidnoise/noise/interpolation/noise_cost.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -14,7 +15,7 @@ namespace {
 // a sum by itself, which compares ways to make it.
 constexpr double kSumsInPractice = 2.0;
 constexpr double kSecondsPerImpulseMade = 25e-9;
-constexpr double kBytesPerImpulse = 56.0;
+constexpr double kSecondsPerImpulseOfBrick = 300e-9;  // made for a brick alone, and summed at its samples
 constexpr double kSecondsPerPointImpulse = 2e-9;
 constexpr double kSecondsPerGradientSample = 6e-9;
 constexpr double kNanosecond = 1e-9;
@@ -26,26 +27,35 @@ void for_each_part(const Noise<3>& noise, const Visit& visit) {
   if (parts.empty()) visit(0, noise.waves());
 }
 
-// Impulses per unit of volume.
-double density_of(const WaveMixture<3>& waves) {
+double impulses_within_reach(const WaveMixture<3>& waves, const Vec<3>& step, double side) {
+  if (!(waves.radius > 0.0)) return 0.0;
   constexpr double kBall = 4.0 / 3.0 * std::numbers::pi;
-  return waves.radius > 0.0 ? waves.impulses / (kBall * std::pow(waves.radius, 3)) : 0.0;
+  double impulses = waves.impulses / kBall;
+  for (int axis = 0; axis < 3; ++axis) impulses *= step[axis] * side / waves.radius + 2.0;
+  return impulses;
 }
 
 }  // namespace
+
+ImpulsesHeld impulses_held(const WaveMixture<3>& waves, const Vec<3>& step, double side) {
+  const double of_cube = impulses_within_reach(waves, step, side);
+  if (of_cube <= kMostImpulsesInBlock) return {of_cube, side};
+  const double of_brick = std::min<double>(side, SampleBrick::kSide);
+  return {impulses_within_reach(waves, step, of_brick), of_brick};
+}
 
 Cost cost_on_lattice(const Noise<3>& noise, const LatticeFrame<3>& frame, const LatticeWork& work) {
   const std::vector<InterpolationPlan<3>> plans =
       InterpolationPlanner<3>(noise, frame).plan(work.error, work.quantity);
   Cost cost;
   for_each_part(noise, [&](std::size_t part, const WaveMixture<3>& waves) {
-    double block = density_of(waves);
-    for (int axis = 0; axis < 3; ++axis) block *= frame.step[axis] * work.side + 2.0 * waves.radius;
-    const double blocks = work.samples / std::pow(work.side, 3);
-    const double held = block > kMostImpulsesInBlock ? 0.0 : block;  // denser ones are made brick by brick
+    const ImpulsesHeld held = impulses_held(waves, frame.step, work.side);
+    const double made = work.samples / std::pow(held.side, 3) * held.count;
+    const bool by_brick = plans[part].direct() && held.side < work.side;
+    const double making = by_brick ? kSecondsPerImpulseOfBrick : kSecondsPerImpulseMade;
     const double sample = waves.impulses > 0.0 ? kSumsInPractice * plans[part].nanoseconds * kNanosecond
                                                : kSecondsPerGradientSample;
-    cost += {work.samples * sample + blocks * block * kSecondsPerImpulseMade, held * kBytesPerImpulse};
+    cost += {work.samples * sample + made * making, held.count * kBytesPerImpulse};
   });
   return cost;
 }

@@ -30,6 +30,16 @@ struct LatticeWork {
 };
 Cost cost_on_lattice(const Noise<3>& noise, const LatticeFrame<3>& frame, const LatticeWork& work);
 
+// The impulses of noise with these waves that are held at a time to evaluate cubes of `side` samples along
+// each axis, `step` apart in world units: those that reach a cube; or a brick of it, where they are more than
+// kMostImpulsesInBlock.
+struct ImpulsesHeld {
+  double count = 0.0;
+  double side = 0.0;  // of what they reach, samples
+};
+ImpulsesHeld impulses_held(const WaveMixture<3>& waves, const Vec<3>& step, double side);
+inline constexpr double kBytesPerImpulse = 56.0;  // measured
+
 // The same at points, all of them near each other; and where interpolate_at_points() has made it quicker.
 Cost cost_at_points(const Noise<3>& noise, double points);
 Cost cost_at_points(const Noise<3>& noise, double points, const LatticeFrame<3>& frame, double error,

@@ -15,6 +15,7 @@
 #include <tbb/parallel_for.h>
 
 #include "solidnoise/core/check.h"
+#include "solidnoise/core/numerics.h"
 #include "solidnoise/volume/modify/closest_point.h"
 #include "solidnoise/volume/modify/move_surface.h"
 #include "solidnoise/volume/modify/select_voxels.h"
@@ -245,14 +246,30 @@ FloatGrid::Ptr displace_level_set(const FloatGrid& level_set, const Field<3>& no
   return result;
 }
 
-std::uint64_t estimate_displacement_memory(const FloatGrid& level_set, double farthest) {
+double estimate_displaced_voxels(const FloatGrid& level_set, double amount, double frequency) {
+  constexpr double kFolding = 0.4;
+  const double voxel = level_set.voxelSize().x();
+  const auto voxels = static_cast<double>(level_set.activeVoxelCount());
+  const double area = voxels * voxel * voxel * voxel / (2.0 * level_set.background());
+  const double radius = std::sqrt(area / (4.0 * kPi));
+  const double stretch = area > 0.0 ? 1.0 + 2.0 * std::abs(amount) / radius : 1.0;
+  const double slope = 2.0 * kPi * frequency * std::abs(amount);
+  return voxels * stretch * stretch * std::max(1.0, kFolding * std::sqrt(slope));
+}
+
+std::uint64_t estimate_displacement_memory(const FloatGrid& level_set, double farthest, double moved_voxels) {
   // Leaves of the moved surface's values, of distances on the way and of the result, with another buffer of
   // each while that is normalized. Measured on spheres of 256, 512 and 2048 voxels, moved by noise of 2.6 to
-  // 3 voxels a sigma: 63, 45 and 41 bytes for a voxel of the band, the way included.
+  // 3 voxels a sigma: 63, 45 and 41 bytes for a voxel of the band, the way included; and on a torus moved by
+  // up to five of its radii: 35 to 48 for each voxel that is new.
+  constexpr double kAtLeast = 16.0 * 0x1p20;
   constexpr double kStanding = 70.0;
   constexpr double kMoving = 4.0;
+  constexpr double kNew = 50.0;
   const double way = farthest / level_set.voxelSize().x();
-  const double bytes = static_cast<double>(level_set.activeVoxelCount()) * (kStanding + kMoving * way);
+  const auto voxels = static_cast<double>(level_set.activeVoxelCount());
+  const double bytes =
+      kAtLeast + voxels * (kStanding + kMoving * way) + kNew * std::max(0.0, moved_voxels - voxels);
   constexpr double kLargest = 0x1.0p63;
   return static_cast<std::uint64_t>(std::min(bytes, kLargest));
 }

@@ -29,8 +29,12 @@ struct ModificationPlan {
   bool on_lattice() const;
   std::optional<GridFrame> frame() const;  // of the grid, where its transform is axis-aligned
 
-  // Bytes that all of it takes at most, files included, where the noise's values are within +-`largest`.
-  std::uint64_t memory(double largest) const;
+  // Voxels that are made, about: of a displaced surface more than the grid has, where noise of `frequency`
+  // (cycles per world unit) and standard deviation `sigma` moves it.
+  double voxels(double frequency, double sigma) const;
+  // Bytes that all of it takes at most, files included, where the noise's values are within +-`largest` and
+  // so many voxels are made.
+  std::uint64_t memory(double largest, double made_voxels) const;
 };
 
 // Reads the files. Throws std::runtime_error naming the file: also for a grid that does not exist (those that
