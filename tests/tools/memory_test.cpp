@@ -50,7 +50,7 @@ INSTANTIATE_TEST_SUITE_P(
         std::vector<std::string>{"--raw", "--octaves", "5", "--dim", "128"},
         std::vector<std::string>{"--raw", "--octaves", "5", "--dim", "128", "--band-limit"},
         std::vector<std::string>{"--raw", "--dim", "256", "--exact", "--shard", "1/4"},
-        std::vector<std::string>{"--raw", "--impulses", "20000", "--frequency", "20", "--dim", "32"},
+        std::vector<std::string>{"--raw", "--impulses", "20000", "--frequency", "10", "--dim", "16"},
         std::vector<std::string>{"--raw", "--dims", "4", "--frequency", "4", "--dim", "160"},
         std::vector<std::string>{"--raw", "--noise", "exemplar.json", "--frequency", "8", "--dim", "160"},
         std::vector<std::string>{"--preset", "cumulus", "--dim", "64", "--preview", "x.png"},

@@ -263,7 +263,7 @@ std::uint64_t estimate_displacement_memory(const FloatGrid& level_set, double fa
   // 3 voxels a sigma: 63, 45 and 41 bytes for a voxel of the band, the way included; and on a torus moved by
   // up to five of its radii: 35 to 48 for each voxel that is new.
   constexpr double kAtLeast = 16.0 * 0x1p20;
-  constexpr double kStanding = 70.0;
+  constexpr double kStanding = 55.0;
   constexpr double kMoving = 4.0;
   constexpr double kNew = 50.0;
   const double way = farthest / level_set.voxelSize().x();
