@@ -63,6 +63,8 @@ TEST(Fields, NumbersOutOfTheirIntervalAreRefusedByNameValueAndRange) {
   };
   EXPECT_NO_THROW(require_fields(Spoon()));
   EXPECT_EQ(message({.width = -1.0}), "width is -1; it must be greater than 0 (inches)");
+  EXPECT_EQ(message({.width = 1e308}), "width is 1e+308; it must be at most 1e+30 in size");
+  EXPECT_EQ(message({.width = -1e308}), "width is -1e+308; it must be greater than 0 (inches)");
   EXPECT_EQ(message({.depth = 0.25}), "depth is 0.25; it must be at least 0.5");
   EXPECT_EQ(message({.handle = {.length = 5.0}}), "length is 5; it must be between 1 and 4 (inches)");
   EXPECT_EQ(message({.handle = {.to = std::numeric_limits<double>::quiet_NaN()}}),

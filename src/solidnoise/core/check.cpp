@@ -19,6 +19,10 @@ std::string Interval::text() const {
 
 void require(std::string_view field, double value, const Interval& allowed, std::string_view unit) {
   if (allowed.contains(value)) return;
+  if (std::isfinite(value) && allowed.contains(std::copysign(kLargestOption, value))) {
+    throw std::invalid_argument(
+        fmt::format("{} is {}; it must be at most {} in size", field, value, kLargestOption));
+  }
   const bool is_any = !std::isfinite(allowed.least) && !std::isfinite(allowed.most);
   const std::string suffix = unit.empty() || is_any ? std::string() : fmt::format(" ({})", unit);
   throw std::invalid_argument(fmt::format("{} is {}; it must be {}{}", field, value, allowed.text(), suffix));

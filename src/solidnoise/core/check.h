@@ -8,14 +8,19 @@
 
 namespace solidnoise {
 
-// The numbers that an option may have. Not-a-number and infinity are never among them.
+// No option is larger than this, of either sign: products of a few of them with what a grid holds are still
+// finite in single precision or refused by what they mean.
+inline constexpr double kLargestOption = 1e30;
+
+// The numbers that an option may have. Not-a-number and what is beyond kLargestOption are never among them.
 struct Interval {
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
   bool without_least = false;
 
   bool contains(double value) const {
-    return std::isfinite(value) && (without_least ? value > least : value >= least) && value <= most;
+    return std::abs(value) <= kLargestOption && (without_least ? value > least : value >= least) &&
+           value <= most;
   }
   // "greater than 0", "at least 0", "between 0.05 and 4", "a finite number".
   std::string text() const;
