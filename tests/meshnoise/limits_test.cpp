@@ -2,6 +2,7 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "meshnoise/run_meshnoise.h"
 #include "meshnoise/sample_torus.h"
@@ -26,6 +27,21 @@ TEST(MeshnoiseEstimatedMemory, IsWhatABakeTakes) {
     command.insert(command.end(), options.begin(), options.end());
     expect_estimate(run, command, {"--force", "--out", "x.ply"});
   }
+}
+
+TEST(MeshnoiseLimits, CountTheImpulsesOfVerticesThatShareNone) {
+  const TemporaryFolder folder;
+  write_sample(folder, "in.ply", sample_torus(200));
+  const auto seconds = [&](const std::string& frequency) {
+    const ToolResult run = run_meshnoise({"bake", "in.ply", "--preset", "raw", "--octaves", "1", "--frequency",
+                                          frequency, "--describe", "--quiet"},
+                                         {.folder = folder.path()});
+    return nlohmann::json::parse(run.out).at("cost").at("seconds_of_one_core").get<double>();
+  };
+  const double together = seconds("2");
+  const double alone = seconds("2000");
+  EXPECT_GT(alone, 4.0 * together);
+  EXPECT_NEAR(alone, seconds("20000"), 0.1 * alone);
 }
 
 TEST(MeshnoiseLimits, AreHeldToBeforeWork) {

@@ -1,5 +1,7 @@
 #include "solidnoise/mesh/bake_cost.h"
 
+#include <cmath>
+
 #include "solidnoise/mesh/surface_field.h"
 
 namespace solidnoise {
@@ -15,6 +17,18 @@ double count_layers(const std::vector<Layer>& layers) {
 double count_properties(const BakeRecipe& recipe) {
   double count = 0.0;
   for (const auto& [name, layer] : recipe.properties) count += count_layers({layer});
+  return count;
+}
+
+// Octaves whose impulses are made anew for each vertex: all of those whose kernels reach less far than from
+// vertex to vertex, few of the others.
+double count_lone_octaves(const BakePlan& plan, const FractalOptions& fractal) {
+  constexpr double kReach = 5.0;  // cycles of the highest frequency, where half are made anew
+  double count = 0.0;
+  for (int k = 0; k < fractal.octaves; ++k) {
+    const double cycles = plan.mean_cycles_per_edge / std::pow(fractal.lacunarity, k);
+    count += cycles * cycles / (cycles * cycles + kReach * kReach);
+  }
   return count;
 }
 
@@ -45,23 +59,29 @@ BakeCost bake_cost(const BakePlan& plan, const BakeRecipe& recipe) {
   constexpr double kSecondsPerVertex = 1.3e-6;
   constexpr double kSecondsPerImpulse = 3.5e-9;
   constexpr double kSecondsPerTangentImpulse = 9e-9;
+  constexpr double kSecondsPerLoneOctave = 14e-6;
   constexpr double kLeastImpulses = 20.0;
   const bool in_tangent_plane =
       recipe.noise.kind == SurfaceNoiseKind::surface || recipe.noise.kind == SurfaceNoiseKind::oriented;
   const double vertices = static_cast<double>(plan.mesh.positions.size());
   const double frequency = plan.parameters.frequency.constant;
   const bool is_graded = plan.parameters.frequency.varies() && !has_bandwidth(recipe.noise.kind);
-  const double impulses =
-      (is_graded ? 2.0 : 1.0) *
-      (kLeastImpulses + impulses_at_point(recipe.noise, {frequency, plan.parameters.bandwidth.constant, {}}));
+  const double reached = impulses_at_point(recipe.noise, {frequency, plan.parameters.bandwidth.constant, {}});
+  const double impulses = (is_graded ? 2.0 : 1.0) * (kLeastImpulses + reached);
+  const double noises =
+      recipe.layers.empty()
+          ? 1.0
+          : static_cast<double>(
+                noises_of(recipe.layers, noise_of_layers(recipe.noise), recipe.fields).size());
+  const double making =
+      reached > 0.0 ? kSecondsPerLoneOctave * noises * count_lone_octaves(plan, recipe.noise.fractal) : 0.0;
   const double channels = recipe.has_exemplar_colors()
                               ? static_cast<double>(recipe.noise.exemplar.channels.size())
                               : 1.0 + count_layers(recipe.layers) + count_properties(recipe);
-  return {
-      vertices * (kSecondsPerVertex +
-                  channels * impulses * (in_tangent_plane ? kSecondsPerTangentImpulse : kSecondsPerImpulse)),
-      bake_memory(vertices, static_cast<double>(plan.mesh.face_count())) +
-          impulse_memory(recipe.noise.kind, impulses)};
+  const double of_impulse = in_tangent_plane ? kSecondsPerTangentImpulse : kSecondsPerImpulse;
+  return {vertices * (kSecondsPerVertex + channels * impulses * of_impulse + making),
+          bake_memory(vertices, static_cast<double>(plan.mesh.face_count())) +
+              impulse_memory(recipe.noise.kind, impulses)};
 }
 
 }  // namespace solidnoise
