@@ -39,6 +39,13 @@ constexpr auto fields_of_impulses() {
 }
 
 template <typename Options>
+constexpr auto fields_of_gradient() {
+  return field("bounds_gradient", &Options::bounds_gradient,
+               "Whether the gradient is as accurate, too; what is made of gradients has it so")
+      .without_flag();
+}
+
+template <typename Options>
 constexpr auto fields_of_filter() {
   return field("filter", &Options::filter, between(0.0, 1e9), "world units; 0 for none",
                "Standard deviation of a Gaussian that the noise is convolved with")
@@ -51,7 +58,8 @@ constexpr auto fields_of_band() {
   return list_fields(fields_of_frequency<Options>(),
                      field("bandwidth", &Options::bandwidth, between(0.05, 4.0), "octaves",
                            "Width of the band at half amplitude"),
-                     fields_of_impulses<Options>(), part(&Options::evolution), fields_of_filter<Options>());
+                     fields_of_impulses<Options>(), fields_of_gradient<Options>(), part(&Options::evolution),
+                     fields_of_filter<Options>());
 }
 
 // Lengths in world units, frequencies in cycles per world unit, the density in impulses per world unit^Dim,
@@ -157,8 +165,8 @@ constexpr auto fields_of(std::type_identity<SpectrumNoiseOptions>) {
       field("exemplar", &Options::model, "What is taken over from an exemplar, as noisefit writes it"),
       field("channel", &Options::channel, at_least(0.0), "of the model", "Channel of the exemplar's model")
           .without_flag(),
-      fields_of_frequency<Options>(), fields_of_impulses<Options>(), part(&Options::evolution),
-      fields_of_filter<Options>(), fields_of_place<Options>());
+      fields_of_frequency<Options>(), fields_of_impulses<Options>(), fields_of_gradient<Options>(),
+      part(&Options::evolution), fields_of_filter<Options>(), fields_of_place<Options>());
 }
 
 // A noise by example, whose model is a file of its own.
@@ -172,10 +180,9 @@ struct NoiseEntry<SpectrumNoiseOptions> {
   template <int Dim>
   using Noise = SpectrumNoise<Dim>;
 
-  // In space, whatever the dimensions that are asked for.
-  template <int>
+  template <int Dim>
   static void describe(const SpectrumNoiseOptions& options, const auto& of_kernel, const auto& of_noise) {
-    const SpectrumNoise<3> noise(options);
+    const SpectrumNoise<std::clamp(Dim, kLeastDimensions, kMostDimensions)> noise(options);
     std::size_t components = 0;
     for (const SpectrumBand& band : noise.spectrum().bands) components += band.components.size();
     of_kernel("kind", "oriented Gabor by example, random phase");
