@@ -1,4 +1,4 @@
-#include "solidnoise/volume/preview/glow_preview.h"
+#include "solidnoise/volume/preview/matter_preview.h"
 
 #include <algorithm>
 #include <stdexcept>

@@ -14,10 +14,10 @@ using openvdb::Vec3d;
 using openvdb::Vec3f;
 
 // Cells along the longest side: shadows are seen, and what glows is far from most of what it lights.
-constexpr int kSunCells = 96;
+constexpr int kSunCells = 128;
 constexpr int kGlowCells = 20;
 
-// How much of what smoke takes from the sun's light is lost; the rest goes on, scattered forward.
+// How much of what matter takes from the light of what glows is lost; the rest goes on.
 constexpr double kLost = 0.5;
 
 }  // namespace
@@ -100,19 +100,23 @@ void for_each_cell(const LightCells& cells, const Visit& visit) {
   });
 }
 
-LightCells shine(const openvdb::CoordBBox& box, double voxel, const LightField::Sun& sun,
+LightCells shine(const openvdb::CoordBBox& box, double voxel, const std::vector<Sun>& suns,
                  const MakeMatter& make_matter) {
   LightCells cells(box, kSunCells);
   const std::vector<Matter> matter = cells.gather(make_matter);
   const double length = cells.size() * voxel;
   for_each_cell(cells, [&](const Coord& cell) {
-    double depth = 0.0;
-    Vec3d place = cell.asVec3d() + sun.direction;
-    for (Coord at = Coord::round(place); cells.contains(at); at = Coord::round(place)) {
-      depth += matter[cells.index(at)].extinction * length;
-      place += sun.direction;
+    Vec3d sum(0.0);
+    for (const Sun& sun : suns) {
+      double depth = 0.0;
+      Vec3d place = cell.asVec3d() + sun.direction;
+      for (Coord at = Coord::round(place); cells.contains(at); at = Coord::round(place)) {
+        depth += matter[cells.index(at)].extinction * length;
+        place += sun.direction;
+      }
+      sum += sun.colour * std::exp(-sun.lost * depth);
     }
-    cells[cell] = Vec3f(sun.colour * std::exp(-kLost * depth));
+    cells[cell] = Vec3f(sum);
   });
   return cells;
 }
@@ -146,8 +150,8 @@ LightCells glow(const openvdb::CoordBBox& box, double voxel, const MakeMatter& m
 
 }  // namespace
 
-LightField::LightField(const openvdb::CoordBBox& box, double voxel, const Sun& sun,
+LightField::LightField(const openvdb::CoordBBox& box, double voxel, const std::vector<Sun>& suns,
                        const MakeMatter& make_matter)
-    : sun_(shine(box, voxel, sun, make_matter)), glow_(glow(box, voxel, make_matter)) {}
+    : sun_(shine(box, voxel, suns, make_matter)), glow_(glow(box, voxel, make_matter)) {}
 
 }  // namespace solidnoise

@@ -41,17 +41,20 @@ class LightCells {
   std::vector<openvdb::Vec3f> light_;
 };
 
-// What lights the smoke of a volume: a sun behind what is before it, and what glows in the volume itself, all
-// around.
+// Light from far away, of which matter takes its share, and more of it goes on, scattered forward.
+struct Sun {
+  openvdb::Vec3d direction;  // towards it, in index space, of length 1
+  openvdb::Vec3d colour;     // linear light
+  double lost = 0.5;         // of what matter takes, 0 to 1
+};
+
+// What lights the matter of a volume: suns behind what is before them, and what glows in the volume itself,
+// all around.
 class LightField {
  public:
-  struct Sun {
-    openvdb::Vec3d direction;  // towards it, in index space, of length 1
-    openvdb::Vec3d colour;     // linear light
-  };
-
   // Of a box in index space, of voxels of this size in world units.
-  LightField(const openvdb::CoordBBox& box, double voxel, const Sun& sun, const MakeMatter& make_matter);
+  LightField(const openvdb::CoordBBox& box, double voxel, const std::vector<Sun>& suns,
+             const MakeMatter& make_matter);
 
   openvdb::Vec3d at(const openvdb::Vec3d& index) const { return sun_.at(index) + glow_.at(index); }
 

@@ -1,8 +1,9 @@
-#include "solidnoise/volume/preview/glow_preview.h"
+#include "solidnoise/volume/preview/matter_preview.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 #include <openvdb/tools/Interpolation.h>
 #include <openvdb/tools/RayIntersector.h>
@@ -23,9 +24,10 @@ using Sampler = openvdb::tools::BoxSampler;
 struct Scene {
   MakeMatter make_matter;
   Vec3d dimming{1.0, 1.0, 1.0};  // of each channel, over the extinction
-  Vec3d albedo{0.0, 0.0, 0.0};   // of the smoke; 0: it is not lit
+  Vec3d albedo{1.0, 1.0, 1.0};   // of what suns light
   Vec3d ambient{0.0, 0.0, 0.0};  // linear light from all around
-  Vec3d sun{0.0, 0.0, 0.0};      // linear light
+  std::vector<Sun> suns{};       // none: nothing is lit
+  bool has_sky = false;          // behind it; else it is black
 };
 
 double longest_side(const openvdb::FloatGrid& grid) {
@@ -34,9 +36,9 @@ double longest_side(const openvdb::FloatGrid& grid) {
 }
 
 // Walks rays through the active voxels of `hull`.
-class GlowPainter {
+class MatterPainter {
  public:
-  GlowPainter(const openvdb::FloatGrid& hull, const Scene& scene, const PreviewOptions& options)
+  MatterPainter(const openvdb::FloatGrid& hull, const Scene& scene, const PreviewOptions& options)
       : hull_(hull), scene_(scene), options_(options), view_(three_quarter_view(options.up)) {
     if (hull.activeVoxelCount() == 0) return;
     intersector_.emplace(hull, 1);
@@ -45,31 +47,32 @@ class GlowPainter {
     const double voxels_per_pixel =
         std::max({dim.x(), dim.y(), dim.z()}) / static_cast<double>(std::min(options.width, options.height));
     step_ = std::max(0.75, voxels_per_pixel);
-    if (scene.albedo == Vec3d(0.0)) return;
-    const Vec3d vertical = options.up == UpAxis::y ? Vec3d(0, 1, 0) : Vec3d(0, 0, 1);
-    const Vec3d to_sun = (-0.85 * view_.right + 0.70 * vertical + 0.25 * view_.back).unit();
-    light_.emplace(hull.evalActiveVoxelBoundingBox(), hull.voxelSize().x(),
-                   LightField::Sun{to_sun, scene.sun}, scene.make_matter);
+    if (scene.suns.empty()) return;
+    light_.emplace(hull.evalActiveVoxelBoundingBox(), hull.voxelSize().x(), scene.suns, scene.make_matter);
   }
 
   void paint_row(int y, Image& image) const {
-    if (!intersector_) return;
-    Intersector intersector(*intersector_);  // it has a state
+    std::optional<Intersector> intersector = intersector_;  // it has a state
     const MatterAt matter_at = scene_.make_matter();
+    const double down = (y + 0.5) / options_.height;
+    const Vec3d background = scene_.has_sky ? sky(1.0 - down) : Vec3d(0.0);
     for (int x = 0; x < options_.width; ++x) {
-      const Vec3d light =
-          light_from((x + 0.5) / options_.width, (y + 0.5) / options_.height, intersector, matter_at);
-      for (int channel = 0; channel < 3; ++channel) image.at(x, y, channel) = encode_light(light[channel]);
+      Vec3d clear(1.0);
+      Vec3d light(0.0);
+      if (intersector) look((x + 0.5) / options_.width, down, *intersector, matter_at, light, clear);
+      for (int channel = 0; channel < 3; ++channel) {
+        image.at(x, y, channel) = encode_light(light[channel] + clear[channel] * background[channel]);
+      }
     }
   }
 
  private:
-  Vec3d light_from(double x, double y, Intersector& intersector, const MatterAt& matter_at) const {
+  // The light from a place of the picture, and what comes through of what is behind.
+  void look(double x, double y, Intersector& intersector, const MatterAt& matter_at, Vec3d& light,
+            Vec3d& clear) const {
     const Vec3d eye = hull_.worldToIndex(camera_.eye);
     const Ray ray(eye, direction_at(camera_, view_, x, y));  // a unit of it is a voxel, for they are cubes
-    Vec3d light(0.0);
-    Vec3d clear(1.0);
-    if (!intersector.setIndexRay(ray)) return light;
+    if (!intersector.setIndexRay(ray)) return;
     double first = 0.0;
     double last = 0.0;
     while (intersector.march(first, last)) {
@@ -84,10 +87,9 @@ class GlowPainter {
           add(part == 0 ? matter : matter_at(ray(place)), ray(place), step_ / parts, light, clear);
         }
         matter = next;
-        if (std::max({clear[0], clear[1], clear[2]}) < 0.01) return light;
+        if (std::max({clear[0], clear[1], clear[2]}) < 0.01) return;
       }
     }
-    return light;
   }
 
   // Into as many a step is divided that each takes little light away: else the first one would count for
@@ -140,6 +142,28 @@ Vec3d black_body(double kelvin) {
 
 }  // namespace
 
+// A white cloud scatters nearly all it takes away, so its shadows are soft and bright: a sun that mostly
+// lights what it sees, a part of it that seeps in, and the sky above. What comes from all around is added as
+// a constant.
+Image render_preview(const openvdb::FloatGrid& grid, const PreviewOptions& options, Progress* progress) {
+  require_picture(grid, options);
+  const View view = three_quarter_view(options.up);
+  const Vec3d to_sun = direction_to_sun(options.up);
+  const Vec3d to_sky = (vertical(options.up) + 0.25 * view.back + 0.2 * view.right).unit();
+  Scene scene;
+  scene.has_sky = true;
+  scene.ambient = {0.07, 0.09, 0.125};
+  scene.suns = {{to_sun, {0.79, 0.76, 0.69}, 0.8},
+                {to_sun, {0.24, 0.23, 0.22}, 0.15},
+                {to_sky, {0.14, 0.18, 0.25}, 0.24}};
+  scene.make_matter = [&]() -> MatterAt {
+    return [density = grid.getConstAccessor()](const Vec3d& index) {
+      return Matter{std::max(0.0f, Sampler::sample(density, index)), {0.0, 0.0, 0.0}};
+    };
+  };
+  return paint(MatterPainter(grid, scene, options), options, progress);
+}
+
 Image render_fire(const FireGrids& fire, const PreviewOptions& options, Progress* progress) {
   require_picture(*fire.density, options);
   const openvdb::FloatGrid::Ptr hull = fire.density->deepCopy();
@@ -150,7 +174,7 @@ Image render_fire(const FireGrids& fire, const PreviewOptions& options, Progress
   Scene scene;
   scene.albedo = {0.45, 0.42, 0.39};
   scene.ambient = {0.05, 0.06, 0.085};
-  scene.sun = {0.60, 0.57, 0.54};
+  scene.suns = {{direction_to_sun(options.up), {0.60, 0.57, 0.54}, 0.5}};
   scene.make_matter = [&]() -> MatterAt {
     return [density = fire.density->getConstAccessor(), temperature = fire.temperature->getConstAccessor(),
             flame = (fire.flame ? fire.flame : fire.temperature)->getConstAccessor(),
@@ -163,7 +187,7 @@ Image render_fire(const FireGrids& fire, const PreviewOptions& options, Progress
       return matter;
     };
   };
-  return paint(GlowPainter(*hull, scene, options), options, progress);
+  return paint(MatterPainter(*hull, scene, options), options, progress);
 }
 
 Image render_nebula(const openvdb::FloatGrid& density, const PreviewOptions& options, Progress* progress) {
@@ -186,7 +210,7 @@ Image render_nebula(const openvdb::FloatGrid& density, const PreviewOptions& opt
       return Matter{value, kLight * value * Vec3d(colour.x, colour.y, colour.z)};
     };
   };
-  return paint(GlowPainter(density, scene, options), options, progress);
+  return paint(MatterPainter(density, scene, options), options, progress);
 }
 
 }  // namespace solidnoise

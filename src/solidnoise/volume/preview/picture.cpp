@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "solidnoise/volume/finish_volume.h"
-#include "solidnoise/volume/preview/glow_preview.h"
+#include "solidnoise/volume/preview/matter_preview.h"
 #include "solidnoise/volume/preview/preview.h"
 #include "solidnoise/volume/preview/slice_preview.h"
 #include "solidnoise/volume/preview/solid_preview.h"

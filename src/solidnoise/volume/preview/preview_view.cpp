@@ -59,15 +59,24 @@ Vec3d camera_position(const std::vector<Vec3d>& points, const View& view, double
 
 }  // namespace
 
+Vec3d vertical(UpAxis axis) {
+  return axis == UpAxis::y ? Vec3d(0, 1, 0) : Vec3d(0, 0, 1);
+}
+
 View three_quarter_view(UpAxis axis) {
-  const Vec3d vertical = axis == UpAxis::y ? Vec3d(0, 1, 0) : Vec3d(0, 0, 1);
+  const Vec3d above = vertical(axis);
   const Vec3d front = axis == UpAxis::y ? Vec3d(0, 0, 1) : Vec3d(0, -1, 0);
-  const Vec3d side = vertical.cross(front);
+  const Vec3d side = above.cross(front);
   View view;
-  view.back = (0.55 * side + 0.32 * vertical + front).unit();
-  view.right = vertical.cross(view.back).unit();
+  view.back = (0.55 * side + 0.32 * above + front).unit();
+  view.right = above.cross(view.back).unit();
   view.up = view.back.cross(view.right);
   return view;
+}
+
+Vec3d direction_to_sun(UpAxis axis) {
+  const View view = three_quarter_view(axis);
+  return (-0.85 * view.right + 0.70 * vertical(axis) + 0.25 * view.back).unit();
 }
 
 Vec3d direction_at(const Camera& camera, const View& view, double x, double y) {

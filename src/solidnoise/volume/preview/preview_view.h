@@ -23,6 +23,10 @@ struct View {
 // At three quarters, from a little above.
 View three_quarter_view(UpAxis axis);
 
+openvdb::Vec3d vertical(UpAxis axis);
+// Behind the viewer's left shoulder.
+openvdb::Vec3d direction_to_sun(UpAxis axis);
+
 // Where the camera of a picture is, which looks against view.back.
 struct Camera {
   openvdb::Vec3d eye;

@@ -91,7 +91,7 @@ class SolidPainter {
         look_(look),
         options_(options),
         view_(three_quarter_view(options.up)),
-        vertical_(options.up == UpAxis::y ? Vec3d(0, 1, 0) : Vec3d(0, 0, 1)),
+        vertical_(vertical(options.up)),
         to_sun_((-0.35 * view_.right + 0.75 * vertical_ + 0.55 * view_.back).unit()),
         shape_(values, body) {
     if (body_.activeVoxelCount() == 0) return;
