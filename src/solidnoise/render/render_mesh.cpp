@@ -12,6 +12,7 @@
 #include <tbb/parallel_for.h>
 
 #include "solidnoise/core/check.h"
+#include "solidnoise/core/random.h"
 #include "solidnoise/render/mesh_scene.h"
 
 namespace solidnoise {
@@ -178,15 +179,20 @@ class Shader {
     return sky_light(normal, sample, [](const glm::vec3&) { return false; });
   }
 
-  // From directions that are spread as the cosine to the normal.
+  // From directions that are spread as the cosine to the normal, evenly over a pixel, and turned from pixel
+  // to pixel, or rows and columns of the picture would show.
   template <typename Blocked>
   Color sky_light(const glm::vec3& normal, unsigned sample, const Blocked& blocked) const {
     const auto [first, second] = tangents_of(normal);
+    constexpr unsigned kOfPixel = kSubpixels * kSubpixels;
+    RandomStream random(sample / kOfPixel);
+    const auto start = static_cast<float>(random.next_unit());
+    const auto rise = static_cast<float>(random.next_unit());
     Color sum(0.0f);
     for (unsigned k = 0; k < kSkyRays; ++k) {
-      const unsigned n = sample * kSkyRays + k + 1;
-      const float turn = 2.0f * std::numbers::pi_v<float> * radical_inverse(n, 2);
-      const float height = radical_inverse(n, 3);
+      const unsigned n = sample % kOfPixel * kSkyRays + k;
+      const float turn = 2.0f * std::numbers::pi_v<float> * (start + radical_inverse(n, 2));
+      const float height = std::fmod(rise + radical_inverse(n, 3), 1.0f);
       const float width = std::sqrt(1.0f - height);
       const glm::vec3 direction =
           width * (std::cos(turn) * first + std::sin(turn) * second) + std::sqrt(height) * normal;
