@@ -107,11 +107,12 @@ BakeFrame frame_of(const BakeArguments& arguments, std::size_t index) {
   BakeFrame frame{arguments.in, arguments.options};
   if (arguments.options.frames.empty()) return frame;
   frame.options = options_of_frame(arguments.options, arguments.options.frames[index], frame.in);
+  frame.is_first = index == 0;
   return frame;
 }
 
 void check_outputs(const FlagSet& flags, const BakeFrame& frame) {
-  const auto& [in, options] = frame;
+  const auto& [in, options, is_first] = frame;
   if (options.out.empty() && options.uv.empty() && options.preview.empty() && options.write_recipe.empty()) {
     throw UsageError("--out is missing; say where the mesh goes: --out out.ply");
   }

@@ -41,6 +41,7 @@ auto explained(const FlagSet& flags, const Run& run) {
 struct BakeFrame {
   std::string in;
   BakeOptions options;
+  bool is_first = true;  // what all frames have is told once
 };
 std::size_t frame_count(const BakeArguments& arguments);
 BakeFrame frame_of(const BakeArguments& arguments, std::size_t index);

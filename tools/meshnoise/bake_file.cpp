@@ -211,7 +211,7 @@ Json describe_frame(const BakeFrame& frame) {
 }
 
 void bake_frame(const BakeFrame& frame) {
-  const auto& [in, options] = frame;
+  const auto& [in, options, is_first] = frame;
   catch_interrupts();
   options.times->begin("reading");
   MeshReading reading = read_mesh_to_bake(in, options);
@@ -238,7 +238,7 @@ void bake_frame(const BakeFrame& frame) {
   warn_of_points(reading.mesh, in, options);
   options.times->begin("plan");
   const BakePlan plan = plan_within(std::move(reading.mesh), options);
-  if (!options.quiet) print_plan(plan, steering_name(options.recipe.by), options.recipe.refine.mode);
+  if (!options.quiet && is_first) print_plan(plan, steering_name(options.recipe.by), options.recipe.refine.mode);
 
   TaskProgress progress(options.visibility());
   options.times->begin("noise");
