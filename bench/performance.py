@@ -60,6 +60,10 @@ def stages(data):
     return result
 
 
+def mark(row):
+    return " (-)" if row["at_least"] and float(row["times"]) < float(row["at_least"]) else ""
+
+
 def draw_curves(times, page):
     figure, axes = plt.subplots(1, 3, figsize=(13, 3.8), constrained_layout=True)
     for suffix, label, color in (("direct", "every voxel summed", "C0"), ("budget", "within 2 %, interpolated", "C1")):
@@ -88,10 +92,11 @@ def main():
 `scripts/bench.sh` makes this page. Times are nanoseconds per sample of one thread, medians, with everything that a volume needs
 included: random impulses, culling, sums. "Scalar" are the papers' procedures, in single precision, point by point, in the same
 run; so are all ratios. Repetitions of the two sides take turns; intervals hold the median with a probability of 95 %, whatever
-the scatter. R is the kernel's radius in voxels, N the impulses in it. "At least" and "aim" are what was to be reached.
+the scatter. R is the kernel's radius in voxels, N the impulses in it. "At least" and "aim" are what was to be reached; what
+is below it is marked (-).
 """)
     page.write(table(["", "ns, slow", "ns, fast", "times", "95 % interval", "at least", "aim"],
-                     [[r["title"], f"{float(r['slow']):.4g}", f"{float(r['fast']):.3g}", f"**{float(r['times']):.3g}**",
+                     [[r["title"], f"{float(r['slow']):.4g}", f"{float(r['fast']):.3g}", f"**{float(r['times']):.3g}**{mark(r)}",
                        f"{float(r['lower']):.3g} to {float(r['upper']):.3g}", goal(r["at_least"]), goal(r["aim"])]
                       for r in rows(data, "ratios.csv")]))
     page.write("""
@@ -102,7 +107,8 @@ than those that have the whole error for themselves. Gradients are made from sam
 
 "Equal quality" are noises that look alike: Kensler's at 12 voxels per cell, and Gabor noises of its frequency, of its width (0.9 octaves). Kensler's
 has an excess kurtosis of -0.14, is not stationary and cannot be interpolated. Gabor noises have the impulses of the default, of excess kurtosis 0,
-or Poisson processes of 0.03, with as many values past four standard deviations.
+or Poisson processes of 0.03, with as many values past four standard deviations. FastNoise2 1.1.1 takes 2.3 ns for its Perlin noise in 3D
+(AVX-512, one thread of the machine whose direct isotropic R16 N32 took 10.8).
 """)
     draw_curves(times, page)
     page.write("""
