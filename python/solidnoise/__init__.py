@@ -11,7 +11,8 @@ Noise at points and on lattices, as NumPy arrays:
 The kinds of noise are gabor(), gabor_oriented(), kensler(), cellular() and, by example, spectrum(), in 1 to 4 dimensions.
 
 Recipes are plain dicts, the JSON that vdbnoise, meshnoise and noisefit read and write; a path of such a file will do, too, and keywords
-change a recipe's keys. presets() lists those that come with the package, and preset(NAME) is one.
+change a recipe's keys. presets() lists those that come with the package, and preset(NAME) is one: of a volume, or of a
+bake, where there is none of a volume or by preset(NAME, "bake").
 
 Lengths are in world units, frequencies in cycles per world unit. Arrays of a lattice or of voxels are indexed x, y, z, as OpenVDB's
 are, with the last axis the fastest; components of vectors, colours and gradients are the last axis. The same recipe gives the same

@@ -58,9 +58,9 @@ def read_ply(path: Path) -> dict[str, Array]:
 VERTICES, FACES = sphere()
 
 
-@pytest.mark.parametrize("name", ["rust", "scales", "stone", "bark", "skin", "moss", "car-paint"])
+@pytest.mark.parametrize("name", ["rust", "scales", "stone", "bark", "skin", "moss", "car-paint", "raw"])
 def test_values_are_those_of_meshnoise(name: str, tool: Tool, tmp_path: Path) -> None:
-    recipe = {**solidnoise.preset(name), "refine": {"mode": "off"}}
+    recipe = {**solidnoise.preset(name, "bake"), "refine": {"mode": "off"}}
     write_ply(tmp_path / "in.ply", VERTICES, FACES)
     (tmp_path / "recipe.json").write_text(json.dumps(recipe))
     tool("meshnoise", "bake", "in.ply", "--recipe", "recipe.json", "--out", "out.ply")

@@ -211,7 +211,9 @@ REFUSED: list[tuple[Callable[[], object], type[Exception], str]] = [
     (lambda: KINDS[0].lattice(0, 1, 100000), MemoryError, ""),
     (lambda: KINDS[0](POINTS, threads=0), ValueError, "threads is 0; it must be between 1 and 4096"),
     (lambda: KINDS[0](POINTS, progress=3), TypeError, "progress must be a function"),  # type: ignore[call-overload]
-    (lambda: solidnoise.preset("cumulos"), ValueError, "preset is cumulos; it must be one of"),
+    (lambda: solidnoise.preset("cumulos"), ValueError, "preset is cumulos; it must be one of bark, "),
+    (lambda: solidnoise.preset("rust", "volume"), ValueError, "preset is rust; it must be one of cumulus, "),
+    (lambda: solidnoise.presets("mesh"), ValueError, "kind is mesh; it must be one of volume, bake"),  # type: ignore[arg-type]
 ]
 
 

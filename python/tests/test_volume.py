@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 import solidnoise
 
+PROJECT = Path(__file__).resolve().parents[2]
 Tool = Callable[..., str]
 RECIPES: list[tuple[str, dict[str, Any]]] = [
     ("raw", {"noise": {"frequency": 3, "seed": 5}, "dim": 48}),
@@ -164,6 +165,14 @@ def test_a_damaged_file_is_refused(tmp_path: Path) -> None:
     path.write_bytes(path.read_bytes()[:2000])
     with pytest.raises(OSError, match="cloud.vdb"):
         solidnoise.read_volume(path)
+
+
+@pytest.mark.parametrize("kind, program", [("volume", "vdbnoise"), ("bake", "meshnoise")])
+def test_the_presets_are_those_of_the_program(kind: Any, program: str) -> None:
+    files = {file.stem: json.loads(file.read_text()) for file in (PROJECT / "tools" / program / "presets").glob("*.json")}
+    assert {name: solidnoise.preset(name, kind) for name in solidnoise.presets(kind)} == files
+    for name in solidnoise.presets():
+        assert solidnoise.preset(name) == solidnoise.preset(name, "volume" if name in solidnoise.presets("volume") else "bake")
 
 
 @pytest.mark.parametrize("kind, program", [("volume", "vdbnoise"), ("bake", "meshnoise")])

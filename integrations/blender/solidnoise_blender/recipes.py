@@ -28,8 +28,7 @@ def presets(kind: str) -> list[tuple[str, str]]:
     """Names, and what they are, of volumes, bakes or modifications; the library's default first."""
     if kind == MODIFY:
         return [(name, recipe["description"]) for name, recipe in _MODIFICATIONS.items()]
-    found = [(name, told) for name, told in solidnoise.presets().items() if ("surface" in solidnoise.preset(name)) == (kind == BAKE)]
-    return sorted(found, key=lambda preset: preset[0] not in ("cumulus", "rust"))
+    return sorted(solidnoise.presets(kind).items(), key=lambda preset: preset[0] not in ("cumulus", "rust"))
 
 
 @functools.lru_cache(maxsize=None)
@@ -37,7 +36,7 @@ def preset(kind: str, name: str) -> dict:
     """A preset with all of its values, as the library completes it."""
     if kind == MODIFY:
         return _MODIFICATIONS[name]
-    recipe = solidnoise.preset(name)
+    recipe = solidnoise.preset(name, kind)
     if kind == BAKE:
         return recipe
     completed = solidnoise.describe(recipe, dim=1)["recipe"]  # to plan few voxels takes no time
