@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "solidnoise/recipe/exemplar_model_json.h"
 #include "solidnoise/recipe/recipe_file.h"
 
 namespace solidnoise::python {
@@ -29,6 +30,22 @@ Json json_of_integer(py::handle object) {
   return object.cast<double>();  // beyond what either holds
 }
 
+// The model of an exemplar as recipes have it, where it is what noisefit writes, or the path of a file of
+// that.
+Json exemplar_of(Json json) {
+  ExemplarModel model;
+  const auto use = [&](const Json& file) { model = exemplar_file_from_json(file); };
+  if (json.is_string()) {
+    const std::filesystem::path path = json.get<std::string>();
+    solidnoise::read_recipe(path, read_text_file(path), use);
+  } else if (json.contains("solidnoise")) {
+    use(json);
+  } else {
+    return json;
+  }
+  return to_json(model);
+}
+
 Json json_of(py::handle object, int depth) {
   if (depth > kMostDepth) throw py::value_error("nested too deeply to be a recipe");
   if (object.is_none()) return nullptr;
@@ -40,7 +57,9 @@ Json json_of(py::handle object, int depth) {
     Json json = Json::object();
     for (const auto& [key, value] : py::reinterpret_borrow<py::dict>(object)) {
       if (!py::isinstance<py::str>(key)) throw py::type_error("a recipe's keys must be texts");
-      json[key.cast<std::string>()] = json_of(value, depth + 1);
+      const auto name = key.cast<std::string>();
+      json[name] = json_of(value, depth + 1);
+      if (name == "exemplar") json[name] = exemplar_of(std::move(json[name]));
     }
     return json;
   }

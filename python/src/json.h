@@ -12,7 +12,8 @@ namespace solidnoise::python {
 namespace py = pybind11;
 
 // Plain data of Python as JSON: None, bool, int, float, str, list, tuple, dict with keys of str, what NumPy
-// has of these, paths, and objects with a `recipe`. Throws py::type_error for others.
+// has of these, paths, and objects with a `recipe`; for "exemplar" also a whole file of noisefit's, or its
+// path. Throws py::type_error for others.
 Json json_of(py::handle object);
 
 // JSON as plain data of Python, new for each call.

@@ -15,7 +15,6 @@
 #include "solidnoise/noise/registry/noise_entries.h"
 #include "solidnoise/recipe/exemplar_model_json.h"
 #include "solidnoise/recipe/noise_recipe_json.h"
-#include "solidnoise/recipe/recipe_file.h"
 
 namespace solidnoise::python {
 namespace {
@@ -34,32 +33,17 @@ void fill_axes(Json& json) {
   }
 }
 
-// What noisefit writes, as recipes of noises have it; a file of it may be given by its path.
-Json exemplar_of(const Json& json) {
-  if (json.is_string()) {
-    ExemplarModel model;
-    const std::string path = json.get<std::string>();
-    solidnoise::read_recipe(path, read_text_file(path),
-                            [&](const Json& file) { model = exemplar_file_from_json(file); });
-    return to_json(model);
-  }
-  return json.is_object() && json.contains("solidnoise") ? to_json(exemplar_file_from_json(json)) : json;
-}
-
-// A whole file of noisefit's with further keys is a noise by example with these.
+// A whole file of noisefit's, with further keys or without, is a noise by example.
 void unwrap_exemplar(Json& json) {
-  if (!json.contains("exemplar")) return;
-  if (json.contains("solidnoise")) {
-    Json file = Json::object();
-    for (const char* const key : {"solidnoise", "algorithm", "$schema", "exemplar"}) {
-      if (!json.contains(key)) continue;
-      file[key] = json[key];
-      json.erase(key);
-    }
-    json["exemplar"] = std::move(file);
-    json["type"] = "spectrum";
+  if (!json.contains("exemplar") || !json.contains("solidnoise")) return;
+  Json file = Json::object();
+  for (const char* const key : {"solidnoise", "algorithm", "$schema", "pixel_size", "exemplar"}) {
+    if (!json.contains(key)) continue;
+    file[key] = json[key];
+    json.erase(key);
   }
-  json["exemplar"] = exemplar_of(json["exemplar"]);
+  json["exemplar"] = to_json(exemplar_file_from_json(file));
+  json["type"] = "spectrum";
 }
 
 NoiseObject noise_of_json(Json json, int dims, std::optional<double> time) {

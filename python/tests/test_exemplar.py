@@ -60,6 +60,38 @@ def test_noises_of_a_model(model: solidnoise.ExemplarModel, tmp_path: Path) -> N
     assert spectrum[(radius > 1 / 16) & (radius < 1 / 4)].sum() > 0.8 * spectrum.sum()
 
 
+def test_recipes_of_volumes_and_meshes_take_models(model: solidnoise.ExemplarModel, tmp_path: Path) -> None:
+    model.write(tmp_path / "model.json")
+    vertices = np.random.default_rng(1).normal(size=(50, 3))
+    faces = [[i, i + 1, i + 2] for i in range(48)]
+
+    def made(exemplar: object) -> list["np.ndarray[tuple[int, ...], np.dtype[np.float32]]"]:
+        noise = {"type": "spectrum", "exemplar": exemplar, "frequency": 4}
+        return [solidnoise.make_volume(noise=noise, dims=2, dim=16).to_numpy(),
+                solidnoise.slice({"noise": noise, "dims": 2}, resolution=16),
+                solidnoise.bake(vertices, faces, surface={"noise": "spectrum", "exemplar": exemplar})["noise"],
+                solidnoise.surface_noise(vertices, vertices, noise="spectrum", exemplar=exemplar)]
+
+    expected = made(model.recipe["exemplar"])
+    for exemplar in (model, model.recipe, tmp_path / "model.json", str(tmp_path / "model.json")):
+        for values, right in zip(made(exemplar), expected):
+            assert values.std() > 0
+            np.testing.assert_array_equal(values, right)
+    # In the place of another, as a whole.
+    recipe = {"noise": {"type": "spectrum", "exemplar": model.scale(2), "frequency": 4}, "dims": 2, "dim": 16}
+    np.testing.assert_array_equal(solidnoise.make_volume(recipe, noise={"exemplar": model}).to_numpy(), expected[0])
+
+
+def test_selected_components_are_those_of_noisefit(model: solidnoise.ExemplarModel, tool: Tool, tmp_path: Path) -> None:
+    model.write(tmp_path / "model.json")
+    tool("noisefit", "edit", "model.json", "--select", "0.05", "0.3", "90", "60", "--out", "selected.json", "--quiet")
+    chosen = model.select(0.05, 0.3, direction=90, spread=60)
+    assert chosen.recipe == json.loads((tmp_path / "selected.json").read_text()) and "selected" in chosen.group_names
+    assert "coarse" in model.select(0, 0.2, name="coarse").group_names
+    with pytest.raises(ValueError, match="."):
+        model.select(0.3, 0.05)
+
+
 def test_edits_return_other_models(model: solidnoise.ExemplarModel) -> None:
     before = model.recipe
     assert model.scale(2).principal_frequency > 1.5 * model.principal_frequency

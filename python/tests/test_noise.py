@@ -206,7 +206,11 @@ REFUSED: list[tuple[Callable[[], object], type[Exception], str]] = [
     (lambda: KINDS[0](np.zeros((2, 3), complex)), TypeError, "points must be numbers"),
     (lambda: KINDS[0].lattice(0, 0, 4), ValueError, "step is 0; it must be greater than 0"),
     (lambda: KINDS[0].lattice(0, 1, 0), ValueError, "shape is 0; it must be"),
-    (lambda: KINDS[0].lattice(0, 1, (4, 4)), ValueError, "shape has the shape"),
+    (lambda: KINDS[0].lattice(0, 1, (4, 4)), ValueError, "shape has 2 numbers; it must have 3, or one for all axes"),
+    (lambda: KINDS[0].lattice([[0, 0, 0], [1, 1, 1]], 0.1, 4), ValueError, "origin has 6 numbers; it must have 3"),  # type: ignore[list-item]
+    (lambda: KINDS[0]([[0, 0, 0], [1]]), ValueError, "points must be an array, or lists that are as long as each other"),
+    (lambda: solidnoise.spectrum(), ValueError, "exemplar is missing; it must be the model of an exemplar"),  # type: ignore[call-arg]
+    (lambda: solidnoise.Noise(3), TypeError, "."),  # type: ignore[arg-type]
     (lambda: KINDS[0].lattice(0, 1, 2.5), ValueError, "shape is 2.5; it must be whole"),  # type: ignore[call-overload]
     (lambda: KINDS[0].lattice(0, 1, 100000), MemoryError, ""),
     (lambda: KINDS[0](POINTS, threads=0), ValueError, "threads is 0; it must be between 1 and 4096"),

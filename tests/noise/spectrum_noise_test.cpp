@@ -141,7 +141,8 @@ TEST(SpectrumNoise, RefusesWhatIsNoSpectrum) {
             "channels[0]: bands[0].components[0].group is 1; it must be the number of a group, from 0");
   EXPECT_EQ(message([](auto& o) { o.model.channels[0].bands.clear(); }),
             "channels[0]: the variances of all components add up to 0; they must to more than 0");
-  EXPECT_EQ(message([](auto& o) { o.model.channels.clear(); }), "number of channels is 0; it must be 1 or 3");
+  EXPECT_EQ(message([](auto& o) { o.model.channels.clear(); }),
+            "exemplar is missing; it must be the model of an exemplar");
   EXPECT_EQ(message([](auto& o) { o.model.axes.clear(); }),
             "there are 0 axes for 1 channels; each needs one");
   EXPECT_EQ(message([](auto& o) { o.channel = 1; }).substr(0, 12), "channel is 1");

@@ -192,6 +192,8 @@ GaborSpectrum SpectrumNoiseOptions::filtered_spectrum() const {
 }
 
 void SpectrumNoiseOptions::validate() const {
+  if (model.channels.empty())
+    throw std::invalid_argument("exemplar is missing; it must be the model of an exemplar");
   model.validate();
   require_in_range("channel", channel, 0, static_cast<double>(model.channels.size() - 1), "of the model");
   require_fields(*this);
