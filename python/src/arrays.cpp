@@ -14,8 +14,7 @@ py::array as_floats(py::handle object, const std::string& name) {
   if (py::isinstance<py::array_t<double>>(object) || py::isinstance<py::array_t<float>>(object)) {
     return py::reinterpret_borrow<py::array>(object);
   }
-  const py::array array = py::array::ensure(object);
-  if (!array) throw py::error_already_set();
+  const py::array array = array_in(object, name);
   if (std::string("biuf").find(array.dtype().kind()) == std::string::npos) {
     throw py::type_error(name + " must be numbers");
   }
@@ -77,6 +76,23 @@ const char* Rows::find(std::size_t row, int column) const {
     row /= size;
   }
   return place;
+}
+
+py::array array_in(py::handle object, const std::string& name) {
+  const py::array array = py::array::ensure(object);
+  if (!array)
+    throw std::invalid_argument(name + " must be an array, or lists that are as long as each other");
+  return array;
+}
+
+std::vector<double> axes_of(py::handle object, const std::string& name, std::size_t axes) {
+  std::vector<double> numbers = numbers_of(object, name);
+  if (numbers.size() == 1) numbers.resize(axes, numbers.front());
+  if (numbers.size() != axes) {
+    throw std::invalid_argument(
+        fmt::format("{} has {} numbers; it must have {}, or one for all axes", name, numbers.size(), axes));
+  }
+  return numbers;
 }
 
 std::vector<double> numbers_of(py::handle object, const std::string& name) {

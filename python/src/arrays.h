@@ -53,14 +53,16 @@ class Rows {
 // The same of single numbers: an array of any shape, read in its order.
 std::vector<double> numbers_of(py::handle object, const std::string& name);
 
+// What NumPy makes of an object. Throws std::invalid_argument, by name, for lists that are no array.
+py::array array_in(py::handle object, const std::string& name);
+
 // A number for each axis, or one for all. Throws as Rows does.
+std::vector<double> axes_of(py::handle object, const std::string& name, std::size_t axes);
 template <int Dim>
 Vec<Dim> vector_of(py::handle object, const std::string& name) {
-  const std::vector<double> numbers = numbers_of(object, name);
-  Vec<Dim> result(numbers.empty() ? 0.0 : numbers.front());
-  if (numbers.size() == 1) return result;
-  const Rows row(object, name, Dim);
-  for (int axis = 0; axis < Dim; ++axis) result[axis] = row.at(0, axis);
+  const std::vector<double> numbers = axes_of(object, name, Dim);
+  Vec<Dim> result(0.0);
+  for (int axis = 0; axis < Dim; ++axis) result[axis] = numbers[static_cast<std::size_t>(axis)];
   return result;
 }
 

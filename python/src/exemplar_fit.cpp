@@ -47,9 +47,7 @@ Image image_of(const py::array& array, const std::string& name) {
 
 Picture picture_of_object(py::handle object, const std::string& name) {
   if (is_path(object)) return {path_of(object).string(), std::nullopt};
-  const py::array array = py::array::ensure(object);
-  if (!array) throw py::error_already_set();
-  return {name, image_of(array, name)};
+  return {name, image_of(array_in(object, name), name)};
 }
 
 namespace {

@@ -71,7 +71,7 @@ Json json_of(py::handle object, int depth) {
   if (py::hasattr(object, "recipe")) return json_of(object.attr("recipe"), depth + 1);
   if (py::hasattr(object, "tolist")) return json_of(object.attr("tolist")(), depth + 1);
   if (py::hasattr(object, "__fspath__")) return path_of(object).string();
-  throw py::type_error("a recipe cannot hold a " + object.get_type().attr("__name__").cast<std::string>());
+  throw py::type_error("a recipe cannot hold a " + name_of_type(object));
 }
 
 }  // namespace
@@ -149,7 +149,15 @@ Json with_header(Json recipe) {
 }
 
 std::filesystem::path path_of(py::handle object) {
+  if (!is_path(object) && !py::isinstance<py::bytes>(object)) {
+    throw py::type_error("a path cannot be a " + name_of_type(object) +
+                         "; it must be str, bytes or os.PathLike");
+  }
   return object.cast<std::filesystem::path>();
+}
+
+std::string name_of_type(py::handle object) {
+  return object.get_type().attr("__name__").cast<std::string>();
 }
 
 bool is_path(py::handle object) {

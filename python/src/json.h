@@ -33,8 +33,11 @@ void use_recipe(py::handle recipe, const py::dict& keywords, const std::function
 // A whole recipe; one that does not say of which version it is is of this one.
 Json with_header(Json recipe);
 
-// A path as Python has it: str, bytes or os.PathLike.
+// A path as Python has it: str, bytes or os.PathLike. Throws py::type_error for others.
 std::filesystem::path path_of(py::handle object);
 bool is_path(py::handle object);
+
+// For messages: "int".
+std::string name_of_type(py::handle object);
 
 }  // namespace solidnoise::python

@@ -15,6 +15,7 @@
 #include "call.h"
 #include "documentation.h"
 #include "json.h"
+#include "solidnoise/core/check.h"
 #include "solidnoise/geometry/polygon_mesh.h"
 #include "solidnoise/mesh/bake_mesh.h"
 #include "solidnoise/mesh/bake_recipe_json.h"
@@ -42,8 +43,7 @@ void add_face(PolygonMesh& mesh, const std::int64_t* corners, std::size_t count)
 
 // Whole numbers of a sequence or an array.
 py::array_t<std::int64_t, py::array::c_style | py::array::forcecast> integers_of(py::handle object) {
-  const py::array array = py::array::ensure(object);
-  if (!array) throw py::error_already_set();
+  const py::array array = array_in(object, "faces");
   if (array.size() > 0 && std::string("iu").find(array.dtype().kind()) == std::string::npos) {
     throw py::type_error("faces must be whole numbers");
   }
@@ -71,6 +71,7 @@ PolygonMesh mesh_of(py::handle vertices, py::handle faces, const py::dict& attri
   PolygonMesh mesh;
   mesh.positions = vectors_of(vertices, "vertices");
   mesh.position_type = ScalarType::float64;
+  if (mesh.positions.empty()) throw std::invalid_argument("vertices is empty; there must be one at least");
   add_faces(mesh, faces);
   for (const auto& [name, values] : attributes) {
     VertexProperty property{name.cast<std::string>(), ScalarType::float64,
@@ -79,6 +80,7 @@ PolygonMesh mesh_of(py::handle vertices, py::handle faces, const py::dict& attri
       throw std::invalid_argument(fmt::format("{} has {} numbers; it must have one for each of {} vertices",
                                               property.name, property.values.size(), mesh.positions.size()));
     }
+    for (const double value : property.values) require_finite(property.name, value);
     mesh.set_property(std::move(property));
   }
   return mesh;
@@ -201,8 +203,8 @@ The keys of a recipe, where a range is two numbers:
 
 )" + describe_options(bake_recipe_schema()) +
                           R"(
-Returns a dict of arrays: vertices (n, 3), faces, normals (n, 3), colors (n, 3), in linear light, noise (n,), the recipe's properties, such
-as roughness and height, and those that keep names.
+Returns a dict of arrays: vertices (n, 3), faces (m, corners), or a list where they have different numbers of corners, normals
+(n, 3), colors (n, 3), in linear light, noise (n,), the recipe's properties, such as roughness and height, and those that keep names.
 A recipe that refines the mesh has more vertices than there were: those come first, in their order. Raises ValueError.)")
                  .c_str());
   module.def("curvature", &measure, "vertices"_a, "faces"_a, py::kw_only(), "smooth"_a = 2,

@@ -88,14 +88,14 @@ py::array slice_object(py::handle recipe, const SliceArguments& arguments, const
 }
 
 void write_picture(py::handle path, py::handle pixels, bool force) {
-  const auto array = py::array_t<float, py::array::c_style | py::array::forcecast>::ensure(pixels);
-  if (!array) throw py::error_already_set();
+  const py::array array = array_in(pixels, "pixels");
   if (array.ndim() != 2 && array.ndim() != 3) {
     throw std::invalid_argument("pixels must have the shape (rows, columns) or (rows, columns, channels)");
   }
   Image image(static_cast<int>(array.shape(1)), static_cast<int>(array.shape(0)),
               array.ndim() == 3 ? static_cast<int>(array.shape(2)) : 1);
-  std::copy_n(array.data(), image.pixels.size(), image.pixels.begin());
+  std::ranges::transform(numbers_of(array, "pixels"), image.pixels.begin(),
+                         [](double number) { return static_cast<float>(number); });
   const std::filesystem::path target = path_of(path);
   run({std::nullopt, py::none()}, [&](Progress&) {
     write_image(target, image, {.existing = force ? Existing::replace : Existing::refuse});

@@ -157,6 +157,19 @@ def test_what_is_wrong_is_said(call: Callable[[], object], error: type[Exception
     with pytest.raises(error, match=message) as raised:
         call()
     assert "\n" not in str(raised.value)
+    (lambda: solidnoise.make_volume(dimm=8), ValueError, r"dimm is unknown; did you mean dim\?"),
+    (lambda: solidnoise.make_volume(noise={"type": "spectrum"}), ValueError, "noise.exemplar is missing"),
+    (lambda: solidnoise.make_volume(dim=8).write("x.foo"), ValueError, "path is x.foo; it must end in .vdb or .nvdb"),
+    (lambda: solidnoise.make_volume(dim=8).write("x.vdb", fps=-1), ValueError, "fps is -1; it must be greater than 0"),
+    (lambda: solidnoise.make_volume(dim=8).write("x.nvdb", frame=1), ValueError, "a .nvdb has no place for them"),
+    (lambda: solidnoise.make_volume(dim=8).write(3), TypeError, "a path cannot be a int"),  # type: ignore[arg-type]
+    (lambda: solidnoise.analyze(3), TypeError, "what is a int; it must be a Grid, a Volume or the path"),  # type: ignore[arg-type]
+    (lambda: solidnoise.make_volume(dim=8).grids["density"].to_numpy("x"), TypeError, "bounds must be two tuples"),  # type: ignore[arg-type]
+    (lambda: solidnoise.make_volume(dim=8).grids["density"].to_numpy(((0, 0), (1, 1))), TypeError, "bounds must be"),  # type: ignore[arg-type]
+    (lambda: solidnoise.Grid.__new__(solidnoise.Grid), TypeError, "Grid cannot be made by itself"),
+    (lambda: solidnoise.Volume(), TypeError, "Volume cannot be made by itself"),
+    (lambda: solidnoise.write_image("x.png", [[1, 2], [3]]), ValueError, "pixels must be an array, or lists"),
+    (lambda: solidnoise.slice(solidnoise.make_volume(dim=8), grid="vel"), ValueError, "grid is vel; it must be one of density"),
 
 
 def test_a_damaged_file_is_refused(tmp_path: Path) -> None:

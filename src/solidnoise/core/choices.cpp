@@ -37,7 +37,8 @@ std::string_view nearest_word(std::string_view typed, std::span<const std::strin
   std::size_t least = typed.size() <= kShort ? 2 : 3;
   for (const std::string_view word : words) {
     const std::size_t distance = edit_distance(typed, word);
-    if (distance < least) nearest = word;
+    // Of two as near the shorter.
+    if (distance < least || (distance == least && word.size() < nearest.size())) nearest = word;
     least = std::min(least, distance);
   }
   return nearest;
