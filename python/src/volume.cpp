@@ -11,6 +11,8 @@
 
 #include "call.h"
 #include "json.h"
+#include "solidnoise/core/check.h"
+#include "solidnoise/core/printable.h"
 #include "solidnoise/volume/make_volume.h"
 #include "solidnoise/volume/preview/picture.h"
 #include "solidnoise/volume/volume_recipe_json.h"
@@ -41,18 +43,36 @@ GridObject find_grid(const VolumeObject& volume, const std::optional<std::string
 
 namespace {
 
-void write_volume_object(const VolumeObject& volume, py::handle path, bool force, std::optional<int> frame,
-                         std::optional<double> fps, py::object progress) {
+struct FrameNote {
+  std::optional<int> frame;
+  std::optional<double> fps;
+};
+
+void write_volume_object(const VolumeObject& volume, py::handle path, bool force, const FrameNote& note,
+                         const Call& call) {
+  const std::filesystem::path target = path_of(path);
+  const bool is_nvdb = target.extension() == ".nvdb";
+  if (!is_nvdb && target.extension() != ".vdb") {
+    throw std::invalid_argument(
+        fmt::format("path is {}; it must end in .vdb or .nvdb", printable(target.string())));
+  }
+  if (note.fps) require_positive("fps", *note.fps, "frames per second");
+  if (is_nvdb && (note.frame || note.fps)) {
+    throw std::invalid_argument("frame and fps are of a .vdb; a .nvdb has no place for them");
+  }
   VdbWriteOptions options;
   if (volume.recipe) options.codec = volume.recipe->codec;
   options.existing = force ? Existing::replace : Existing::refuse;
   options.creator = kCreator;
-  options.frame = frame ? frame : volume.frame;
-  options.fps = fps ? fps : volume.fps;
-  const std::filesystem::path target = path_of(path);
-  run({std::nullopt, std::move(progress)}, [&](Progress& told) {
+  options.frame = note.frame ? note.frame : volume.frame;
+  options.fps = note.fps ? note.fps : volume.fps;
+  run(call, [&](Progress& told) {
     options.progress = &told;
-    write_volume(target, volume.volume, options);
+    if (is_nvdb) {
+      write_nvdb(target, volume.volume, {.existing = options.existing, .progress = &told});
+    } else {
+      write_volume(target, volume.volume, options);
+    }
   });
 }
 
@@ -122,16 +142,22 @@ void add_volume_class(py::module_& module) {
 --
 
 The values of the grid of this name, or of the first one: see Grid.to_numpy().)");
-  of.def("write", &write_volume_object, "path"_a, py::kw_only(), "force"_a = false, "frame"_a = py::none(),
-         "fps"_a = py::none(), "progress"_a = py::none(),
-         R"(write(self, path, *, force=False, frame=None, fps=None, progress=None)
+  of.def(
+      "write",
+      [](const VolumeObject& volume, py::handle path, bool force, std::optional<int> frame,
+         std::optional<double> fps, std::optional<int> threads, py::object progress) {
+        write_volume_object(volume, path, force, {frame, fps}, {threads, std::move(progress)});
+      },
+      "path"_a, py::kw_only(), "force"_a = false, "frame"_a = py::none(), "fps"_a = py::none(),
+      "threads"_a = py::none(), "progress"_a = py::none(),
+      R"(write(self, path, *, force=False, frame=None, fps=None, threads=None, progress=None)
 --
 
-Writes the volume to a .vdb, all or nothing.
+Writes the volume to a .vdb, or, as NanoVDB, to a .nvdb, which has no place for recipe, frame and fps; all or nothing.
 
 force : bool
     Whether a file that exists is replaced; without it, FileExistsError is raised.
-frame : int, fps : float
+frame : int, fps : float, above 0
     Noted in the file.
 
 Raises OSError for a file that cannot be written.)");

@@ -66,6 +66,13 @@ def test_files_hold_what_was_made(tmp_path: Path) -> None:
     assert sorted(p.name for p in tmp_path.iterdir()) == ["cloud.vdb"]
 
 
+def test_a_nvdb_is_nanovdb(tool: Tool, tmp_path: Path) -> None:
+    volume = solidnoise.make_volume(solidnoise.preset("raw"), dim=24)
+    volume.write(tmp_path / "noise.nvdb")
+    assert (tmp_path / "noise.nvdb").read_bytes().startswith(b"NanoVDB")
+    np.testing.assert_array_equal(solidnoise.read_volume(tmp_path / "noise.nvdb").to_numpy(), volume.to_numpy())
+
+
 def test_parts_join_to_the_whole(tmp_path: Path) -> None:
     recipe = {**solidnoise.preset("smoke"), "dim": 64}
     paths = [tmp_path / f"{i}.vdb" for i in (1, 2)]
