@@ -18,7 +18,7 @@ Lengths are in world units, frequencies in cycles per world unit. Arrays of a la
 are, with the last axis the fastest; components of vectors, colours and gradients are the last axis. The same recipe gives the same
 values, to the last bit, as the programs do, for any number of threads.
 
-Everything that takes long leaves the interpreter free for other threads, stops at Ctrl-C with nothing left behind, and takes
+Everything that takes long leaves the interpreter free for other threads and stops at Ctrl-C with nothing left behind; most of it takes
 threads= and progress=, a function of the fraction that is done. Options that are not allowed raise ValueError, files that cannot
 be read or written OSError, in one line that says what is allowed.
 """

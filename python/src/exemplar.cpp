@@ -57,7 +57,8 @@ py::array pixels_of(Image&& image) {
 }
 
 py::array sheet(const ExemplarModel& model, const py::object& picture, const std::string& title,
-                const std::string& caption, std::uint64_t seed, const py::kwargs& keywords) {
+                const std::string& caption, std::uint64_t seed, const Call& call,
+                const py::kwargs& keywords) {
   ExemplarReading reading;
   reading.raw_values = model.raw_values;
   const Json json = json_of(keywords);
@@ -66,23 +67,23 @@ py::array sheet(const ExemplarModel& model, const py::object& picture, const std
   reader.finish();
   const Picture source = picture_of_object(picture, "picture");
   Image image;
-  run({std::nullopt, py::none()}, [&](Progress&) {
+  run(call, [&](Progress& told) {
     Exemplar<2> exemplar = source.read(reading);
     if (model.channels.size() == 1) make_grey(exemplar);
-    image = draw_exemplar_sheet(exemplar, model, {.title = title, .caption = caption, .seed = seed});
+    image = draw_exemplar_sheet(exemplar, model, {.title = title, .caption = caption, .seed = seed}, &told);
   });
   return pixels_of(std::move(image));
 }
 
 py::array texture(const ExemplarModel& model, std::pair<int, int> resolution, double pixel_size,
-                  const py::object& origin, std::uint64_t seed) {
+                  const py::object& origin, std::uint64_t seed, const Call& call) {
   require_in_range("resolution", std::min(resolution.first, resolution.second), 1, 16384, "pixels");
   require_positive("pixel_size", pixel_size, "world units");
   const Vec<3> from = vector_of<3>(origin, "origin");
   Image image;
-  run({std::nullopt, py::none()}, [&](Progress&) {
-    image = image_of_exemplar(
-        procedural_texture(model, {resolution.first, resolution.second}, Vec<2>(pixel_size), from, seed));
+  run(call, [&](Progress& told) {
+    image = image_of_exemplar(procedural_texture(model, {resolution.first, resolution.second},
+                                                 Vec<2>(pixel_size), from, seed, &told));
   });
   return pixels_of(std::move(image));
 }
@@ -144,15 +145,30 @@ Groups are those of group_names.
       "path"_a, py::kw_only(), "force"_a = false,
       "write(self, path, *, force=False)\n--\n\nWrites the model to a .json file, all or nothing. Raises "
       "OSError, FileExistsError.");
-  of.def("texture", &texture, "resolution"_a = std::pair(512, 512), py::kw_only(), "pixel_size"_a = 1.0,
-         "origin"_a = py::make_tuple(0.0, 0.0, 0.0), "seed"_a = 1,
-         R"(texture(self, resolution=(512, 512), *, pixel_size=1.0, origin=(0.0, 0.0, 0.0), seed=1)
+  of.def(
+      "texture",
+      [](const ExemplarModel& model, std::pair<int, int> resolution, double pixel_size,
+         const py::object& origin, std::uint64_t seed, std::optional<int> threads, py::object progress) {
+        return texture(model, resolution, pixel_size, origin, seed, {threads, std::move(progress)});
+      },
+      "resolution"_a = std::pair(512, 512), py::kw_only(), "pixel_size"_a = 1.0,
+      "origin"_a = py::make_tuple(0.0, 0.0, 0.0), "seed"_a = 1, "threads"_a = py::none(),
+      "progress"_a = py::none(),
+      R"(texture(self, resolution=(512, 512), *, pixel_size=1.0, origin=(0.0, 0.0, 0.0), seed=1, threads=None, progress=None)
 --
 
 The colours of the model's noise on pixels, columns and rows, as an array (rows, columns, 3) of float32, row 0 at the top, in linear light
 unless the model's values are raw.)");
-  of.def("sheet", &sheet, "picture"_a, py::kw_only(), "title"_a = "", "caption"_a = "", "seed"_a = 1,
-         R"(sheet(self, picture, *, title='', caption='', seed=1, **reading)
+  of.def(
+      "sheet",
+      [](const ExemplarModel& model, const py::object& picture, const std::string& title,
+         const std::string& caption, std::uint64_t seed, std::optional<int> threads, py::object progress,
+         const py::kwargs& keywords) {
+        return sheet(model, picture, title, caption, seed, {threads, std::move(progress)}, keywords);
+      },
+      "picture"_a, py::kw_only(), "title"_a = "", "caption"_a = "", "seed"_a = 1, "threads"_a = py::none(),
+      "progress"_a = py::none(),
+      R"(sheet(self, picture, *, title='', caption='', seed=1, threads=None, progress=None, **reading)
 --
 
 The picture by which a noise by example is judged: the exemplar, its Gaussian version, the sparse spectrum, the noise. An array (rows,

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <pybind11/stl.h>
 #include <stdexcept>
 #include <type_traits>
@@ -24,11 +26,32 @@ py::tuple tuple_of(const openvdb::Vec3d& v) {
 
 // Copies the voxels of a box, active or not, in parallel.
 template <typename Grid, typename Number>
-void copy_dense(const Grid& grid, const openvdb::CoordBBox& box, Number* memory) {
+void copy_dense(const Grid& grid, const openvdb::CoordBBox& box, Number* memory, Progress& progress) {
   using Value = typename Grid::ValueType;
   static_assert(sizeof(Value) % sizeof(Number) == 0);
-  openvdb::tools::Dense<Value, openvdb::tools::LayoutZYX> dense(box, reinterpret_cast<Value*>(memory));
-  openvdb::tools::copyToDense(grid, dense);
+  constexpr int kThick = 64;  // voxels along x, the slowest axis, that are copied at once
+  const auto layer = static_cast<std::size_t>(box.dim().y()) * static_cast<std::size_t>(box.dim().z());
+  auto* values = reinterpret_cast<Value*>(memory);
+  for (int offset = 0; offset < box.dim().x(); offset += kThick) {
+    throw_if_cancelled(&progress);
+    openvdb::CoordBBox slab = box;
+    slab.min().x() += offset;
+    slab.max().x() = std::min(slab.min().x() + kThick - 1, box.max().x());
+    openvdb::tools::Dense<Value, openvdb::tools::LayoutZYX> dense(slab, values);
+    openvdb::tools::copyToDense(grid, dense);
+    values += static_cast<std::size_t>(slab.dim().x()) * layer;
+    progress.advance(static_cast<std::uint64_t>(offset + slab.dim().x()),
+                     static_cast<std::uint64_t>(box.dim().x()));
+  }
+}
+
+openvdb::CoordBBox box_of(const py::object& bounds) {
+  try {
+    const auto corners = bounds.cast<std::pair<std::array<int, 3>, std::array<int, 3>>>();
+    return {openvdb::Coord(corners.first.data()), openvdb::Coord(corners.second.data())};
+  } catch (const py::cast_error&) {
+    throw py::type_error("bounds must be two tuples of 3 ints, the first and the last voxel");
+  }
 }
 
 py::object bounds_of(const GridObject& of) {
@@ -70,12 +93,16 @@ std::string represent(const GridObject& of) {
 
 }  // namespace
 
-py::array to_numpy(const GridObject& of, const py::object& bounds) {
+void refuse_empty(PyHeapTypeObject* type) {
+  type->ht_type.tp_new = [](PyTypeObject* of, PyObject*, PyObject*) -> PyObject* {
+    return PyErr_Format(PyExc_TypeError, "%s cannot be made by itself; make_volume() and read_volume() do",
+                        of->tp_name);
+  };
+}
+
+py::array to_numpy(const GridObject& of, const py::object& bounds, const Call& call) {
   openvdb::CoordBBox box = of.grid->evalActiveVoxelBoundingBox();
-  if (!bounds.is_none()) {
-    const auto corners = bounds.cast<std::pair<std::array<int, 3>, std::array<int, 3>>>();
-    box = {openvdb::Coord(corners.first.data()), openvdb::Coord(corners.second.data())};
-  }
+  if (!bounds.is_none()) box = box_of(bounds);
   const auto floats = openvdb::gridConstPtrCast<openvdb::FloatGrid>(of.grid);
   const auto vectors = in_single_precision(*of.grid);
   if (!floats && !vectors) {
@@ -89,9 +116,9 @@ py::array to_numpy(const GridObject& of, const py::object& bounds) {
   py::array_t<float> array(shape);
   if (empty) return array;
   float* const memory = array.mutable_data();
-  run({std::nullopt, py::none()}, [&](Progress&) {
-    if (floats) return copy_dense(*floats, box, memory);
-    copy_dense(*vectors, box, memory);
+  run(call, [&](Progress& told) {
+    if (floats) return copy_dense(*floats, box, memory, told);
+    copy_dense(*vectors, box, memory, told);
   });
   return array;
 }
@@ -124,13 +151,21 @@ void add_grid(py::module_& module) {
   property(
       "metadata", [](const GridObject& g) { return metadata_of(*g.grid); },
       "What the file says of it, as a new dict.");
-  of.def("to_numpy", &to_numpy, "bounds"_a = py::none(), R"(to_numpy(self, bounds=None)
+  of.def(
+      "to_numpy",
+      [](const GridObject& g, const py::object& bounds, std::optional<int> threads, py::object progress) {
+        return to_numpy(g, bounds, {threads, std::move(progress)});
+      },
+      "bounds"_a = py::none(), py::kw_only(), "threads"_a = py::none(), "progress"_a = py::none(),
+      R"(to_numpy(self, bounds=None, *, threads=None, progress=None)
 --
 
 The values of a box of voxels, active or not, as a new array of float32: (x, y, z), or (x, y, z, 3) of vectors.
 
 bounds : two tuples of 3 ints
-    The first and the last voxel; left out, the box of active voxels.)");
+    The first and the last voxel; left out, the box of active voxels.
+threads, progress
+    As of Noise.)");
   of.def("__repr__", [](const GridObject& g) { return represent(g); });
 }
 

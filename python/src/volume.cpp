@@ -101,12 +101,12 @@ py::object to_pyopenvdb(const VolumeObject& volume) {
   return grids;
 }
 
-py::array preview(const VolumeObject& volume, py::object progress) {
+py::array preview(const VolumeObject& volume, std::optional<int> threads, py::object progress) {
   if (!volume.recipe || volume.volume.grids.empty()) {
     throw std::invalid_argument("a preview needs a volume that was made or merged, not read");
   }
   Image image;
-  run({std::nullopt, std::move(progress)},
+  run({threads, std::move(progress)},
       [&](Progress& told) { image = picture_of(volume.volume, *volume.recipe, nullptr, &told); });
   return array_of_image(std::move(image));
 }
@@ -135,10 +135,12 @@ void add_volume_class(py::module_& module) {
       "The recipe that makes the volume again, as a new dict; None of a file that carries none.");
   of.def(
       "to_numpy",
-      [](const VolumeObject& volume, const std::optional<std::string>& grid) {
-        return to_numpy(find_grid(volume, grid), py::none());
+      [](const VolumeObject& volume, const std::optional<std::string>& grid, std::optional<int> threads,
+         py::object progress) {
+        return to_numpy(find_grid(volume, grid), py::none(), {threads, std::move(progress)});
       },
-      "grid"_a = py::none(), R"(to_numpy(self, grid=None)
+      "grid"_a = py::none(), py::kw_only(), "threads"_a = py::none(), "progress"_a = py::none(),
+      R"(to_numpy(self, grid=None, *, threads=None, progress=None)
 --
 
 The values of the grid of this name, or of the first one: see Grid.to_numpy().)");
@@ -159,13 +161,16 @@ force : bool
     Whether a file that exists is replaced; without it, FileExistsError is raised.
 frame : int, fps : float, above 0
     Noted in the file.
+threads, progress
+    As of Noise.
 
 Raises OSError for a file that cannot be written.)");
   of.def("to_pyopenvdb", &to_pyopenvdb, R"(to_pyopenvdb(self)
 --
 
 The grids as a list of those of the module pyopenvdb, copied. Raises ImportError where it is not installed.)");
-  of.def("preview", &preview, py::kw_only(), "progress"_a = py::none(), R"(preview(self, *, progress=None)
+  of.def("preview", &preview, py::kw_only(), "threads"_a = py::none(), "progress"_a = py::none(),
+         R"(preview(self, *, threads=None, progress=None)
 --
 
 A picture of the volume, as vdbnoise --preview makes it: an array (480, 480, 3) of float32, sRGB-encoded, 0 to 1, row 0 at the top.)");

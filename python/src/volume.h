@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "call.h"
 #include "solidnoise/core/image.h"
 #include "solidnoise/core/moments.h"
 #include "solidnoise/volume/volume.h"
@@ -42,7 +43,10 @@ VolumeRecipe volume_recipe_of(py::handle recipe, const py::dict& keywords);
 GridObject find_grid(const VolumeObject& volume, const std::optional<std::string>& name);
 
 // The voxels of a box, two corners, or of that of the active ones.
-py::array to_numpy(const GridObject& of, const py::object& bounds);
+py::array to_numpy(const GridObject& of, const py::object& bounds, const Call& call);
+
+// For classes whose objects come from functions alone: Class.__new__() raises, too.
+void refuse_empty(PyHeapTypeObject* type);
 
 // (rows, columns) or (rows, columns, channels).
 py::array array_of_image(Image&& image);

@@ -48,6 +48,19 @@ def test_interruption_ends_a_call() -> None:
     assert found.stdout == "interrupted\n(8, 8, 8)\n" and found.returncode == 0, found.stderr
 
 
+def test_interruption_ends_a_texture() -> None:
+    found = run("""
+        import os, signal, threading, numpy as np, solidnoise
+        model = solidnoise.fit(np.random.default_rng(1).random((64, 64, 3)))
+        threading.Timer(0.3, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
+        try:
+            model.texture((16384, 16384))  # minutes
+        except KeyboardInterrupt:
+            print("interrupted")
+    """)
+    assert found.stdout == "interrupted\n" and found.returncode == 0, found.stderr
+
+
 def test_interruption_ends_the_fit_of_a_solid_and_curvature() -> None:
     for call in ("solidnoise.fit(pixels, solid=True, kappa=1e-6)", "solidnoise.curvature(vertices, faces, smooth=10000)"):
         found = run(f"""
@@ -66,7 +79,7 @@ def test_interruption_ends_the_fit_of_a_solid_and_curvature() -> None:
         assert found.stdout == "interrupted\n" and found.returncode == 0, (call, found.stderr)
 
 
-def test_curvature_and_the_fit_of_a_solid_tell_their_progress() -> None:
+def test_curvature_the_fit_of_a_solid_and_textures_tell_their_progress() -> None:
     x, y = np.meshgrid(np.arange(100.0), np.arange(100.0))
     vertices = np.stack([x.ravel(), y.ravel(), np.sin(0.1 * x.ravel())], axis=-1)
     corner = (np.arange(99)[:, None] * 100 + np.arange(99)).ravel()
@@ -78,7 +91,10 @@ def test_curvature_and_the_fit_of_a_solid_tell_their_progress() -> None:
     def learn(told: Callable[[float], object]) -> object:
         return solidnoise.fit(np.random.default_rng(1).random((256, 256)), solid=True, progress=told)
 
-    for call in (bend, learn):
+    def draw(told: Callable[[float], object]) -> object:
+        return solidnoise.fit(np.random.default_rng(1).random((64, 64))).texture((2048, 2048), progress=told)
+
+    for call in (bend, learn, draw):
         fractions: list[float] = []
         call(fractions.append)
         assert len(fractions) > 2 and fractions == sorted(fractions) and fractions[-1] == 1.0

@@ -216,8 +216,15 @@ AnalysisSubject analysis_subject(openvdb::FloatGrid::Ptr grid, const std::string
   return subject;
 }
 
-AnalysisReport analyze(const AnalysisSubject& subject) {
+AnalysisReport analyze(const AnalysisSubject& subject, Progress* progress) {
+  constexpr std::uint64_t kSteps = 3;
+  std::uint64_t done = 0;
+  const auto end_step = [&] {
+    throw_if_cancelled(progress);
+    if (progress) progress->advance(++done, kSteps);
+  };
   const Moments moments = measure(*subject.grid);
+  end_step();
   const double mean = subject.noise ? 0.0 : moments.mean();
   const double sigma = subject.noise ? std::sqrt(subject.noise->variance()) : moments.sigma();
   AnalysisReport report;
@@ -226,12 +233,14 @@ AnalysisReport analyze(const AnalysisSubject& subject) {
   report.json["expected"] = describe_expected(subject.noise.get());
   report.json["histogram"] = sigma > 0.0 ? describe_histogram(*subject.grid, mean, sigma) : Json(nullptr);
   report.json["spectrum"] = nullptr;
+  end_step();
   if (!subject.block) return report;
 
   PeriodogramOptions options;
   options.mean = mean;
   const PowerSpectrum<3> spectrum = periodogram(*subject.block, options);
   report.spectrum = radial_average(spectrum);
+  end_step();
   if (is_comparable(subject)) report.comparison = compare(subject, spectrum);
   report.json["spectrum"] = describe_spectrum(report, *subject.block);
   return report;

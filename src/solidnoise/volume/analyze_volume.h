@@ -9,6 +9,7 @@
 
 #include "solidnoise/analysis/dense_field.h"
 #include "solidnoise/analysis/radial_spectrum.h"
+#include "solidnoise/core/progress.h"
 #include "solidnoise/noise/noise.h"
 #include "solidnoise/recipe/json.h"
 #include "solidnoise/volume/vdb/openvdb.h"
@@ -40,7 +41,7 @@ struct AnalysisReport {
 };
 
 // Moments of the active voxels, their histogram beside the Gaussian's, and the radial power spectrum of the
-// block, each beside its closed form where there is a noise.
-AnalysisReport analyze(const AnalysisSubject& subject);
+// block, each beside its closed form where there is a noise. Throws Cancelled.
+AnalysisReport analyze(const AnalysisSubject& subject, Progress* progress = nullptr);
 
 }  // namespace solidnoise

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <memory>
@@ -44,19 +45,22 @@ NoisePlane plane_of(const SpectrumNoiseOptions& options, const Vec<3>& origin) {
 }
 
 DenseField<2> evaluate(const SpectrumNoiseOptions& options, const glm::ivec2& count, const Vec<2>& step,
-                       const Vec<3>& origin) {
+                       const Vec<3>& origin, Progress& progress) {
   const bool flat = options.model.channels[static_cast<std::size_t>(options.channel)].dimensions == 2;
   const NoisePlane plane = flat ? plane_of<2>(options, origin) : plane_of<3>(options, origin);
   const auto interpolated =
       interpolate<2>(plane.noise, {plane.origin, step}, ErrorBudget(options.error).interpolation);
   DenseField<2> field(count, step);
   const int strips = (count.x + kStrip - 1) / kStrip;
+  std::atomic<std::uint64_t> done{0};
   tbb::parallel_for(0, strips, [&](int strip) {
+    throw_if_cancelled(&progress);
     const int begin = strip * kStrip;
     const Lattice<2> lattice{plane.origin, step, {begin, 0}, {std::min(kStrip, count.x - begin), count.y}};
     const std::size_t offset = static_cast<std::size_t>(begin) * static_cast<std::size_t>(count.y);
     const std::span<float> values(field.values.data() + offset, lattice.size());
     interpolated->block(lattice.bounds())->evaluate(lattice, Samples<2>{values, {}});
+    progress.advance(++done, static_cast<std::uint64_t>(strips));
   });
   return field;
 }
@@ -64,7 +68,8 @@ DenseField<2> evaluate(const SpectrumNoiseOptions& options, const glm::ivec2& co
 }  // namespace
 
 Exemplar<2> procedural_texture(const ExemplarModel& model, const glm::ivec2& count, const Vec<2>& step,
-                               const Vec<3>& origin, std::uint64_t seed) {
+                               const Vec<3>& origin, std::uint64_t seed, Progress* progress) {
+  const auto share = 1.0 / static_cast<double>(model.channels.size());
   std::vector<DenseField<2>> channels;
   for (std::size_t k = 0; k < model.channels.size(); ++k) {
     SpectrumNoiseOptions options;
@@ -72,7 +77,8 @@ Exemplar<2> procedural_texture(const ExemplarModel& model, const glm::ivec2& cou
     options.channel = static_cast<int>(k);
     options.frequency = model.principal_frequency();  // as in the exemplar
     options.seed = derive_seed(seed, k);
-    channels.push_back(evaluate(options, count, step, origin));
+    PartialProgress part(progress, share * static_cast<double>(k), share * static_cast<double>(k + 1));
+    channels.push_back(evaluate(options, count, step, origin, part));
     const auto deviation = static_cast<float>(std::sqrt(model.channels[k].variance()));
     for (float& value : channels.back().values) value *= deviation;
   }
@@ -168,7 +174,8 @@ Image draw_texture(const Exemplar<2>& texture, bool raw_values, const ExemplarSh
   return image;
 }
 
-std::vector<Panel> make_panels(const Exemplar<2>& exemplar, const ExemplarModel& model, std::uint64_t seed) {
+std::vector<Panel> make_panels(const Exemplar<2>& exemplar, const ExemplarModel& model, std::uint64_t seed,
+                               Progress* progress) {
   const glm::ivec2 count = exemplar.shape().count;
   const Vec<2> step = exemplar.shape().step;
   const Vec<3> origin(0.0);
@@ -176,13 +183,18 @@ std::vector<Panel> make_panels(const Exemplar<2>& exemplar, const ExemplarModel&
   std::vector<Panel> panels;
   panels.push_back({"exemplar", exemplar, {}});
   panels.push_back({"Gaussian version", gaussian_version(exemplar, seed), {}});
+  const double middle = planar ? 0.0 : 0.5;  // of the work: a second texture of a solid noise is as much
+  PartialProgress first(progress, 0.0, middle);
+  PartialProgress last(progress, middle, 1.0);
+  throw_if_cancelled(progress);
   if (planar) {
     panels.push_back({"sparse spectrum", gaussian_texture(model, count, step, seed), {}});
-    panels.push_back({"procedural noise", procedural_texture(model, count, step, origin, seed), {}});
+    panels.push_back({"procedural noise", procedural_texture(model, count, step, origin, seed, &last), {}});
   } else {
-    panels.push_back({"solid noise, a slice", procedural_texture(model, count, step, origin, seed), {}});
+    panels.push_back(
+        {"solid noise, a slice", procedural_texture(model, count, step, origin, seed, &first), {}});
     const Vec<3> far(0.0, 0.0, 1000.0 * step.x);
-    panels.push_back({"solid noise, another", procedural_texture(model, count, step, far, seed), {}});
+    panels.push_back({"solid noise, another", procedural_texture(model, count, step, far, seed, &last), {}});
   }
   for (Panel& panel : panels) panel.spectrum = brightness_spectrum(panel.texture);
   if (planar) panels[2].spectrum = brightness_density(model, panels[2].spectrum);
@@ -192,11 +204,11 @@ std::vector<Panel> make_panels(const Exemplar<2>& exemplar, const ExemplarModel&
 }  // namespace
 
 Image draw_exemplar_sheet(const Exemplar<2>& whole, const ExemplarModel& model,
-                          const ExemplarSheetOptions& options) {
+                          const ExemplarSheetOptions& options, Progress* progress) {
   const glm::ivec2 count = glm::ivec2(std::min(kLargestShown, whole.shape().count.x),
                                       std::min(kLargestShown, whole.shape().count.y));
   const Exemplar<2> exemplar = cut(whole, count);
-  const std::vector<Panel> panels = make_panels(exemplar, model, options.seed);
+  const std::vector<Panel> panels = make_panels(exemplar, model, options.seed, progress);
   const int zoom = std::max(1, (kEnlargeBelow + std::max(count.x, count.y) - 1) / std::max(count.x, count.y));
   const int width = zoom * count.x;
   const int height = zoom * count.y;

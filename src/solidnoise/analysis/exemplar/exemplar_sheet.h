@@ -5,6 +5,7 @@
 
 #include "solidnoise/analysis/exemplar/exemplar.h"
 #include "solidnoise/core/image.h"
+#include "solidnoise/core/progress.h"
 #include "solidnoise/noise/gabor/gabor_spectrum.h"
 
 namespace solidnoise {
@@ -26,12 +27,13 @@ inline constexpr int kLargestShown = 512;  // pixels of an exemplar along an axi
 // brightness: periodograms, and the sparse spectrum itself in the third. Exemplars of under 200 pixels are
 // enlarged, large ones cut to kLargestShown. For an isotropic or oriented noise in 3D, which has no sparse
 // spectrum in 2D, the third panel shows another slice of the noise. Returns sRGB-encoded pixels, 3 channels.
+// Throws Cancelled.
 Image draw_exemplar_sheet(const Exemplar<2>& exemplar, const ExemplarModel& model,
-                          const ExemplarSheetOptions& options = {});
+                          const ExemplarSheetOptions& options = {}, Progress* progress = nullptr);
 
 // The colours of the model's procedural noise on a grid of samples from `origin` on; of a noise in 3D, its
-// slice across the third axis there. Not encoded.
+// slice across the third axis there. Not encoded. Throws Cancelled.
 Exemplar<2> procedural_texture(const ExemplarModel& model, const glm::ivec2& count, const Vec<2>& step,
-                               const Vec<3>& origin, std::uint64_t seed);
+                               const Vec<3>& origin, std::uint64_t seed, Progress* progress = nullptr);
 
 }  // namespace solidnoise
