@@ -76,6 +76,21 @@ void add_edits(ModelClass& of) {
       "translate(self, by, *, group=None, channel=None)\n--\n\nA model to whose frequencies a vector is "
       "added, cycles per world unit.");
   of.def(
+      "select",
+      [](const ExemplarModel& model, double lower, double upper, double direction, double spread,
+         const std::string& name, std::optional<std::string> group, std::optional<int> channel) {
+        const ComponentSelection selection{lower, upper, direction, spread};
+        return edited(model, {group, channel}, false, [&](GaborSpectrum& spectrum, std::size_t) {
+          select_group(spectrum, group, selection, name);
+        });
+      },
+      "lower"_a, "upper"_a, py::kw_only(), "direction"_a = 0.0, "spread"_a = 180.0, "name"_a = "selected",
+      "group"_a = py::none(), "channel"_a = py::none(),
+      "select(self, lower, upper, *, direction=0.0, spread=180.0, name='selected', group=None, "
+      "channel=None)\n--\n\nA model in which the components of frequencies from lower on and below upper, "
+      "cycles per world unit, are a group of that name: those of directions within spread of direction, "
+      "degrees counterclockwise from the first axis.");
+  of.def(
       "remove",
       [](const ExemplarModel& model, const std::string& group, std::optional<int> channel) {
         return edited(model, {group, channel}, false,
