@@ -181,9 +181,9 @@ columns, 3) of float32, sRGB-encoded. picture and reading are those of fit().)")
   of.def("__hash__", [](const ExemplarModel& model) {
     return std::hash<std::string>()(exemplar_file_to_json(model).dump());
   });
-  of.def(
-      py::pickle([](const ExemplarModel& model) { return py::dict(object_of(exemplar_file_to_json(model))); },
-                 [](const py::dict& recipe) { return model_of(recipe); }));
+  of.def("__reduce__", [](const py::object& self) {  // by the constructor, in pickles of any protocol
+    return py::make_tuple(py::type::of(self), py::make_tuple(self.attr("recipe")));
+  });
   add_edits(of);
 }
 

@@ -125,7 +125,7 @@ py::array to_numpy(const GridObject& of, const py::object& bounds, const Call& c
 
 void add_grid(py::module_& module) {
   using namespace py::literals;
-  py::class_<GridObject> of(module, "Grid",
+  py::class_<GridObject> of(module, "Grid", py::custom_type_setup(&refuse_empty),
                             "A grid of a volume. What it holds belongs to the volume; to_numpy() copies it.");
   const auto property = [&](const char* name, auto get, const char* text) {
     of.def_property_readonly(name, get, text);

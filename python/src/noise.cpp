@@ -116,13 +116,12 @@ do neither.)");
   });
   of.def("__hash__",
          [](const NoiseObject& noise) { return std::hash<std::string>()(to_json(noise.recipe()).dump()); });
-  of.def(py::pickle(
-      [](const NoiseObject& noise) {
-        return py::make_tuple(object_of(to_json(noise.recipe())), noise.made_dims(), noise.time());
-      },
-      [](const py::tuple& state) {
-        return make_object(state[0], state[1].cast<int>(), state[2].cast<std::optional<double>>(), {});
-      }));
+  of.def("__reduce__", [](const py::object& self) {  // by the constructor, in pickles of any protocol
+    const auto& noise = self.cast<const NoiseObject&>();
+    const py::object partial = py::module_::import("functools").attr("partial");
+    return py::make_tuple(partial(py::type::of(self), "dims"_a = noise.made_dims(), "time"_a = noise.time()),
+                          py::make_tuple(object_of(to_json(noise.recipe()))));
+  });
 }
 
 // A function for each kind of noise, whose keywords are its options.

@@ -114,7 +114,7 @@ py::array preview(const VolumeObject& volume, std::optional<int> threads, py::ob
 void add_volume_class(py::module_& module) {
   using namespace py::literals;
   py::class_<VolumeObject> of(
-      module, "Volume",
+      module, "Volume", py::custom_type_setup(&refuse_empty),
       R"(A volume: one or several grids of the same voxels. make_volume(), merge() and read_volume() make them.
 
     volume.grids["density"].to_numpy()     # an array (x, y, z)

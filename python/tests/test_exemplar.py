@@ -115,7 +115,8 @@ def test_edits_return_other_models(model: solidnoise.ExemplarModel) -> None:
 
 
 def test_models_are_copied_pickled_and_compared(model: solidnoise.ExemplarModel) -> None:
-    for again in (pickle.loads(pickle.dumps(model)), copy.deepcopy(model), copy.copy(model), solidnoise.ExemplarModel(model.recipe)):
+    pickled = [pickle.loads(pickle.dumps(model, protocol)) for protocol in range(pickle.HIGHEST_PROTOCOL + 1)]
+    for again in (*pickled, copy.deepcopy(model), copy.copy(model), solidnoise.ExemplarModel(model.recipe)):
         assert again == model and hash(again) == hash(model) and repr(again) == repr(model)
     assert model != model.scale(2)
     assert "components" in repr(model) and model.description

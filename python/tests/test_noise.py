@@ -168,7 +168,8 @@ def test_time() -> None:
 
 @pytest.mark.parametrize("noise", [*KINDS, solidnoise.gabor(dims=4).at_time(0.5), solidnoise.gabor(evolve=1, time=2)], ids=repr)
 def test_noises_are_copied_pickled_and_compared(noise: solidnoise.Noise) -> None:
-    for again in (pickle.loads(pickle.dumps(noise)), copy.copy(noise), copy.deepcopy(noise), eval(repr(noise))):
+    pickled = [pickle.loads(pickle.dumps(noise, protocol)) for protocol in range(pickle.HIGHEST_PROTOCOL + 1)]
+    for again in (*pickled, copy.copy(noise), copy.deepcopy(noise), eval(repr(noise))):
         assert again == noise and hash(again) == hash(noise) and repr(again) == repr(noise)
         np.testing.assert_array_equal(again(POINTS[:9]), noise(POINTS[:9]))
     other: object = 3
