@@ -13,6 +13,7 @@
 #include "json.h"
 #include "solidnoise/core/check.h"
 #include "solidnoise/image/image_file.h"
+#include "solidnoise/volume/slice/grid_slice.h"
 #include "solidnoise/volume/slice/slice_image.h"
 #include "solidnoise/volume/slice/slice_view.h"
 #include "volume.h"
@@ -36,6 +37,13 @@ SliceRecipe::Component component_of(const std::string& word) {
       fmt::format("component is {}; it must be one of {}", word, fmt::join(words, ", ")));
 }
 
+// That of a volume or a grid; none of what else is sliced.
+GridObject grid_in(py::handle object, const std::optional<std::string>& name) {
+  if (py::isinstance<GridObject>(object)) return object.cast<const GridObject&>();
+  if (py::isinstance<VolumeObject>(object)) return find_grid(object.cast<const VolumeObject&>(), name);
+  return {};
+}
+
 struct SliceArguments {
   py::object origin;
   py::object normal;
@@ -51,7 +59,10 @@ py::array slice_object(py::handle recipe, const SliceArguments& arguments, const
                        const py::kwargs& keywords) {
   constexpr int kMostPixels = 16384;
   SliceRecipe slice;
-  if (is_path(recipe) && path_of(recipe).extension() == ".vdb") {
+  const GridObject of = grid_in(recipe, arguments.grid);
+  if (of.grid) {
+    slice.file = of.file.empty() ? "the volume" : of.file;
+  } else if (is_path(recipe) && path_of(recipe).extension() == ".vdb") {
     slice.file = path_of(recipe).string();
     slice.grid = arguments.grid.value_or("");
   } else {
@@ -76,7 +87,8 @@ py::array slice_object(py::handle recipe, const SliceArguments& arguments, const
   Image image;
   run(call, [&](Progress& told) {
     place_plane(view, slice);
-    const std::vector<SliceField> fields = make_slice_fields(slice);
+    const std::vector<SliceField> fields =
+        of.grid ? make_grid_slices(slice, of.grid) : make_slice_fields(slice);
     if (fields.front().bounds) fit_plane(view, *fields.front().bounds, slice.plane);
     std::vector<DenseField<2>> channels;
     for (const SliceField& field : fields)
@@ -130,7 +142,7 @@ void add_pictures(py::module_& module) {
 
 The values on a plane, at the centres of square pixels.
 
-recipe : as of make_volume(), of raw noise; or the path of a .vdb
+recipe : as of make_volume(), of raw noise; or a Volume, a Grid, or the path of a .vdb
     Whose noise, or whose grid, is sliced.
 origin : 3 floats, world units
     The middle; left out, 0, or the middle of the grid.
@@ -140,7 +152,7 @@ width : float, world units
     Of the picture; left out, 2, the noise's period, or that of the grid.
 resolution : int, or columns and rows
 grid, component : str
-    Of a .vdb: the grid; of vectors x, y, z or length alone.
+    Of a volume: the grid; of vectors x, y, z or length alone.
 color : bool
     Three channels: an exemplar's own colours, in linear light, or three independent noises.
 

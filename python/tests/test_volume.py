@@ -126,8 +126,12 @@ def test_slices_are_those_of_the_noise(tmp_path: Path) -> None:
     # Sums at points and on lattices differ in the last bits.
     np.testing.assert_allclose(picture, solidnoise.Noise(recipe["noise"])(points), atol=2e-5)
     assert solidnoise.slice(recipe, resolution=16, color=True).shape == (16, 16, 3)
-    solidnoise.make_volume(solidnoise.preset("cumulus"), dim=24).write(tmp_path / "cloud.vdb")
-    assert solidnoise.slice(tmp_path / "cloud.vdb", resolution=32).max() > 0.0
+    volume = solidnoise.make_volume(solidnoise.preset("cumulus"), dim=24)
+    volume.write(tmp_path / "cloud.vdb")
+    by_file = solidnoise.slice(tmp_path / "cloud.vdb", resolution=32)
+    assert by_file.max() > 0.0
+    for of in (volume, volume.grids["density"], solidnoise.read_volume(tmp_path / "cloud.vdb")):
+        np.testing.assert_array_equal(solidnoise.slice(of, resolution=32), by_file)
 
 
 def test_pictures_are_written(tmp_path: Path) -> None:

@@ -4,6 +4,7 @@
 #include <type_traits>
 #include <utility>
 
+#include <fmt/format.h>
 #include <openvdb/tools/Interpolation.h>
 
 #include "solidnoise/field/pointwise_field.h"
@@ -76,7 +77,10 @@ std::vector<SliceField> make_grid_fields(const SliceRecipe& slice, const typenam
 }  // namespace
 
 std::vector<SliceField> make_grid_slices(const SliceRecipe& slice) {
-  const openvdb::GridBase::Ptr grid = read_float_or_vector_grid(slice.file, slice.grid);
+  return make_grid_slices(slice, read_float_or_vector_grid(slice.file, slice.grid));
+}
+
+std::vector<SliceField> make_grid_slices(const SliceRecipe& slice, const openvdb::GridBase::ConstPtr& grid) {
   if (grid->activeVoxelCount() == 0) throw std::runtime_error(slice.file + ": no voxel of it is active");
   std::vector<SliceField> fields;
   const auto make = [&]<typename Grid>(const Grid& typed) {
@@ -85,7 +89,10 @@ std::vector<SliceField> make_grid_slices(const SliceRecipe& slice) {
   };
   using Grids = openvdb::TypeList<openvdb::FloatGrid, openvdb::Vec3SGrid, openvdb::Vec3DGrid>;
   try {
-    grid->apply<Grids>(make);
+    if (!grid->apply<Grids>(make)) {
+      throw std::runtime_error(fmt::format("{}: grid {} is of {}; it must be of float or vectors", slice.file,
+                                           grid->getName(), grid->valueType()));
+    }
   } catch (const std::invalid_argument& error) {
     throw std::runtime_error(error.what());
   }
