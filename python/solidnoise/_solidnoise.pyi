@@ -169,7 +169,7 @@ def bake(
     vertices: npt.ArrayLike, faces: npt.ArrayLike | Sequence[Sequence[int]], recipe: _Source | None = ..., *,
     attributes: Mapping[str, npt.ArrayLike] = ..., keep: Sequence[str] = ..., threads: int | None = ..., progress: _Progress | None = ...,
     **keys: Any,
-) -> dict[str, npt.NDArray[Any]]: ...
+) -> dict[str, Any]: ...
 def curvature(
     vertices: npt.ArrayLike, faces: npt.ArrayLike | Sequence[Sequence[int]], *, smooth: int = ..., smooth_radius: float = ...,
     threads: int | None = ..., progress: _Progress | None = ...,

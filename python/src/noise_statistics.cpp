@@ -88,7 +88,8 @@ over all frequencies is the variance. Returns float64 (...).)");
       R"(covariance(self, displacement, /)
 --
 
-The covariance of values so far apart, an array (..., dims), world units: the transform of the power spectrum. Returns float64 (...). Noises that are not stationary (kensler) have none, and give 0.)");
+The covariance of values so far apart, an array (..., dims), world units: the transform of the power spectrum, but for the
+noise's error, of 1 dimension up to 0.015. Returns float64 (...). Noises that are not stationary (kensler) have none, and give 0.)");
   const auto number = [&](const char* name, auto get, const char* text) {
     of.def_property_readonly(
         name,

@@ -92,6 +92,14 @@ def test_arrays_have_vectors_last_and_boxes_are_cut() -> None:
     corner = (lower, (lower[0] + 1, lower[1] + 2, lower[2] + 3))
     np.testing.assert_array_equal(grid.to_numpy(corner), values[:2, :3, :4])
     outside = ((1000, 0, 0), (1001, 0, 0))
+    long = solidnoise.make_volume(dim=200, box=[1.0, 0.04, 0.04]).grids["density"]  # copied in slabs
+    assert long.bounds is not None
+    (x, y, z), upper = long.bounds
+    fractions: list[float] = []
+    whole = long.to_numpy(progress=fractions.append)
+    assert whole.shape[0] > 190 and fractions[-1] == 1.0
+    for cut in range(0, whole.shape[0], 50):
+        np.testing.assert_array_equal(long.to_numpy(((x + cut, y, z), (x + cut, *upper[1:]))), whole[cut : cut + 1])
     np.testing.assert_array_equal(grid.to_numpy(outside), np.zeros((2, 1, 1, 3), np.float32))
 
 
@@ -149,18 +157,6 @@ REFUSED: list[tuple[Callable[[], object], type[Exception], str]] = [
     (lambda: solidnoise.make_volume(dim=0), ValueError, r"dim is 0; it must be between 1 and 1048576 \(voxels\)"),
     (lambda: solidnoise.make_volume({"noise": {"type": "gabor", "bandwidth": 9}}), ValueError, "noise.bandwidth is 9; it must be"),
     (lambda: solidnoise.make_volume(codek="zip"), ValueError, r"codek is unknown; did you mean codec\?"),
-    (lambda: solidnoise.make_volume({"solidnoise": 9}), ValueError, "solidnoise is 9"),
-    (lambda: solidnoise.make_volume("missing.json"), OSError, "missing.json: cannot be read"),
-    (lambda: solidnoise.make_volume(shape={"type": "mesh", "file": "missing.ply"}, dim=8), OSError, "missing.ply"),
-    (lambda: solidnoise.make_volume(shard=(3, 2), dim=8), ValueError, "shard"),
-    (lambda: solidnoise.read_volume("missing.vdb"), OSError, "missing.vdb"),
-    (lambda: solidnoise.merge([]), (ValueError, OSError), ""),  # type: ignore[list-item]
-    (lambda: solidnoise.make_volume(dim=8).to_numpy("vel"), ValueError, "grid is vel; it must be one of density"),
-    (lambda: solidnoise.analyze(solidnoise.make_volume(solidnoise.preset("velocity"), dim=8)), ValueError, "vec3s"),
-    (lambda: solidnoise.slice({}, width=-1), ValueError, "width is -1; it must be greater than 0"),
-    (lambda: solidnoise.slice({}, resolution=0), ValueError, "resolution is 0; it must be between 1 and 16384"),
-    (lambda: solidnoise.slice(solidnoise.preset("cumulus")), ValueError, "slice the volume"),
-]
     (lambda: solidnoise.make_volume(dimm=8), ValueError, r"dimm is unknown; did you mean dim\?"),
     (lambda: solidnoise.make_volume(noise={"type": "spectrum"}), ValueError, "noise.exemplar is missing"),
     (lambda: solidnoise.make_volume(dim=8).write("x.foo"), ValueError, "path is x.foo; it must end in .vdb or .nvdb"),
@@ -174,6 +170,18 @@ REFUSED: list[tuple[Callable[[], object], type[Exception], str]] = [
     (lambda: solidnoise.Volume(), TypeError, "Volume cannot be made by itself"),
     (lambda: solidnoise.write_image("x.png", [[1, 2], [3]]), ValueError, "pixels must be an array, or lists"),
     (lambda: solidnoise.slice(solidnoise.make_volume(dim=8), grid="vel"), ValueError, "grid is vel; it must be one of density"),
+    (lambda: solidnoise.make_volume({"solidnoise": 9}), ValueError, "solidnoise is 9"),
+    (lambda: solidnoise.make_volume("missing.json"), OSError, "missing.json: cannot be read"),
+    (lambda: solidnoise.make_volume(shape={"type": "mesh", "file": "missing.ply"}, dim=8), OSError, "missing.ply"),
+    (lambda: solidnoise.make_volume(shard=(3, 2), dim=8), ValueError, "shard"),
+    (lambda: solidnoise.read_volume("missing.vdb"), OSError, "missing.vdb"),
+    (lambda: solidnoise.merge([]), (ValueError, OSError), ""),  # type: ignore[list-item]
+    (lambda: solidnoise.make_volume(dim=8).to_numpy("vel"), ValueError, "grid is vel; it must be one of density"),
+    (lambda: solidnoise.analyze(solidnoise.make_volume(solidnoise.preset("velocity"), dim=8)), ValueError, "vec3s"),
+    (lambda: solidnoise.slice({}, width=-1), ValueError, "width is -1; it must be greater than 0"),
+    (lambda: solidnoise.slice({}, resolution=0), ValueError, "resolution is 0; it must be between 1 and 16384"),
+    (lambda: solidnoise.slice(solidnoise.preset("cumulus")), ValueError, "slice the volume"),
+]
 
 
 @pytest.mark.parametrize("call, error, message", REFUSED)
