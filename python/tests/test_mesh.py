@@ -128,7 +128,7 @@ REFUSED: list[tuple[Callable[[], object], type[Exception], str]] = [
     (lambda: solidnoise.bake(VERTICES * np.nan, FACES), ValueError, "finite"),
     (lambda: solidnoise.bake(np.zeros((0, 3)), FACES), ValueError, "vertices is empty; there must be one at least"),
     (lambda: solidnoise.bake([[0, 0, 0], [1]], FACES), ValueError, "vertices must be an array, or lists"),
-    (lambda: solidnoise.bake(VERTICES, [[[0, 1], [2]]]), ValueError, "faces must be an array, or lists"),  # type: ignore[list-item]
+    (lambda: solidnoise.bake(VERTICES, [[[0, 1], [2]]]), ValueError, "faces must be an array, or lists"),
     (lambda: solidnoise.bake(VERTICES, FACES, attributes={"paint": np.full(len(VERTICES), np.nan)}), ValueError, "paint is nan; it must be"),
     (lambda: solidnoise.bake(VERTICES, FACES, surface={"noise": "spectrum"}), ValueError, "surface.exemplar is missing"),
     (lambda: solidnoise.bake(VERTICES, FACES, bandwidth=-1), ValueError, r"bandwidth is -1; it must be between 0.1 and 4"),

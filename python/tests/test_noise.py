@@ -211,7 +211,6 @@ REFUSED: list[tuple[Callable[[], object], type[Exception], str]] = [
     (lambda: KINDS[0].lattice([[0, 0, 0], [1, 1, 1]], 0.1, 4), ValueError, "origin has 6 numbers; it must have 3"),  # type: ignore[list-item]
     (lambda: KINDS[0]([[0, 0, 0], [1]]), ValueError, "points must be an array, or lists that are as long as each other"),
     (lambda: solidnoise.spectrum(), ValueError, "exemplar is missing; it must be the model of an exemplar"),  # type: ignore[call-arg]
-    (lambda: solidnoise.Noise(3), TypeError, "."),  # type: ignore[arg-type]
     (lambda: KINDS[0].lattice(0, 1, 2.5), ValueError, "shape is 2.5; it must be whole"),  # type: ignore[call-overload]
     (lambda: KINDS[0].lattice(0, 1, 100000), MemoryError, ""),
     (lambda: KINDS[0](POINTS, threads=0), ValueError, "threads is 0; it must be between 1 and 4096"),

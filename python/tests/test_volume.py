@@ -138,7 +138,8 @@ def test_slices_are_those_of_the_noise(tmp_path: Path) -> None:
     volume.write(tmp_path / "cloud.vdb")
     by_file = solidnoise.slice(tmp_path / "cloud.vdb", resolution=32)
     assert by_file.max() > 0.0
-    for of in (volume, volume.grids["density"], solidnoise.read_volume(tmp_path / "cloud.vdb")):
+    sources: list[solidnoise.Volume | solidnoise.Grid] = [volume, volume.grids["density"], solidnoise.read_volume(tmp_path / "cloud.vdb")]
+    for of in sources:
         np.testing.assert_array_equal(solidnoise.slice(of, resolution=32), by_file)
 
 
