@@ -178,6 +178,37 @@ TEST_F(UntrustedPicture, WithTilesLargerThanAnyPictureIsRefused) {
   EXPECT_EQ(complaint("a.tif"), refusal("a.tif", "its tiles are 32768 x 32768 pixels; they must be smaller"));
 }
 
+// A TIFF of 16 x 16 pixels in which the entry of the picture's colours is another one.
+std::string tiff_with(std::uint32_t tag, std::uint32_t type, std::uint32_t value) {
+  std::string entry;
+  append(entry, tag, 2);
+  append(entry, type, 2);
+  append(entry, 1, 4);
+  append(entry, value, 4);
+  constexpr std::size_t kColours = 2 + 8 + 4 * 12;
+  return grey_tiff(16, 16).replace(kColours, entry.size(), entry) + std::string(256, 'x');
+}
+
+// The reader would abort, allocate gigabytes or run for ever.
+TEST_F(UntrustedPicture, OfTiffWithADepthIsRefused) {
+  const auto complaint_of = [&](std::uint32_t tag, std::uint32_t type, std::uint32_t value) {
+    folder_.write("a.tif", tiff_with(tag, type, value));
+    return complaint("a.tif");
+  };
+  EXPECT_EQ(complaint_of(32998, 4, 0x80000000),
+            refusal("a.tif", "its TileDepth is 2147483648; it must be 1"));
+  EXPECT_EQ(complaint_of(32998, 4, 0xffffffff),
+            refusal("a.tif", "its TileDepth is 4294967295; it must be 1"));
+  EXPECT_EQ(complaint_of(32998, 3, 0), refusal("a.tif", "its TileDepth is 0; it must be 1"));
+  EXPECT_EQ(complaint_of(32997, 3, 2), refusal("a.tif", "its ImageDepth is 2; it must be 1"));
+  EXPECT_EQ(complaint_of(32998, 16, 1),
+            refusal("a.tif", "its TileDepth is 1 values of type 16; it must be one of type 3 or 4"));
+  folder_.write("a.tif", std::string("MM\0*\0\0\0\x08\0\x01\x80\xe6\0\x04\0\0\0\x01\xff\0\0\0", 22));
+  EXPECT_EQ(complaint("a.tif"), refusal("a.tif", "its TileDepth is 4278190080; it must be 1"));
+  folder_.write("a.tif", std::string("II*\0\xff\xff\xff\xff", 8));
+  EXPECT_EQ(complaint("a.tif"), refusal("a.tif", "it is cut short"));
+}
+
 TEST_F(UntrustedPicture, ThatIsAProgressiveJpegOfTooManyPixelsIsRefusedBeforeMemoryIsTaken) {
   // A frame of 65500 x 65500 pixels of 3 channels, of which a decoder would hold 25 GB.
   const std::string frame("\xff\xd8\xff\xc2\0\x11\x08\xff\xdc\xff\xdc\x03\x01\x11\0\x02\x11\0\x03\x11\0", 21);

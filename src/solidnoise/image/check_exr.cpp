@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "solidnoise/core/printable.h"
+#include "solidnoise/image/byte_order.h"
 #include "solidnoise/image/check_picture.h"
 
 namespace solidnoise {
@@ -50,10 +51,7 @@ class ExrCheck {
 
   // A number of 1, 2 or 4 bytes.
   static std::int32_t number(std::string_view bytes) {
-    std::uint32_t number = 0;
-    for (std::size_t i = 0; i < bytes.size(); ++i)
-      number |= std::uint32_t{static_cast<unsigned char>(bytes[i])} << (8 * i);
-    return static_cast<std::int32_t>(number);
+    return static_cast<std::int32_t>(little_endian(bytes));
   }
 
   // Whether a list ends here, with an empty name.

@@ -6,15 +6,10 @@
 
 #include <fmt/format.h>
 
+#include "solidnoise/image/byte_order.h"
+
 namespace solidnoise {
 namespace {
-
-// The number that some bytes are, the first one counting most.
-std::size_t big_endian(std::string_view bytes) {
-  std::size_t number = 0;
-  for (const char byte : bytes) number = number << 8 | static_cast<unsigned char>(byte);
-  return number;
-}
 
 // Whether a PNG file goes on up to its closing chunk. Where it does not, OpenImageIO's reader in memory leaks
 // its message.
@@ -74,6 +69,7 @@ void require_picture_size(double width, double height, double channels) {
 void check_picture(std::string_view format, std::string_view bytes) {
   if (format == "png" && !is_whole_png(bytes)) throw std::runtime_error("it is cut short");
   if (format == "jpeg") check_jpeg(bytes);
+  if (format == "tiff") check_tiff(bytes);
   if (format == "openexr") check_exr(bytes);
 }
 
