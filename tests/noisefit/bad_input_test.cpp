@@ -62,6 +62,43 @@ const std::vector<Refusal> kEditRefusals = {
      {"edit", "model.json", "--out", "x.json", "--rotate", "3", "--channel", "4"},
      {"--channel is 4"}},
     {"NegativeScale", 2, {"edit", "model.json", "--out", "x.json", "--scale", "-2"}, {"scale is -2"}},
+    {"SmallScale",
+     2,
+     {"edit", "model.json", "--out", "x.json", "--scale", "1e-308"},
+     {"--scale: model.json: channel 0: scale is 1e-308; it must be between 1e-09 and 1000000000"}},
+    {"LargeScale", 2, {"edit", "model.json", "--out", "x.json", "--scale", "1e300"}, {"scale is 1e+300"}},
+    {"Bandwidth",
+     2,
+     {"edit", "model.json", "--out", "x.json", "--bandwidth", "1e30"},
+     {"bandwidth is 1e+30; it must be between 1e-09 and 1000000000"}},
+    {"Magnitude",
+     2,
+     {"edit", "model.json", "--out", "x.json", "--magnitude", "1e-30"},
+     {"magnitude is 1e-30"}},
+    {"Translation",
+     2,
+     {"edit", "model.json", "--out", "x.json", "--translate", "1e308", "1e308"},
+     {"--translate: model.json: channel 0: bands[0].components[0].frequency is inf"}},
+    {"FarTranslation",
+     2,
+     {"edit", "model.json", "--out", "x.json", "--translate", "1e20", "0"},
+     {"frequency is 1e+20; it must be between 0 and 1e+16 (cycles per world unit)"}},
+    {"NarrowBand",
+     2,
+     {"edit", "model.json", "--out", "x.json", "--add", "1e-300", "1", "0.1", "0.1"},
+     {"--add: model.json: channel 0: bands[1].a is 1e-300; it must be between 1e-16 and 1e+16"}},
+    {"NarrowerThanTheRest",
+     2,
+     {"edit", "model.json", "--out", "x.json", "--add", "1e-9", "1", "0.1", "0.1"},
+     {"bands[1].a is 1e-09; it must be between 1e-06 and 1000000 times the principal frequency, 0.14"}},
+    {"HugeVariance",
+     2,
+     {"edit", "model.json", "--out", "x.json", "--add", "0.1", "1e300", "0.1", "0.1"},
+     {"add up to 1e+300; they must to between 1e-60 and 1e+60"}},
+    {"NarrowFile",
+     1,
+     {"edit", "narrow.json", "--out", "x.json", "--scale", "2"},
+     {"narrow.json", "exemplar.channels[0].bands[0].a is 1e-300"}},
     {"Negative",
      1,
      {"edit", "negative.json", "--out", "x.json", "--scale", "2"},
@@ -84,7 +121,7 @@ class NoisefitRefuses : public testing::Test {
     write_image(folder_ / "nan.exr", broken, {.color_space = ColorSpace::linear});
     folder_.write("text.png", "no picture");
     folder_.write("volume.vdb", std::string(" BDV\0\0\0\0", 8) + std::string(5000, '\0'));
-    const std::string model =
+    std::string model =
         "\"exemplar\": {\"raw_values\": false, \"mean\": [0, 0, 0], \"channels\": [{\"axis\": [1, 1, 1], "
         "\"dimensions\": 2, \"isotropic\": false, \"groups\": [\"all\"], \"bands\": [{\"a\": 0.1, "
         "\"components\": "
@@ -93,6 +130,8 @@ class NoisefitRefuses : public testing::Test {
     folder_.write("model.json", "{\"solidnoise\": 1, \"algorithm\": 1, " + model + "1" + end);
     folder_.write("negative.json", "{\"solidnoise\": 1, \"algorithm\": 1, " + model + "-1" + end);
     folder_.write("version.json", "{\"solidnoise\": 99, \"algorithm\": 1, " + model + "1" + end);
+    folder_.write("narrow.json", "{\"solidnoise\": 1, \"algorithm\": 1, " +
+                                     model.replace(model.find("0.1"), 3, "1e-300") + "1" + end);
     std::filesystem::create_symlink("in.png", folder_ / "link.png");
     files_ = folder_.names();
   }

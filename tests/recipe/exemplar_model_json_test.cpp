@@ -71,7 +71,7 @@ TEST(ExemplarModelJson, MessagesGiveThePathTheValueAndWhatIsAllowed) {
   EXPECT_EQ(message(R"({"bands": [{"a": 0.1, "components": [[0.2, 0, 3, 1]]}]})"),
             path + "bands[0].components[0].group is 1; it must be the number of a group, from 0");
   EXPECT_EQ(message(R"({"bands": [{"a": -1, "components": [[0.2, 0, 3, 0]]}]})"),
-            path + "bands[0].a is -1; it must be greater than 0");
+            path + "bands[0].a is -1; it must be between 1e-16 and 1e+16 (cycles per world unit)");
   EXPECT_EQ(message(R"({"dimensions": 4, "bands": []})"), path + "dimensions is 4; it must be 2 or 3");
   EXPECT_EQ(message(R"({"bands": [], "colour": 1})"),
             path + "bands is []; it must be an array of objects, of one at least");

@@ -24,7 +24,7 @@ ExemplarFile exemplar_file_of(const Json& json) {
   JsonReader reader(json);
   double size = 0.0;
   reader.read("pixel_size", size);
-  require_positive("pixel_size", size, "world units");
+  require_in_range("pixel_size", size, 1e-9, 1e9, "world units");
   file.pixel_size = size;
   return file;
 }

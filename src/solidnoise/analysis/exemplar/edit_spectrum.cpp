@@ -19,6 +19,7 @@ namespace solidnoise {
 namespace {
 
 constexpr double kSameBandwidth = 1e-9;  // relative
+constexpr Interval kFactors = between(1e-9, 1e9);
 
 void require_directions(const GaborSpectrum& spectrum, std::string_view what) {
   if (!spectrum.isotropic) return;
@@ -94,7 +95,7 @@ void rotate_group(GaborSpectrum& spectrum, const GroupChoice& group, double degr
 }
 
 void scale_group(GaborSpectrum& spectrum, const GroupChoice& group, double factor) {
-  require_positive("scale", factor);
+  require("scale", factor, kFactors);
   edit_components(spectrum, group, [&](SpectrumComponent& component) { component.frequency *= factor; });
 }
 
@@ -104,13 +105,13 @@ void translate_group(GaborSpectrum& spectrum, const GroupChoice& group, const Ve
 }
 
 void scale_magnitude(GaborSpectrum& spectrum, const GroupChoice& group, double factor) {
-  require_at_least("magnitude", factor, 0.0);
+  if (factor != 0.0) require("magnitude", factor, kFactors);
   edit_components(spectrum, group,
                   [&](SpectrumComponent& component) { component.variance *= factor * factor; });
 }
 
 void scale_bandwidth(GaborSpectrum& spectrum, const GroupChoice& group, double factor) {
-  require_positive("bandwidth", factor);
+  require("bandwidth", factor, kFactors);
   const int number = group ? find_group(spectrum, *group) : -1;
   GaborSpectrum result = spectrum;
   std::vector<SpectrumBand> moved;

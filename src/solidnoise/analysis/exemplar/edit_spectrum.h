@@ -19,7 +19,7 @@ GaborSpectrum group_spectrum(GaborSpectrum spectrum);
 
 // The components that an operation works on: those of one group, or all. Operations leave the order of bands
 // and components as it is, drop bands that become empty, and throw std::invalid_argument for a group that is
-// not there and for a result that GaborSpectrum::validate refuses.
+// not there and for a result that GaborSpectrum::validate refuses. Factors are between 1e-9 and 1e9.
 using GroupChoice = std::optional<std::string>;
 
 // The number of a group. Throws std::invalid_argument that lists the names there are.
@@ -29,14 +29,14 @@ int find_group(const GaborSpectrum& spectrum, const std::string& name);
 // Isotropic spectra are refused.
 void rotate_group(GaborSpectrum& spectrum, const GroupChoice& group, double degrees,
                   const Vec<3>& axis = Vec<3>(0.0, 0.0, 1.0));
-// Multiplies frequencies; the bandwidths stay. `factor` > 0.
+// Multiplies frequencies; the bandwidths stay.
 void scale_group(GaborSpectrum& spectrum, const GroupChoice& group, double factor);
 // Adds to frequencies, cycles per world unit (w, and with it -w the other way). Isotropic spectra are
 // refused.
 void translate_group(GaborSpectrum& spectrum, const GroupChoice& group, const Vec<3>& by);
-// Multiplies amplitudes K, that is variances by the square. `factor` >= 0.
+// Multiplies amplitudes K, that is variances by the square; 0 is allowed.
 void scale_magnitude(GaborSpectrum& spectrum, const GroupChoice& group, double factor);
-// Multiplies bandwidths a, keeping variances. `factor` > 0.
+// Multiplies bandwidths a, keeping variances.
 void scale_bandwidth(GaborSpectrum& spectrum, const GroupChoice& group, double factor);
 // Takes a group's components away.
 void remove_group(GaborSpectrum& spectrum, const std::string& group);

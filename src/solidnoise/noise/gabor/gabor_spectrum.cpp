@@ -3,18 +3,45 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <span>
 #include <stdexcept>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "solidnoise/core/check.h"
 #include "solidnoise/core/special_functions.h"
 
 namespace solidnoise {
 namespace {
 
-[[noreturn]] void refuse(const std::string& path, double value, const char* allowed) {
+// Of a spectrum. Far within what doubles hold, for kernels' integrals go with a^-3 and noises choose another
+// scale.
+constexpr Interval kBandwidths = between(1e-16, 1e16);  // a, cycles per world unit
+constexpr Interval kHighest = between(0.0, 1e16);       // of a component's frequency, the same
+constexpr Interval kVariances = between(1e-60, 1e60);   // of all components together
+constexpr Interval kOfPrincipal =
+    between(1e-6, 1e6);  // of the principal frequency: a, and frequencies at most
+
+[[noreturn]] void refuse(const std::string& path, double value, std::string_view allowed) {
   throw std::invalid_argument(fmt::format("{} is {}; it must be {}", path, value, allowed));
+}
+
+// The square root of the mean of |w|^2 + n a^2 / (4 pi) over the variance.
+double principal_frequency_of(std::span<const GaborSpectrum> channels) {
+  double variance = 0.0;
+  double sum = 0.0;
+  for (const GaborSpectrum& channel : channels) {
+    for (const SpectrumBand& band : channel.bands) {
+      const double width = channel.dimensions * band.a * band.a / (4.0 * std::numbers::pi);
+      for (const SpectrumComponent& component : band.components) {
+        variance += component.variance;
+        sum += component.variance * (glm::dot(component.frequency, component.frequency) + width);
+      }
+    }
+  }
+  return std::sqrt(sum / variance);
 }
 
 void validate_component(const SpectrumComponent& component, const GaborSpectrum& spectrum,
@@ -23,15 +50,34 @@ void validate_component(const SpectrumComponent& component, const GaborSpectrum&
   if (!(variance >= 0.0) || !std::isfinite(variance)) {
     refuse(path + ".variance", variance, "0 or more, and finite");
   }
+  require(path + ".frequency", glm::length(component.frequency), kHighest, "cycles per world unit");
   for (int axis = 0; axis < 3; ++axis) {
     const double frequency = component.frequency[axis];
-    if (!std::isfinite(frequency)) refuse(path + ".frequency", frequency, "finite");
     if (axis >= spectrum.dimensions && frequency != 0.0) {
       refuse(path + ".frequency", frequency, "0 on axes that the spectrum does not have");
     }
   }
   if (component.group < 0 || component.group >= static_cast<int>(spectrum.groups.size())) {
     refuse(path + ".group", component.group, "the number of a group, from 0");
+  }
+}
+
+// The bands and frequencies against each other.
+void validate_proportions(const GaborSpectrum& spectrum) {
+  const double principal = principal_frequency_of({&spectrum, 1});
+  const auto require_proportion = [&](const std::string& path, double value, double least) {
+    const Interval allowed = between(least, kOfPrincipal.most);
+    if (allowed.contains(value / principal)) return;
+    refuse(path, value, fmt::format("{} times the principal frequency, {:.3g}", allowed.text(), principal));
+  };
+  for (std::size_t b = 0; b < spectrum.bands.size(); ++b) {
+    const SpectrumBand& band = spectrum.bands[b];
+    const std::string path = fmt::format("bands[{}]", b);
+    require_proportion(path + ".a", band.a, kOfPrincipal.least);
+    for (std::size_t i = 0; i < band.components.size(); ++i) {
+      require_proportion(fmt::format("{}.components[{}].frequency", path, i),
+                         glm::length(band.components[i].frequency), 0.0);
+    }
   }
 }
 
@@ -114,31 +160,21 @@ void GaborSpectrum::validate() const {
   if (dimensions != 2 && dimensions != 3) refuse("dimensions", dimensions, "2 or 3");
   for (std::size_t b = 0; b < bands.size(); ++b) {
     const std::string path = fmt::format("bands[{}]", b);
-    if (!(bands[b].a > 0.0) || !std::isfinite(bands[b].a)) refuse(path + ".a", bands[b].a, "greater than 0");
+    require(path + ".a", bands[b].a, kBandwidths, "cycles per world unit");
     for (std::size_t i = 0; i < bands[b].components.size(); ++i) {
       validate_component(bands[b].components[i], *this, fmt::format("{}.components[{}]", path, i));
     }
   }
   const double total = variance();
-  if (!(total > 0.0) || !std::isfinite(total)) {
-    throw std::invalid_argument(
-        fmt::format("the variances of all components add up to {}; they must to more than 0", total));
+  if (!kVariances.contains(total)) {
+    throw std::invalid_argument(fmt::format("the variances of all components add up to {}; they must to {}",
+                                            total, kVariances.text()));
   }
+  validate_proportions(*this);
 }
 
 double ExemplarModel::principal_frequency() const {
-  double variance = 0.0;
-  double sum = 0.0;
-  for (const GaborSpectrum& channel : channels) {
-    for (const SpectrumBand& band : channel.bands) {
-      const double width = channel.dimensions * band.a * band.a / (4.0 * std::numbers::pi);
-      for (const SpectrumComponent& component : band.components) {
-        variance += component.variance;
-        sum += component.variance * (glm::dot(component.frequency, component.frequency) + width);
-      }
-    }
-  }
-  return std::sqrt(sum / variance);
+  return principal_frequency_of(channels);
 }
 
 Vec<3> ExemplarModel::color(std::span<const double> values) const {

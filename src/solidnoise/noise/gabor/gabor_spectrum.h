@@ -52,9 +52,9 @@ struct GaborSpectrum {
   // that squared is a Gaussian again.
   GaborSpectrum filtered(double b) const;
 
-  // Throws std::invalid_argument that names the path of what is wrong, such as
-  // bands[2].components[7].variance: dimensions, a <= 0, variances that are negative or not finite, a total
-  // of 0, a group that does not exist.
+  // Throws std::invalid_argument with the path of what is wrong, such as bands[2].components[7].variance:
+  // dimensions, groups, variances; an a or a frequency beyond 1e-16 to 1e16, or beyond 1e-6 to 1e6 times the
+  // root mean square frequency.
   void validate() const;
 
   friend bool operator==(const GaborSpectrum&, const GaborSpectrum&) = default;
