@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "solidnoise/recipe/json.h"
+#include "solidnoise/volume/vdb/openvdb.h"
 #include "tools/run_vdbnoise.h"
 
 namespace solidnoise::analyze_test {
@@ -89,6 +90,22 @@ TEST(Analyze, MeasuresTheMomentsOfACloud) {
   EXPECT_GT(json["moments"]["voxels"].get<int>(), 1000);
   EXPECT_GE(json["moments"]["min"].get<double>(), 0.0);
   EXPECT_TRUE(json["expected"].is_null());
+}
+
+TEST(Analyze, RefusesValuesThatAreNotFinite) {
+  const TemporaryFolder folder;
+  const auto grid = openvdb::FloatGrid::create();
+  grid->setName("density");
+  grid->tree().setValue({1, 2, 3}, 1.0f);
+  grid->tree().setValue({4, 5, 6}, HUGE_VALF);
+  grid->tree().setValue({40, 5, 6}, std::nanf(""));
+  openvdb::io::File(folder.file("inf.vdb")).write(openvdb::GridCPtrVec{grid});
+  const ToolResult result = run_vdbnoise({"analyze", folder.file("inf.vdb")});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_EQ(result.out, "");
+  EXPECT_EQ(result.err,
+            "vdbnoise: " + folder.file("inf.vdb") +
+                ": grid 'density' has 2 values that are not finite, the first at voxel (4, 5, 6)\n");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "solidnoise/analysis/expected_spectrum.h"
@@ -15,6 +16,7 @@
 #include "solidnoise/noise/kernel/impulse_statistics.h"
 #include "solidnoise/volume/stored_recipe.h"
 #include "solidnoise/volume/topology/grid_frame.h"
+#include "solidnoise/volume/vdb/as_file_error.h"
 #include "solidnoise/volume/vdb/grid_values.h"
 #include "solidnoise/volume/volume_field.h"
 
@@ -205,6 +207,9 @@ AnalysisSubject analysis_subject(openvdb::FloatGrid::Ptr grid, const std::string
   constexpr int kLongestSide = 128;
   AnalysisSubject subject;
   subject.grid = std::move(grid);
+  as_file_error([&] {
+    require_finite_values(*subject.grid, fmt::format("{}: grid '{}'", file, subject.grid->getName()));
+  });
   subject.recipe = stored_recipe(*subject.grid, file);
   if (subject.recipe) subject.recipe = recipe_of_grid(*subject.recipe, subject.grid->getName());
   const openvdb::Vec3d voxel = subject.grid->voxelSize();

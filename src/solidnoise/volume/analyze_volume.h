@@ -31,7 +31,8 @@ struct AnalysisSubject {
 };
 
 // The subject of a grid: with its recipe, the noise of this, and a block of up to 128 voxels a side, whose
-// transform takes about a second and 100 MB. Throws what stored_recipe() does.
+// transform takes about a second and 100 MB. Throws what stored_recipe() does, and std::runtime_error where
+// values are not finite.
 AnalysisSubject analysis_subject(openvdb::FloatGrid::Ptr grid, const std::string& file);
 
 struct AnalysisReport {

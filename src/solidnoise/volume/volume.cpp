@@ -1,20 +1,18 @@
 #include "solidnoise/volume/volume.h"
 
-#include <stdexcept>
 #include <string>
 
 #include <fmt/format.h>
 
+#include "solidnoise/volume/vdb/as_file_error.h"
 #include "solidnoise/volume/vdb/grid_values.h"
 
 namespace solidnoise {
 
 void require_storable(const std::filesystem::path& path, const openvdb::GridBase& grid) {
-  try {
+  as_file_error([&] {
     require_finite_values(grid, fmt::format("{}: not written: grid '{}'", path.string(), grid.getName()));
-  } catch (const std::invalid_argument& error) {
-    throw std::runtime_error(error.what());
-  }
+  });
 }
 
 openvdb::GridCPtrVec grids_of(const Volume& volume) {

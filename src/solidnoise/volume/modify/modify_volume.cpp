@@ -15,6 +15,7 @@
 #include "solidnoise/volume/modify/grid_lookup.h"
 #include "solidnoise/volume/topology/grid_frame.h"
 #include "solidnoise/volume/topology/topology.h"
+#include "solidnoise/volume/vdb/as_file_error.h"
 #include "solidnoise/volume/vdb/grid_values.h"
 
 namespace solidnoise {
@@ -26,16 +27,6 @@ using openvdb::GridBase;
 // "in.vdb: grid 'density'", the beginning of a message.
 std::string name_of(const GridFile& source, const GridBase& grid) {
   return fmt::format("{}: grid '{}'", source.file, grid.getName());
-}
-
-// Runs `action`; what it refuses becomes an error of the file.
-template <typename Action>
-auto as_file_error(const Action& action) {
-  try {
-    return action();
-  } catch (const std::invalid_argument& error) {
-    throw std::runtime_error(error.what());
-  }
 }
 
 void require_suitable(const Modification& modification, const FloatGrid& grid) {

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "solidnoise/volume/topology/grid_frame.h"
+#include "solidnoise/volume/vdb/as_file_error.h"
 #include "solidnoise/volume/vdb/grid_values.h"
 
 namespace solidnoise {
@@ -21,11 +22,7 @@ Vec3SGrid::ConstPtr read_directions(GridFile& source, const std::string& flag) {
   const openvdb::GridBase::Ptr grid = read_vector_grid(source, flag);
   const std::string name = fmt::format("{}: grid '{}'", source.file, grid->getName());
   if (grid->activeVoxelCount() == 0) throw std::runtime_error(name + " has no active voxels");
-  try {
-    require_finite_values(*grid, name);
-  } catch (const std::invalid_argument& error) {
-    throw std::runtime_error(error.what());
-  }
+  as_file_error([&] { require_finite_values(*grid, name); });
   return in_single_precision(*grid);
 }
 
