@@ -16,6 +16,12 @@ TEST(Printable, EscapesWhatATerminalWouldObey) {
   EXPECT_EQ(printable("\xc2\x9b!"), "\\xc2\\x9b!");  // U+009B, a control sequence's begin in one character
 }
 
+TEST(Printable, EscapesWhatTurnsTheDirectionOfWriting) {
+  EXPECT_EQ(printable("a\u202e\u202ab"), "a\\xe2\\x80\\xae\\xe2\\x80\\xaab");
+  EXPECT_EQ(printable("\u2066\u2069"), "\\xe2\\x81\\xa6\\xe2\\x81\\xa9");
+  for (const std::string text : {"\u2029", "\u202f", "\u2065", "\u206a"}) EXPECT_EQ(printable(text), text);
+}
+
 TEST(Printable, EscapesWhatIsNoUtf8) {
   EXPECT_EQ(printable("a\xff"), "a\\xff");
   EXPECT_EQ(printable("\xe9\x9b"), "\\xe9\\x9b");

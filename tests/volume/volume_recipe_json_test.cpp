@@ -228,6 +228,11 @@ TEST(VolumeRecipeJson, MessagesGiveThePathInTheTree) {
             "shape.type is \"cone\"; it must be one of box, sphere, ellipsoid, mesh, grid");
   EXPECT_EQ(with(R"("shape": {"type": "box", "file": "a"})"),
             "shape.file is unknown; the keys here are type");
+  // Of more keys than a dozen the first.
+  const std::string unknown = with(R"("zzzzzzzz": 1)");
+  EXPECT_TRUE(unknown.starts_with("zzzzzzzz is unknown; the keys here are solidnoise, algorithm,"))
+      << unknown;
+  EXPECT_TRUE(unknown.ends_with(" more") && unknown.size() < 250) << unknown;
   EXPECT_EQ(with(R"("voxel": 0)"), "voxel is 0; it must be greater than 0 (world units)");
   EXPECT_EQ(with(R"("dims": 5)"), "dims is 5; it must be between 3 and 4");
   EXPECT_EQ(with(R"("time": 1)"),

@@ -11,6 +11,14 @@ constexpr unsigned char byte_at(std::string_view text, std::size_t i) {
   return static_cast<unsigned char>(text[i]);
 }
 
+// Whether a text begins with a control of the direction of writing, which would show what comes after in
+// another order: U+202A to U+202E, U+2066 to U+2069.
+bool turns_direction(std::string_view text) {
+  if (!text.starts_with("\xe2\x80") && !text.starts_with("\xe2\x81")) return false;
+  const unsigned char last = byte_at(text, 2);
+  return byte_at(text, 1) == 0x80 ? last >= 0xaa && last <= 0xae : last >= 0xa6 && last <= 0xa9;
+}
+
 // The bytes of the first character if it may be shown, or 0. The controls from U+0080 to U+009F may not.
 std::size_t shown_length(std::string_view text) {
   const unsigned char first = byte_at(text, 0);
@@ -20,7 +28,8 @@ std::size_t shown_length(std::string_view text) {
   for (std::size_t i = 1; i < length; ++i) {
     if ((byte_at(text, i) & 0xc0) != 0x80) return 0;
   }
-  return first == 0xc2 && byte_at(text, 1) < 0xa0 ? 0 : length;
+  const bool is_control = first == 0xc2 && byte_at(text, 1) < 0xa0;
+  return is_control || turns_direction(text) ? 0 : length;
 }
 
 }  // namespace

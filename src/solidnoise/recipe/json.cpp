@@ -14,6 +14,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "solidnoise/core/printable.h"
+
 namespace solidnoise {
 namespace {
 
@@ -22,16 +24,6 @@ namespace {
 constexpr std::size_t kMaxDepth = 32;
 constexpr std::size_t kMaxKeys = 1024;
 constexpr std::size_t kMaxObjects = 4096;  // each a grid, layer or band, which costs memory and time
-
-constexpr std::size_t kMostShown = 80;  // characters
-
-// Not in the middle of a character of several bytes.
-std::string cut(std::string text) {
-  if (text.size() <= kMostShown) return text;
-  std::size_t end = kMostShown;
-  while ((static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u) --end;
-  return text.substr(0, end) + "...";
-}
 
 // Goes through a text without keeping what is in it, but the keys of open objects.
 class KeyCheck final : public nlohmann::json_sax<Json> {
@@ -226,17 +218,17 @@ void append(std::string& text, const Json& json, int indent) {
   }
 }
 
-// The library's message without its own prefix, "[json.exception.parse_error.101] parse error ", and without
-// all but the end of a long text that it could not read.
-std::string plain_message(std::string message) {
-  const std::size_t end_of_prefix = message.find("] ");
-  if (end_of_prefix != std::string::npos) message.erase(0, end_of_prefix + 2);
-  constexpr std::string_view kRead = "last read: '";
-  const std::size_t read = message.find(kRead);
-  if (read == std::string::npos) return message;
-  const std::size_t begin = read + kRead.size();
-  const std::size_t end = std::max(begin, message.rfind('\''));
-  return message.substr(0, begin) + cut(message.substr(begin, end - begin)) + message.substr(end);
+// "line 3, column 7: this is no JSON", of the byte, from 1, at which a parser stopped.
+std::string say_no_json(std::string_view text, std::size_t byte) {
+  const std::string_view read = text.substr(0, byte > 0 ? byte - 1 : 0);
+  const auto line = std::count(read.begin(), read.end(), '\n') + 1;
+  const std::string_view of_line = read.substr(read.rfind('\n') + 1);
+  const std::string place = fmt::format("line {}, column {}", line, of_line.size() + 1);
+  if (read.size() == text.size()) return place + ": the JSON is not complete";
+  if (of_line.empty()) return place + ": this is no JSON";
+  constexpr std::size_t kMostQuoted = 20;
+  const std::string_view before = of_line.substr(std::max(of_line.size(), kMostQuoted) - kMostQuoted);
+  return fmt::format("{}: this is no JSON, after '{}'", place, printable(before));
 }
 
 }  // namespace
@@ -253,8 +245,11 @@ Json parse_json(std::string_view text) {
   }
   try {
     return Json::parse(text, nullptr, /*allow_exceptions=*/true, kIgnoreComments);
+  } catch (const Json::parse_error& error) {
+    throw std::invalid_argument(say_no_json(text, error.byte));
   } catch (const Json::exception& error) {
-    throw std::invalid_argument(plain_message(error.what()));
+    const std::string_view message = error.what();  // after "[json.exception.out_of_range.406] "
+    throw std::invalid_argument(printable(message.substr(message.find(' ') + 1)));
   }
 }
 
@@ -266,7 +261,7 @@ std::string with_line(std::string_view text, const std::string& message) {
 }
 
 std::string shown(const Json& json) {
-  return cut(json.dump(-1, ' ', false, Json::error_handler_t::replace));
+  return printable(json.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 std::string format_json(const Json& json) {

@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -15,6 +17,16 @@
 #include "solidnoise/noise/registry/noise_recipe.h"
 
 namespace solidnoise {
+namespace {
+
+// Names one after the other, the first dozen of them.
+std::string listed(std::span<const std::string_view> names) {
+  constexpr std::size_t kMost = 12;
+  if (names.size() <= kMost) return fmt::format("{}", fmt::join(names, ", "));
+  return fmt::format("{} and {} more", fmt::join(names.first(kMost), ", "), names.size() - kMost);
+}
+
+}  // namespace
 
 JsonReader::JsonReader(const Json& object, std::string path) : object_(object), path_(std::move(path)) {
   if (object.is_object()) return;
@@ -170,9 +182,9 @@ void JsonReader::finish() const {
     const std::string path = path_of(quoted.substr(1, quoted.size() - 1 - (quoted.ends_with('"') ? 1 : 0)));
     const std::vector<std::string_view> known(known_keys_.begin(), known_keys_.end());
     const std::string_view nearest = nearest_word(item.key(), known);
-    throw std::invalid_argument(
-        nearest.empty() ? fmt::format("{} is unknown; the keys here are {}", path, fmt::join(known, ", "))
-                        : fmt::format("{} is unknown; did you mean {}?", path, nearest));
+    throw std::invalid_argument(nearest.empty()
+                                    ? fmt::format("{} is unknown; the keys here are {}", path, listed(known))
+                                    : fmt::format("{} is unknown; did you mean {}?", path, nearest));
   }
 }
 
