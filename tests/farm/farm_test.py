@@ -216,6 +216,7 @@ def test_refusals(tools, folder):
             (1, ["run", "x.farm", "merge", "1"], "x.part1.vdb")):
         refused = run([vdbnoise, "farm", *words], folder, status=status)
         assert says in refused.stderr, (words, refused.stderr)
+        assert "openjd_progress: 100" not in refused.stdout, refused.stdout
     assert not list(folder.glob("y*")), list(folder.glob("y*"))
 
 

@@ -201,20 +201,21 @@ int run_farm_job(MakeFarmWork make_work, const std::vector<std::string>& argumen
   catch_interrupts();
   const int first = (which - 1) * of.tasks_per_job;
   const int end = std::min(of.tasks, first + of.tasks_per_job);
-  int failed = 0;
+  int done = 0;
   for (int task = first; task < end; ++task) {
     try {
       run_task(open.job, *open.work, {index, task});
+      ++done;
     } catch (const Cancelled&) {
       throw;
     } catch (const std::runtime_error& error) {
-      ++failed;
       std::cerr << fmt::format("{}: {} {}: {}\n", program_invocation_short_name, step, task + 1,
                                error.what());
     }
-    say(fmt::format("openjd_progress: {:.0f}", 100.0 * (task + 1 - first) / (end - first)));
+    say(fmt::format("openjd_progress: {:.0f}", 100.0 * done / (end - first)));
   }
-  if (failed > 0) throw std::runtime_error(fmt::format("{} of {} tasks failed", failed, end - first));
+  const int all = end - first;
+  if (done < all) throw std::runtime_error(fmt::format("{} of {} tasks failed", all - done, all));
   return kDone;
 }
 
