@@ -32,6 +32,10 @@ TEST(PointsFile, ReadsColumnsInAnyOrder) {
   EXPECT_EQ(points[1], (SkyPoint{0.0, 0.0, 0.5, 700.0, 0.0, 7}));
 }
 
+TEST(PointsFile, PassesOverTheMarkThatSpreadsheetsWriteFirst) {
+  EXPECT_EQ(read("\xef\xbb\xbfx,y,z\n1,2,3\n"), (std::vector<SkyPoint>{{1, 2, 3, 700}}));
+}
+
 TEST(PointsFile, ReadsBackWhatWasWritten) {
   const std::vector<SkyPoint> points{{0.1, -2e7, 1.0 / 3.0, 123.456, 359.9, 9}, {1, 2, 3, 4, 5, 6}};
   EXPECT_EQ(read(points_text(points)), points);

@@ -122,6 +122,8 @@ std::vector<Column> columns_of(const TextLines& lines) {
 }
 
 std::vector<SkyPoint> read_csv(std::string_view text, const std::string& name, const SkyPoint& others) {
+  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // of spreadsheets
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   TextLines lines(text, name);
   if (!lines.next_filled('#')) throw std::runtime_error(name + ": has no points");
   const std::vector<Column> columns = columns_of(lines);
