@@ -78,6 +78,16 @@ TEST(Sky, IsOneGridThatCarriesItsRecipe) {
     ASSERT_EQ(values.getValue(voxel.getCoord()), *voxel);
 }
 
+TEST(Sky, WarnsOfCloudsThatAreEmpty) {
+  const TemporaryFolder folder;
+  const ToolResult result = run_vdbnoise({"sky", "--count", "3", "--voxel", "150", "--kinds", "2",
+                                          "--lod-from", "1000", "1000", "1000", "--out", "s.usda"},
+                                         {.folder = folder.path()});
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.err.find(" clouds, the first of them cloud_"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find(", are empty: no voxel has a density"), std::string::npos) << result.err;
+}
+
 TEST(Sky, SaysBeforeWorkWhatItWouldTake) {
   const TemporaryFolder folder;
   const ToolResult described = run_vdbnoise(sky({"--describe"}), {.folder = folder.path()});

@@ -1,6 +1,5 @@
 #include "vdbnoise/make_files.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -178,9 +177,7 @@ void make_volume_files(const MakeOptions& options, UsdScene* scene) {
   options.times->begin("end");
   if (scene) add_to_scene(*scene, options, volume);
   if (!is_checked) warn();
-  const bool empty = std::ranges::all_of(
-      volume.grids, [](const MeasuredGrid& measured) { return measured.moments.front().count() == 0; });
-  if (empty && options.part.whole() && !options.quiet) {
+  if (is_empty(volume) && options.part.whole() && !options.quiet) {
     std::cerr << "vdbnoise: warning: the volume is empty: no voxel of it has a density; another --seed, a "
                  "higher --frequency or another shape may have some\n";
   }

@@ -81,6 +81,13 @@ void check_cost(const SkyOptions& options, const SkyPlan& plan) {
                        {cost.bytes, cost.seconds / threads}, "; make --voxel larger, or --kinds fewer");
 }
 
+void warn_of_nothing(const std::string& what) {
+  std::cerr << fmt::format(
+      "vdbnoise: warning: {} empty: no voxel has a density; a smaller --voxel or another --seed may have "
+      "some\n",
+      what);
+}
+
 class SkyRun {
  public:
   SkyRun(const SkyOptions& options, SkyPlan plan)
@@ -133,13 +140,16 @@ class SkyRun {
       outputs.appear();
     }
     options_.times->begin("end");
-    if (!options_.quiet) print_statistics(sky, options_.out);
+    if (options_.quiet) return;
+    if (is_empty(sky)) warn_of_nothing("the sky is");
+    print_statistics(sky, options_.out);
   }
 
   // The clouds one after the other, each whole; the scene, which needs all of them, at the end.
   void make_instances() const {
     std::filesystem::create_directory(files_.folder());
     std::size_t kept = 0;
+    std::vector<std::string> empty;
     for (std::size_t i = 0; i < plan_.clouds.size(); ++i) {
       const SkyCloud& cloud = plan_.clouds[i];
       if (i > 0) {
@@ -150,11 +160,16 @@ class SkyRun {
         ++kept;
         continue;
       }
-      make_cloud(cloud, fmt::format("{} of {}: ", i + 1, plan_.clouds.size()));
+      if (make_cloud(cloud, fmt::format("{} of {}: ", i + 1, plan_.clouds.size())) == Made::nothing)
+        empty.push_back(cloud.name);
     }
     options_.times->begin("scene");
     write_scene();
     if (options_.quiet) return;
+    if (!empty.empty()) {
+      warn_of_nothing(fmt::format("{} of {} clouds, the first of them {}, are", empty.size(),
+                                  plan_.clouds.size(), empty.front()));
+    }
     std::cerr << fmt::format("{}: {} clouds at {} points{}\n", options_.out, plan_.clouds.size(),
                              plan_.instances.size(), kept > 0 ? fmt::format(", {} kept", kept) : "");
   }
@@ -166,7 +181,8 @@ class SkyRun {
            holds_volume(file, cloud.recipe, plan_volume(cloud.recipe));
   }
 
-  void make_cloud(const SkyCloud& cloud, const std::string& prefix) const {
+  enum class Made { nothing, cloud };
+  Made make_cloud(const SkyCloud& cloud, const std::string& prefix) const {
     TaskProgress progress(options_.visibility());
     options_.times->begin("clouds");
     progress.begin(prefix + "noise");
@@ -184,6 +200,7 @@ class SkyRun {
         .frames = {{{}, std::filesystem::path(file).filename().string(), usd_extent(grids)}}};
     write_text_file(files_.scene(cloud), scene.text(), {.existing = existing(), .group = &outputs});
     outputs.appear();
+    return is_empty(volume) ? Made::nothing : Made::cloud;
   }
 
   void write_scene() const {

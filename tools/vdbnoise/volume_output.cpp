@@ -114,6 +114,11 @@ void check_output_names(const std::string& out, const std::string& preview) {
   require_no_terminal("--out", out);
 }
 
+bool is_empty(const Volume& volume) {
+  return std::ranges::all_of(
+      volume.grids, [](const MeasuredGrid& measured) { return measured.moments.front().count() == 0; });
+}
+
 void print_statistics(const Volume& volume, const std::string& where) {
   for (const MeasuredGrid& measured : volume.grids) print_statistics(measured, where);
 }

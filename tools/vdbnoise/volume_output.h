@@ -17,6 +17,9 @@ void warn_of_resolution(const VolumeRecipe& recipe, const VolumePlan& plan, std:
 // picture's in .png. Empty ones are none. Throws UsageError that names the flag.
 void check_output_names(const std::string& out, const std::string& preview);
 
+// Whether none of its grids has a voxel.
+bool is_empty(const Volume& volume);
+
 // Tells on the standard error what a file holds.
 void print_statistics(const Volume& volume, const std::string& where);
 
