@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -49,6 +51,23 @@ TEST_F(NvdbOutput, IsDescribedMeasuredAndChanged) {
   const auto report = nlohmann::json::parse(run({"analyze", "fire.nvdb", "--grid", "density"}).out);
   EXPECT_GT(report.at("moments").at("variance").get<double>(), 0.0) << report;
   run({"--on", "fire.nvdb:density", "--combine", "add", "--amount", "0", "--out", "same.vdb", "--quiet"});
+}
+
+TEST_F(NvdbOutput, IsWithinTheErrorThatIsStated) {
+  for (const std::string bits : {"16", "8", "4"}) {
+    run({"--dim", "16", "--out", "a.vdb", "--quiet", "--force"});
+    const std::string said = run({"--dim", "16", "--nvdb-bits", bits, "--out", "a.nvdb", "--force"}).err;
+    const std::string before = "stored values are within ";
+    const double stated = std::stod(said.substr(said.find(before) + before.size()));
+    const auto expected = read_float_grid(folder_.file("a.vdb"));
+    const auto read = read_float_grid(folder_.file("a.nvdb"));
+    double error = 0.0;
+    for (auto value = expected->cbeginValueOn(); value; ++value) {
+      error = std::max(error, std::abs(double{read->tree().getValue(value.getCoord())} - double{*value}));
+    }
+    EXPECT_LE(error, stated) << bits;
+    EXPECT_LE(stated, 1.01 * error) << bits;  // a third digit more
+  }
 }
 
 TEST_F(NvdbOutput, IsMadeOfFrames) {

@@ -1,8 +1,10 @@
 #include "vdbnoise/nvdb_output.h"
 
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <iostream>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -14,6 +16,14 @@ namespace {
 int bits_of(NvdbValues values) {
   constexpr int kBits[] = {32, 16, 8, 4};
   return kBits[static_cast<std::size_t>(values)];
+}
+
+// A bound in three digits, the last one rounded up.
+std::string round_up(double bound) {
+  constexpr int kDigits = 3;
+  if (bound == 0.0) return "0";
+  const double last = std::pow(10.0, std::floor(std::log10(bound)) - (kDigits - 1));
+  return fmt::format("{:.3g}", std::ceil(bound / last) * last);
 }
 
 }  // namespace
@@ -42,8 +52,9 @@ void print_nvdb_errors(const MakeOptions& options, const Volume& volume, const s
   const openvdb::GridCPtrVec grids = grids_of(volume);
   for (std::size_t i = 0; i < errors.size(); ++i) {
     if (options.nvdb_values == NvdbValues::floats || !has_floats(*grids[i])) continue;
-    std::cerr << fmt::format("{}: grid {}, in {} bits: stored values are within {:.3g} of what was made\n",
-                             options.out, grids[i]->getName(), bits_of(options.nvdb_values), errors[i]);
+    std::cerr << fmt::format("{}: grid {}, in {} bits: stored values are within {} of what was made\n",
+                             options.out, grids[i]->getName(), bits_of(options.nvdb_values),
+                             round_up(errors[i]));
   }
   if (options.write_recipe.empty()) {
     std::cerr << options.out << ": has no place for the recipe; --write-recipe FILE.json keeps it\n";
