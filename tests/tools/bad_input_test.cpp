@@ -22,6 +22,9 @@ TEST_P(BadInput, IsRefusedInOneLineAndLeavesNothing) {
   folder.write("no_faces.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n");
   folder.write("garbage.vdb", "this is no volume at all, and never was one");
   folder.write("empty.vdb", "");
+  folder.write(
+      "flat.json",
+      R"({"solidnoise": 2, "exemplar": {"channels": [{"bands": [{"a": 1, "components": [[1, 0, 1, 0]]}]}]}})");
   folder.write("exists.vdb", "precious");
   folder.write("broken.json", "{\"solidnoise\": 1, \n\"noise\": }");
   folder.write("bandwidth.json", R"({"solidnoise": 1, "noise": {"type": "gabor", "bandwidth": -1}})");
@@ -227,6 +230,10 @@ const Refusal kRefusals[] = {
     {"NoBoundary", 1, {"--out", "x.vdb", "--output", "curl", "--boundary", "missing.vdb"}, {"missing.vdb"}},
     {"NoMesh", 1, {"--out", "x.vdb", "--shape", "missing.obj"}, {"missing.obj", "No such file"}},
     {"OpenMesh", 1, {"--out", "x.vdb", "--shape", "open.obj"}, {"open.obj", "edge"}},
+    {"FlatModel",
+     2,
+     {"--out", "x.vdb", "--raw", "--noise", "flat.json"},
+     {"--noise is flat.json: the spectrum is of 2 dimensions; it must be of 3"}},
     {"EmptyMesh", 1, {"--out", "x.vdb", "--shape", "empty.obj"}, {"empty.obj"}},
     {"MeshWithoutFaces", 1, {"--out", "x.vdb", "--shape", "no_faces.obj"}, {"no_faces.obj"}},
     {"NoGrid", 1, {"--out", "x.vdb", "--shape", "missing.vdb"}, {"missing.vdb"}},

@@ -72,6 +72,8 @@ TEST(Layers, WhatHasNoEffectIsRefused) {
       {{"--fold", "ridged"}, "--fold has no effect on a cloud; give --raw or another --preset too"},
       {{"--raw", "--fold", "wavy"}, "--fold is wavy; it must be one of none, ridged, billow, turbulence"},
       {{"--raw", "--warp", "-1"}, "--warp is -1; it must be between 0 and"},
+      {{"--raw", "--warp", "1", "--output", "curl"},
+       "--warp makes a layer, which has its value only; --output is curl"},
       {{"--raw", "--warp", "1", "0"}, "--warp is 0; it must be between 1e-12"},
       {{"--raw", "--histogram", "uniform", "--range", "unit"}, "--range unit is of 3 sigma"},
       {{"--raw", "--warp", "0.1", "--band-limit"}, "--band-limit is true; it must be false"},

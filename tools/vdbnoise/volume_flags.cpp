@@ -15,6 +15,7 @@
 #include "common/recipe_files.h"
 #include "common/run_tool.h"
 #include "solidnoise/core/check.h"
+#include "solidnoise/core/printable.h"
 #include "solidnoise/recipe/noise_recipe_json.h"
 #include "solidnoise/volume/stored_recipe.h"
 #include "solidnoise/volume/volume_recipe_json.h"
@@ -119,6 +120,11 @@ void declare_layer_flags(FlagSet& flags, VolumeRecipe& recipe) {
 void check_layer_flags(const FlagSet& flags, const VolumeRecipe& recipe,
                        const std::vector<std::string>& noise_flags) {
   if (recipe.layers.empty()) return;
+  if (!is_scalar(recipe)) {
+    flags.refuse({"--warp", "--fold", "--histogram"},
+                 fmt::format("makes a layer, which has its value only; --output is {}",
+                             format_outputs(recipe.output)));
+  }
   if (!use_own_noise(recipe.layers)) {
     constexpr const char* kWhy = "has no effect where each layer of the recipe has its own noise";
     for (const std::string& flag : noise_flags) {
@@ -179,6 +185,9 @@ std::string explain(const FlagSet& flags, const std::string& message) {
       if (flags.given(flag)) return fmt::format("{} goes too far: {}", flag, message);
     }
   }
+  const auto noise = flags.value_of("--noise");
+  if (noise && message.starts_with("the spectrum is "))
+    return fmt::format("--noise is {}: {}", printable(*noise), message);
   return flags.name_flag(name_loop(flags, message));
 }
 
