@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "solidnoise/image/color.h"
+#include "solidnoise/mesh/surface_mesh.h"
 #include "support/message_of.h"
 #include "support/spectra.h"
 #include "support/surfaces.h"
@@ -139,6 +141,38 @@ TEST(BakeMesh, RangesFollowWhatTheyAreToldTo) {
   for (std::size_t i = 1; i <= last; ++i) {
     if (high.mesh.positions[i].y <= high.mesh.positions[0].y) continue;
     EXPECT_GE(high.parameters.frequency.values[i], high.parameters.frequency.values[0]);
+  }
+}
+
+// Noises of the tangent plane and parameters that follow the curvature are those of the surface, which has no
+// seams: values differ by no more than their slope, at most some 2 pi standard deviations a cycle, times the
+// 2e-7 that vertices are apart. A float's rounding is as much.
+TEST(BakeMesh, DoesNotSeeSeams) {
+  PolygonMesh mesh = seamed_sphere_mesh(1.0, 12);
+  for (Vec<3>& p : mesh.positions) p *= Vec<3>(1.0, 1.3, 0.8);  // bent differently everywhere
+  const PolygonMesh closed = with_closed_seams(mesh);
+  const SurfaceMesh surface(closed);
+  constexpr double kHighest = 2.0;
+  const double tolerance = 10.0 * 2.0 * std::numbers::pi * kHighest * 2e-7;
+  for (const SurfaceNoiseKind kind :
+       {SurfaceNoiseKind::surface, SurfaceNoiseKind::oriented, SurfaceNoiseKind::kensler}) {
+    BakeRecipe recipe;
+    recipe.noise.kind = kind;
+    recipe.frequency = ParameterRange{1.0, kHighest};
+    recipe.magnitude = {0.5, 1.0};
+    for (const auto mode : {RefineRecipe::Mode::off, RefineRecipe::Mode::rounds}) {
+      recipe.refine.mode = mode;
+      const PolygonMesh baked = bake_all(mesh, recipe).mesh;
+      const PolygonMesh expected = bake_all(closed, recipe).mesh;
+      ASSERT_EQ(baked.corners, expected.corners);
+      EXPECT_TRUE(std::equal(mesh.positions.begin(), mesh.positions.end(), baked.positions.begin()));
+      const std::vector<double>& values = baked.property("noise")->values;
+      for (std::size_t v = 0; v < values.size(); ++v) {
+        EXPECT_NEAR(values[v], expected.property("noise")->values[v], tolerance);
+        if (v >= mesh.positions.size()) continue;
+        EXPECT_NEAR(values[v], values[surface.vertex_at(surface.point_of(v))], tolerance);
+      }
+    }
   }
 }
 

@@ -172,6 +172,21 @@ TEST(Refine, KeepsSeamsClosed) {
   }
 }
 
+// The new vertices of both sides are at equal positions, though the sides are apart by rounding.
+TEST(Refine, TakesTheSidesOfASeamAsOneLine) {
+  const PolygonMesh mesh = seamed_sphere_mesh(1.0, 12);
+  const PolygonMesh closed = with_closed_seams(mesh);
+  for (const RefineOptions& options : {RefineOptions{}, kSmooth}) {
+    const PolygonMesh refined = refine(mesh, std::array{0.1}, options).mesh;
+    const PolygonMesh expected = refine(closed, std::array{0.1}, options).mesh;
+    expect_same_beginning(refined, mesh);
+    EXPECT_EQ(refined.corners, expected.corners);
+    const auto old = static_cast<std::ptrdiff_t>(mesh.positions.size());
+    EXPECT_TRUE(std::equal(refined.positions.begin() + old, refined.positions.end(),
+                           expected.positions.begin() + old, expected.positions.end()));
+  }
+}
+
 TEST(Subdivide, HalvesEveryEdge) {
   const PolygonMesh mesh = sphere_mesh(1.0, {.n = 3});
   const MeshReport before = inspect_mesh(mesh);

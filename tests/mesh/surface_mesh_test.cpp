@@ -28,6 +28,19 @@ PolygonMesh make_mesh(const std::vector<Vec<3>>& positions, const std::vector<Tr
   return mesh;
 }
 
+// Two meshes as one, that have no vertex in common.
+PolygonMesh both(const PolygonMesh& first, const PolygonMesh& second) {
+  PolygonMesh mesh = first;
+  const auto offset = static_cast<std::uint32_t>(first.positions.size());
+  mesh.positions.insert(mesh.positions.end(), second.positions.begin(), second.positions.end());
+  for (std::size_t f = 0; f < second.face_count(); ++f) {
+    std::vector<std::uint32_t> face(second.face(f).begin(), second.face(f).end());
+    for (std::uint32_t& vertex : face) vertex += offset;
+    mesh.add_face(face);
+  }
+  return mesh;
+}
+
 double total_area(const SurfaceMesh& surface) {
   return std::accumulate(surface.areas().begin(), surface.areas().end(), 0.0);
 }
@@ -86,6 +99,65 @@ TEST(SurfaceMesh, TakesZerosOfEitherSignAsEqual) {
   EXPECT_EQ(surface.point_count(), 4u);
   EXPECT_EQ(surface.point_of(4), 0u);
   EXPECT_EQ(surface.point_of(5), 2u);
+}
+
+// What is measured is bit for bit that of the mesh without gaps.
+TEST(SurfaceMesh, JoinsSeamsWhoseSidesAreApartByRounding) {
+  constexpr std::size_t kRows = 12;
+  const PolygonMesh mesh = seamed_sphere_mesh(3.0, kRows);
+  const SurfaceMesh seamed(mesh);
+  const SurfaceMesh closed(with_closed_seams(mesh));
+  ASSERT_EQ(seamed.point_count(), 2 * kRows * (kRows - 1) + 2);
+  EXPECT_EQ(seamed.vertex_count(), mesh.positions.size());
+  EXPECT_EQ(seamed.positions(), closed.positions());
+  EXPECT_EQ(seamed.triangles(), closed.triangles());
+  EXPECT_EQ(seamed.normals(), closed.normals());
+  EXPECT_EQ(seamed.areas(), closed.areas());
+  EXPECT_EQ(seamed.mean_edge_length(), closed.mean_edge_length());
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    EXPECT_EQ(seamed.point_of(v), closed.point_of(v));
+    EXPECT_FALSE(seamed.on_boundary(seamed.point_of(v)));
+    EXPECT_EQ(mesh.positions[seamed.vertex_at(seamed.point_of(v))], seamed.positions()[seamed.point_of(v)]);
+  }
+}
+
+// A gap of a millionth of the mesh is one, and so is one next to which edges are as small; so are two sheets
+// that lie on each other but for rounding, inside their boundaries. Points of no face stay as they are.
+TEST(SurfaceMesh, LeavesApartWhatRoundingDoesNotExplain) {
+  const PolygonMesh two_triangles = make_mesh(
+      {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1e-6, 0}, {1, 1, 0}, {0, 1, 1e-6}}, {{0, 1, 2}, {3, 4, 5}});
+  EXPECT_EQ(SurfaceMesh(two_triangles).point_count(), 6u);
+  const PolygonMesh with_detail = make_mesh(
+      {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 0, 0}, {5, 1e-7, 0}, {5, 0, 1e-7}}, {{0, 1, 2}, {3, 4, 5}});
+  EXPECT_EQ(SurfaceMesh(with_detail).point_count(), 6u);
+  const PolygonMesh points = make_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1e-9, 0}}, {});
+  EXPECT_EQ(SurfaceMesh(points).point_count(), 3u);
+
+  const PolygonMesh outer = sphere_mesh(1.0, {.n = 6});
+  const PolygonMesh inner = flipped(sphere_mesh(1.0 - 1e-9, {.n = 6}));
+  const SurfaceMesh shell(both(outer, inner));
+  ASSERT_EQ(shell.point_count(), outer.positions.size() + inner.positions.size());
+  for (std::size_t v = 0; v < outer.positions.size(); ++v) {
+    EXPECT_LT(glm::length(shell.normals()[v] + shell.normals()[v + outer.positions.size()]), 1e-6);
+  }
+}
+
+// Of sheets back to back, whether their places are equal or apart by rounding, the first one's triangles
+// count.
+TEST(SurfaceMesh, OfSheetsBackToBackHasTheNormalsOfTheFirst) {
+  const auto bowl = [](double x, double y) { return 0.3 * (x * x + y * y); };
+  const PolygonMesh sheet = graph_mesh(1.0, {.n = 6}, bowl);
+  const SurfaceMesh front(sheet);
+  const SurfaceMesh equal(both(sheet, flipped(sheet)));
+  EXPECT_EQ(equal.normals(), front.normals());
+  EXPECT_EQ(equal.triangles(), front.triangles());
+
+  const PolygonMesh square = make_mesh(kSquare, {{0, 1, 2}, {0, 2, 3}});
+  PolygonMesh moved = flipped(square);
+  for (Vec<3>& p : moved.positions) p.z = 1e-8;
+  const SurfaceMesh near(both(square, moved));
+  EXPECT_EQ(near.point_count(), 4u);
+  for (const Vec<3>& normal : near.normals()) EXPECT_EQ(normal, Vec<3>(0, 0, 1));
 }
 
 // The areas of all points add up to that of the triangles, which tends to the surface's as 1 / n^2.

@@ -147,6 +147,30 @@ inline PolygonMesh torus_mesh(double major, double minor, const Tessellation& te
                    });
 }
 
+// A sphere around the origin whose corners of a texture's picture have vertices of their own: the first
+// meridian is there twice, a pole once for each of its squares, of which there are n from pole to pole and 2
+// n around. Angles are in single precision, as renderers have them: the sine of a whole turn is 1.7e-7, and
+// the vertices at one place are apart by as much.
+inline PolygonMesh seamed_sphere_mesh(double radius, int n) {
+  constexpr float kTurn = 2.0f * std::numbers::pi_v<float>;
+  return grid_mesh(2 * n, n, {Ends::open, Ends::open}, {.n = n}, [&](double u, double v) {
+    const float around = kTurn * static_cast<float>(u);
+    const float down = 0.5f * kTurn * static_cast<float>(v);
+    return radius *
+           Vec<3>(std::sin(down) * std::cos(around), std::cos(down), std::sin(down) * std::sin(around));
+  });
+}
+
+// The same vertices and faces, with each vertex at the place of the first one of equal multiples of 1e-5.
+inline PolygonMesh with_closed_seams(PolygonMesh mesh) {
+  std::map<std::array<long, 3>, Vec<3>> places;
+  for (Vec<3>& p : mesh.positions) {
+    const auto cell = [](double x) { return std::lround(1e5 * x); };
+    p = places.try_emplace({cell(p.x), cell(p.y), cell(p.z)}, p).first->second;
+  }
+  return mesh;
+}
+
 // The graph z = height(x, y) over the square -half <= x, y <= half, seen from +z.
 template <typename Height>
 PolygonMesh graph_mesh(double half, const Tessellation& tessellation, const Height& height) {

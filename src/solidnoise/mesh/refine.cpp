@@ -44,7 +44,8 @@ class Refiner {
     require_at_least("most_vertices", static_cast<double>(options.most_vertices), 1.0);
     const SurfaceMesh surface(mesh);
     normals_ = surface.to_vertices(surface.normals());
-    // Both sides of a seam must come to the same decisions.
+    // Both sides of a seam must come to the same decisions and the same new vertices.
+    result_.positions = surface.to_vertices(surface.positions());
     std::vector<double> at_points(surface.point_count(), std::numeric_limits<double>::infinity());
     for (std::size_t v = 0; v < targets_.size(); ++v) {
       double& smallest = at_points[surface.point_of(v)];
@@ -177,6 +178,7 @@ class Refiner {
   }
 
   RefinedMesh assemble() {
+    std::copy(mesh_.positions.begin(), mesh_.positions.end(), result_.positions.begin());
     result_.face_starts.assign(1, 0);
     result_.corners.clear();
     auto piece = pieces_.begin();
@@ -191,9 +193,10 @@ class Refiner {
 
   const PolygonMesh& mesh_;
   const RefineOptions& options_;
-  std::vector<double> targets_;   // of the result's vertices
-  std::vector<Vec<3>> normals_;   // of the result's vertices, the surface's
-  PolygonMesh result_;            // its faces are those of the mesh until assemble()
+  std::vector<double> targets_;  // of the result's vertices
+  std::vector<Vec<3>> normals_;  // of the result's vertices, the surface's
+  PolygonMesh
+      result_;  // until assemble() its faces are the mesh's, and their vertices at the surface's points
   std::vector<Parents> parents_;  // of the new vertices
   std::vector<char> is_cut_;      // of the mesh's faces
   std::vector<Piece> pieces_;     // of those that are cut, in their order

@@ -75,8 +75,8 @@ struct RefinedMesh {
 // the new vertices: faces that share an edge share what it is cut into, however many they are. The mesh's
 // vertices keep their positions and their indices, and new ones come after; a property's value is the mean of
 // those at the edge's ends (nx ny nz at length 1, integers rounded), and so is the target. New vertices on
-// seams, where vertices at equal positions are split, are at equal positions too. Polygons with an edge or
-// diagonal that is too long become triangles, in the place that they had; all others stay.
+// seams, where vertices of one point (see SurfaceMesh) are split, are at equal positions. Polygons with an
+// edge or diagonal that is too long become triangles, in the place that they had; all others stay.
 //
 // `smooth` places the new vertex in the middle of the edge's curve of Vlachos et al. 2001 ("Curved PN
 // triangles"), with the surface's normals n at its ends:

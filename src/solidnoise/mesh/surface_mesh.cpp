@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <memory>
 #include <numeric>
@@ -11,9 +10,9 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_sort.h>
 
-#include "solidnoise/core/random.h"
+#include "solidnoise/core/bounds.h"
+#include "solidnoise/mesh/same_places.h"
 
 namespace solidnoise {
 namespace {
@@ -33,41 +32,6 @@ void check(const PolygonMesh& mesh) {
       }
     }
   }
-}
-
-// For each vertex the first one at its position.
-std::vector<std::uint32_t> first_at_position(const std::vector<Vec<3>>& positions) {
-  struct Key {
-    std::uint64_t hash;
-    std::uint32_t vertex;
-  };
-  std::vector<Key> keys(positions.size());
-  tbb::parallel_for(std::size_t{0}, keys.size(), [&](std::size_t v) {
-    std::uint64_t hash = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      const double unsigned_zero = positions[v][axis] + 0.0;
-      hash = hash_coordinate(hash, std::bit_cast<std::int64_t>(unsigned_zero));
-    }
-    keys[v] = {hash, static_cast<std::uint32_t>(v)};
-  });
-  tbb::parallel_sort(keys.begin(), keys.end(), [](const Key& a, const Key& b) {
-    return a.hash != b.hash ? a.hash < b.hash : a.vertex < b.vertex;
-  });
-
-  std::vector<std::uint32_t> first(positions.size());
-  std::vector<std::uint32_t> distinct;  // of one hash: nearly always one
-  for (std::size_t begin = 0, end = 0; begin < keys.size(); begin = end) {
-    distinct.clear();
-    for (; end < keys.size() && keys[end].hash == keys[begin].hash; ++end) {
-      const std::uint32_t vertex = keys[end].vertex;
-      const auto same = std::find_if(distinct.begin(), distinct.end(), [&](std::uint32_t other) {
-        return positions[other] == positions[vertex];
-      });
-      first[vertex] = same == distinct.end() ? vertex : *same;
-      if (same == distinct.end()) distinct.push_back(vertex);
-    }
-  }
-  return first;
 }
 
 Adjacency triangles_around(const std::vector<Triangle>& triangles, std::size_t points) {
@@ -118,34 +82,60 @@ struct Corner {
 
 SurfaceMesh::SurfaceMesh(const PolygonMesh& mesh) {
   check(mesh);
-  gather_points(mesh.positions);
-  const std::vector<Triangle> all = triangulate(mesh);
-  triangles_.reserve(all.size());
-  for (Triangle triangle : all) {
-    for (std::uint32_t& corner : triangle) corner = point_of_[corner];
-    if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0]) continue;
-    triangles_.push_back(triangle);
-  }
-  triangles_at_ = triangles_around(triangles_, point_count());
-  drop_duplicates();
+  positions_ = mesh.positions;
+  point_of_.resize(positions_.size());
+  std::iota(point_of_.begin(), point_of_.end(), 0u);
+  first_vertex_ = point_of_;
+  triangles_ = triangulate(mesh);
+  join_points(first_at_position(positions_));
   connect();
+  if (std::find(on_boundary_.begin(), on_boundary_.end(), 1) != on_boundary_.end()) {
+    const std::size_t points = point_count();
+    join_points(first_across_gap(positions_, seam_gaps()));
+    if (point_count() < points) connect();
+  }
   measure_points();
 }
 
-void SurfaceMesh::gather_points(const std::vector<Vec<3>>& positions) {
-  const std::vector<std::uint32_t> first = first_at_position(positions);
-  point_of_.resize(positions.size());
-  positions_.reserve(positions.size());
-  first_vertex_.reserve(positions.size());
-  for (std::uint32_t v = 0; v < positions.size(); ++v) {
-    if (first[v] == v) {
-      point_of_[v] = static_cast<std::uint32_t>(positions_.size());
-      positions_.push_back(positions[v]);
-      first_vertex_.push_back(v);
-    } else {
-      point_of_[v] = point_of_[first[v]];
+void SurfaceMesh::join_points(const std::vector<std::uint32_t>& first) {
+  std::vector<std::uint32_t> joined(first.size());
+  std::uint32_t count = 0;
+  for (std::size_t p = 0; p < first.size(); ++p) {
+    if (first[p] != p) {
+      joined[p] = joined[first[p]];
+      continue;
     }
+    positions_[count] = positions_[p];
+    first_vertex_[count] = first_vertex_[p];
+    joined[p] = count++;
   }
+  positions_.resize(count);
+  first_vertex_.resize(count);
+  for (std::uint32_t& point : point_of_) point = joined[point];
+  for (Triangle& triangle : triangles_) {
+    for (std::uint32_t& corner : triangle) corner = joined[corner];
+  }
+  std::erase_if(triangles_, [](const Triangle& triangle) {
+    return triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0];
+  });
+}
+
+// Angles in single precision close a circle but for 1.7e-7 of its radius, 2^-23.5 of its diameter.
+std::vector<double> SurfaceMesh::seam_gaps() const {
+  constexpr double kOfSize = 0x1p-22;
+  constexpr double kOfEdges = 0x1p-10;
+  const Box<3> box = bounds_of<3>(positions_);
+  const Vec<3> sides = box.upper - box.lower;
+  const double widest = kOfSize * std::max({sides.x, sides.y, sides.z});
+  std::vector<double> gaps(point_count());
+  tbb::parallel_for(std::size_t{0}, point_count(), [&](std::size_t point) {
+    if (!on_boundary(point)) return;
+    double longest = 0.0;
+    for (const std::uint32_t other : neighbours(point))
+      longest = std::max(longest, glm::distance(positions_[other], positions_[point]));
+    gaps[point] = std::min(widest, kOfEdges * longest);
+  });
+  return gaps;
 }
 
 void SurfaceMesh::drop_duplicates() {
@@ -180,6 +170,8 @@ void SurfaceMesh::drop_duplicates() {
 }
 
 void SurfaceMesh::connect() {
+  triangles_at_ = triangles_around(triangles_, point_count());
+  drop_duplicates();
   // Each triangle brings two neighbours to each corner, each of them as often as their edge has triangles.
   const auto found = std::make_unique_for_overwrite<std::uint32_t[]>(2 * triangles_at_.items.size());
   std::vector<std::uint32_t> counts(point_count());

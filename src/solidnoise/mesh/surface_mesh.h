@@ -27,6 +27,12 @@ struct Adjacency {
 // whatever depends on neighbours is computed at points: `point_of` leads from a vertex to its point. Points
 // are numbered in the order of their first vertices; without split vertices, points are the vertices.
 //
+// The sides of a seam may be apart by rounding: a sphere's last meridian is where the sine of a whole turn
+// is, which is not quite 0. So points at boundaries are one too if they are no farther apart than 2^-22 of
+// the mesh's longest side, and 2^-10 of the longest edge at either, below which it may be a detail; the first
+// vertex's position is the point's. Inside their boundaries, sheets that lie on each other but for rounding
+// stay two.
+//
 // Any mesh will do: edges may have any number of triangles, and their windings may disagree. Polygons are cut
 // into triangles; triangles with two corners at one point are left out, and so are those of the same three
 // points as an earlier one. A point without triangles is isolated.
@@ -73,7 +79,10 @@ class SurfaceMesh {
   }
 
  private:
-  void gather_points(const std::vector<Vec<3>>& positions);
+  // `first`: for each point itself, or an earlier one that it becomes one with.
+  void join_points(const std::vector<std::uint32_t>& first);
+  // How far the other side of a seam may be at most; 0 inside boundaries.
+  std::vector<double> seam_gaps() const;
   void drop_duplicates();
   void connect();
   void measure_points();
