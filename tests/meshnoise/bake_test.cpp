@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -96,6 +98,26 @@ TEST(Bake, MergesTheVerticesThatFacetsOfAnStlShare) {
   const PolygonMesh baked = bake(folder, "in.stl", "out.ply");
   EXPECT_EQ(baked.positions, (std::vector<Vec<3>>{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1}}));
   EXPECT_EQ(baked.face_count(), 4u);
+}
+
+// A sphere's meridian and poles that are there more than once, apart by the rounding of single precision.
+TEST(Bake, HasOneValueAtEachPlaceOfASeam) {
+  const TemporaryFolder folder;
+  const PolygonMesh sphere = seamed_sphere_mesh(1.0, 12);
+  write_sample(folder, "in.ply", sphere);
+  const std::vector<Vec<3>> places = with_closed_seams(sphere).positions;
+  const std::vector<std::vector<std::string>> looks{
+      {"--noise", "surface"}, {"--noise", "oriented"}, {"--noise", "kensler"}, {"--preset", "rust"}};
+  for (const std::vector<std::string>& look : looks) {
+    const std::string out = look.back() + ".ply";
+    const std::vector<double> values = numbers_of(bake(folder, "in.ply", out, look), "noise");
+    ASSERT_EQ(values.size(), places.size());
+    for (std::size_t v = 0; v < places.size(); ++v) {
+      const auto first = std::find(places.begin(), places.end(), places[v]) - places.begin();
+      // Some 7 cycles, each of a slope of 2 pi standard deviations, times 2e-7: a hundredfold of that.
+      EXPECT_NEAR(values[v], values[static_cast<std::size_t>(first)], 1e-3) << out << ' ' << v;
+    }
+  }
 }
 
 TEST(Bake, KeepsWhatTheVerticesHad) {
