@@ -238,7 +238,8 @@ void bake_frame(const BakeFrame& frame) {
   warn_of_points(reading.mesh, in, options);
   options.times->begin("plan");
   const BakePlan plan = plan_within(std::move(reading.mesh), options);
-  if (!options.quiet && is_first) print_plan(plan, steering_name(options.recipe.by), options.recipe.refine.mode);
+  if (!options.quiet && is_first)
+    print_plan(plan, steering_name(options.recipe.by), options.recipe.refine.mode);
 
   TaskProgress progress(options.visibility());
   options.times->begin("noise");

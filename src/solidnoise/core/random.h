@@ -29,8 +29,8 @@ constexpr std::uint64_t hash_coordinate(std::uint64_t hash, std::int64_t coordin
   return mix_bits(hash + kGoldenGamma + static_cast<std::uint64_t>(coordinate));
 }
 
-// The key of a cell's random stream: a hash of all of its coordinates and the seed. It has no period; that two
-// given cells have the same one is as likely as 2^-64.
+// The key of a cell's random stream: a hash of all of its coordinates and the seed. It has no period; that
+// two given cells have the same one is as likely as 2^-64.
 template <int Dim>
 std::uint64_t hash_cell(const Index<Dim>& cell, std::uint64_t key) {
   std::uint64_t hash = key;

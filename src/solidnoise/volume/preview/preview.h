@@ -19,8 +19,8 @@ struct PreviewOptions {
 // A picture of a fog volume, its values taken as extinction per world unit: lit by a sun and a sky, before a
 // blue background, seen at three quarters from a little above, framed by its active voxels or those of
 // options.frame. In parallel. Three channels, sRGB-encoded, 0 to 1. A grid with nothing in it gives the
-// background. Progress counts rows of pixels. Throws std::invalid_argument if an option is out of range or the
-// grid's voxels are not cubes; Cancelled.
+// background. Progress counts rows of pixels. Throws std::invalid_argument if an option is out of range or
+// the grid's voxels are not cubes; Cancelled.
 Image render_preview(const openvdb::FloatGrid& grid, const PreviewOptions& options,
                      Progress* progress = nullptr);
 

@@ -7,7 +7,7 @@
 
 #include "solidnoise/volume/topology/topology.h"
 
-namespace solidnoise::glow_preview_test {
+namespace solidnoise::matter_preview_test {
 namespace {
 
 const PreviewOptions kSmall{.width = 80, .height = 60};
@@ -78,4 +78,4 @@ TEST(RenderNebula, ShowsNoStepsOnADenseFace) {
 }
 
 }  // namespace
-}  // namespace solidnoise::glow_preview_test
+}  // namespace solidnoise::matter_preview_test
