@@ -45,7 +45,8 @@ void warn_of_aliasing(const BakePlan& plan, RefineRecipe::Mode refine) {
       "meshnoise: warning: the noise reaches {:.2f} cycles per edge, above 0.5, and will alias; to show all "
       "of "
       "it {}: {}, or make the features larger (--detail, --feature-size, --frequency), or --octaves fewer\n",
-      plan.mean_cycles_per_edge, cost, is_automatic ? "raise --refine-budget" : "use --refine auto");
+      std::ceil(100.0 * plan.mean_cycles_per_edge) / 100.0, cost,
+      is_automatic ? "raise --refine-budget" : "use --refine auto");
 }
 
 void print_plan(const BakePlan& plan, const std::string& steered_by, RefineRecipe::Mode refine) {
