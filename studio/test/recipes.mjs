@@ -27,5 +27,12 @@ export const recipes = {
     noise: { type: "kensler", frequency: 4 },
     layers: [{ fold: "billow" }, { noise: { type: "gabor", frequency: 9 }, weight: 0.4, ramp: [[-1, 0], [1, 1]] }],
   },
+  "signed layers": {
+    noise: { type: "gabor", frequency: 4, seed: 9, octaves: 2 }, shaping: { type: "raw", range: "signed" },
+    layers: [
+      { fold: "ridged", weight: 0.7, warp: { amount: 0.15 } },
+      { noise: { type: "cellular", frequency: 7, seed: 5 }, weight: 0.5, ramp: [[-1, 0], [0, 0.3], [1, 1]] },
+    ],
+  },
 };
 export const textOf = (name) => JSON.stringify({ solidnoise: 2, shaping: { type: "raw" }, ...recipes[name] });

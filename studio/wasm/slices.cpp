@@ -85,12 +85,11 @@ Json shown_of(const VolumeRecipe& grid, const SliceSubject& subject) {
   if (output == Output::curl || output == Output::gradient) return {{"vector", true}};
   const double sigma = subject.plain.empty() ? 0.0 : subject.plain.front().sigma;
   Json shown{{"sigma", sigma}};
+  if (sigma == 0.0) return shown;
   if (raw->range == RawShaping::Range::unit) return {{"low", 0.0}, {"high", 1.0}};
   if (raw->range == RawShaping::Range::signed_values) return {{"low", -1.0}, {"high", 1.0}};
-  if (sigma > 0.0) {
-    shown["low"] = -3.0 * sigma;
-    shown["high"] = 3.0 * sigma;
-  }
+  shown["low"] = -3.0 * sigma;
+  shown["high"] = 3.0 * sigma;
   return shown;
 }
 
