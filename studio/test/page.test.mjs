@@ -316,6 +316,14 @@ test("without WebGL slices work, and volumes say why they do not", async () => {
   await bare.close();
 });
 
+test("the recipe has its place beside the picture on a tablet", async () => {
+  const page = await open("", { viewport: { width: 1024, height: 768 } });
+  await page.click('text="Recipe"');
+  const [picture, panel] = [await page.locator(".slice canvas").first().boundingBox(), await page.locator(".recipe").boundingBox()];
+  assert.ok(picture.x + picture.width <= panel.x, `${picture.x + picture.width} over ${panel.x}`);
+  await wellOf(page);
+});
+
 test("it fits a tablet, in the light", async () => {
   const page = await open("", { viewport: { width: 820, height: 1100 }, colorScheme: "light" });
   await sharp(page);
