@@ -94,6 +94,13 @@ export const activeNoise = (): Noise =>
   state.value.mode === "surface" ? { text: state.value.bake, grid: "" } : (state.value.noises[state.value.active] ?? state.value.noises[0]!);
 export const infoOf = (noise: Noise): Info | undefined => infos.value.get(noise.text);
 
+// The grid that has the colours of a body, as in vdbnoise's previews: the last; empty where there is none.
+export const colorsOf = ({ recipe, grids }: Info): string =>
+  grids.length > 1 && recipe.includes('"look": "solid"') ? grids.at(-1)!.names.at(-1)! : "";
+// A checked recipe, and the grid of it that is looked at: the wanted one where there is such a one.
+export const noiseOf = (info: Info, wanted = ""): Noise =>
+  ({ text: info.recipe, grid: info.grids.some(({ names }) => names.includes(wanted)) ? wanted : colorsOf(info) });
+
 let desk: Pool;
 const past: State[] = [];
 const future: State[] = [];
@@ -187,14 +194,12 @@ export function replaceNoise(noise: Noise, tag: string, rest: Partial<State> = {
 export async function setText(text: string, tag: string, rest: Partial<State> = {}): Promise<boolean> {
   try {
     const info = await check(text);
-    const grids = info.grids.flatMap((grid) => grid.names);
-    const grid = grids.includes(activeNoise().grid) ? activeNoise().grid : "";
     batch(() => {
       problem.value = undefined;
       // A recipe of the other kind turns to the view that shows it.
       const { mode } = state.value;
       const fitting: Mode = info.kind === "surface" ? "surface" : mode === "surface" ? "slice" : mode;
-      replaceNoise({ text: info.recipe, grid }, tag, { mode: fitting, ...rest });
+      replaceNoise(noiseOf(info, activeNoise().grid), tag, { mode: fitting, ...rest });
     });
     return true;
   } catch (error) {
@@ -232,10 +237,9 @@ async function apply(tag: string): Promise<void> {
       const answer = await desk.ask("desk", { do: "edit", recipe: noise.text, edits: now });
       const info = answer.json as unknown as Info;
       learn(info.recipe, info);
-      const grids = info.grids.flatMap((grid) => grid.names);
       batch(() => {
         problem.value = undefined;
-        replaceNoise({ text: info.recipe, grid: grids.includes(noise.grid) ? noise.grid : "" }, tag, {}, at);
+        replaceNoise(noiseOf(info, noise.grid), tag, {}, at);
       });
     } catch (error) {
       problem.value = { message: (error as Error).message, ...(now[0] ? { path: now[0].path } : {}) };

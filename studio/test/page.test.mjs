@@ -219,6 +219,24 @@ test("a volume is marched through", async () => {
   await wellOf(page);
 });
 
+test("a body of marble has dark veins", async () => {
+  const page = await open();
+  await page.click("text=Gallery");
+  await page.click('.start:has-text("marble") >> nth=0');
+  await page.click('[role=tab]:text-is("Volume")');
+  await page.waitForFunction(() => globalThis.last?.dim === 64, null, kPatience);
+  await page.waitForTimeout(1000);
+  const greys = await page.evaluate(() => {
+    const gl = document.querySelector(".volume canvas").getContext("webgl2");
+    const pixels = new Uint8Array(4 * 200 * 200);
+    gl.readPixels(gl.drawingBufferWidth / 2 - 100, gl.drawingBufferHeight / 2 - 100, 200, 200, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+    return Array.from(pixels.filter((_, i) => i % 4 === 0)).sort((a, b) => a - b);
+  });
+  const median = greys[greys.length / 2];
+  assert.ok(median > 150 && greys[0] < 0.6 * median, `${greys[0]} to ${median}`);
+  await wellOf(page);
+});
+
 test("a photograph becomes a noise, whose spectrum is changed by hand", async () => {
   const page = await open();
   await page.click('[role=tab]:text-is("By example")');

@@ -9,6 +9,7 @@ export const engine = {
   schema: {} as Schema,
   bakeSchema: {} as Schema,
   ramps: new Map<string, Float32Array>(),
+  body: undefined as Float32Array | undefined, // the ramp of a body's colours: white where they are 0
   times: { start: 0, slice: 0 } as Record<string, number>,
 };
 
@@ -22,4 +23,5 @@ export async function startEngine(): Promise<void> {
   engine.schema = json.volume as Schema;
   engine.bakeSchema = (json.surface ?? {}) as Schema;
   (json.ramps as string[]).forEach((name, i) => engine.ramps.set(name, floats[i]!));
+  engine.body = engine.ramps.get("marble")!.map((_, i, marble) => marble[765 - i + 2 * (i % 3)]!);
 }

@@ -2,7 +2,7 @@ import type { JSX } from "preact";
 import { useEffect, useRef } from "preact/hooks";
 import { engine } from "../engine/engine.ts";
 import { drawSlice, sampleSlice } from "../engine/slice.ts";
-import { across, check, kFront, setText } from "../store.ts";
+import { across, check, kFront, noiseOf, setText } from "../store.ts";
 import { paint } from "./paint.ts";
 import { type Start, starts } from "../starts.ts";
 
@@ -45,8 +45,9 @@ function Card({ start, close }: { start: Start; close: () => void }): JSX.Elemen
       try {
         const info = await check(start.text);
         if (info.kind === "surface") return canvas.current?.remove();
-        const picture = await sampleSlice(engine.pool, "gallery", { noise: { text: info.recipe, grid: "" }, plane: { ...kFront, ...across(info.box) }, time: undefined, columns: 96, rows: 96 }, { draft: true });
-        const image = drawSlice(picture, undefined);
+        const noise = noiseOf(info);
+        const picture = await sampleSlice(engine.pool, "gallery", { noise, plane: { ...kFront, ...across(info.box) }, time: undefined, columns: 96, rows: 96 }, { draft: true });
+        const image = drawSlice(picture, noise.grid ? engine.body : undefined);
         known.set(start.name, image);
         put(image);
       } catch {

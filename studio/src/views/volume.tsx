@@ -3,7 +3,7 @@ import type { JSX } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { engine } from "../engine/engine.ts";
 import { Dropped } from "../engine/pool.ts";
-import { activeNoise, infoOf, state, time } from "../store.ts";
+import { activeNoise, colorsOf, infoOf, state, time } from "../store.ts";
 import { Orbit } from "./orbit.ts";
 import { SceneCanvas, useScene } from "./scene.tsx";
 import { type VolumeLook, VolumeRenderer } from "./volume_renderer.ts";
@@ -59,7 +59,7 @@ export function VolumeView(): JSX.Element {
         if (own !== generation.current || !renderer.current) return;
         const look: VolumeLook = single.raw ? "solid" : /nebula/.test(noise.text.match(/"look": "(\w+)"/)?.[1] ?? "") ? "glow" : "cloud";
         renderer.current.load({ size, values, range, light, factor, sides: sides as [number, number, number], look, sun: kSun, up: /"up": "z"/.test(noise.text) ? 2 : 1,
-          ramp: engine.ramps.get(state.value.ramp || (single.raw ? "marble" : "grey"))! });
+          ramp: engine.ramps.get(state.value.ramp) ?? (colorsOf(info) ? engine.body! : engine.ramps.get(single.raw ? "marble" : "grey")!) });
         render();
         tell(`${size.join(" × ")} voxels · ${(performance.now() - begin).toFixed(0)} ms`);
         engine.times[`volume ${dim}`] = performance.now() - begin;
