@@ -11,13 +11,13 @@ import { ExampleView } from "./views/example.tsx";
 import { SurfaceView } from "./views/surface.tsx";
 import { VolumeView } from "./views/volume.tsx";
 import { addressOf } from "./engine/address.ts";
-import { can, commit, type Mode, redo, state, undo } from "./store.ts";
+import { can, commit, type Mode, problem, redo, state, undo } from "./store.ts";
 
 const kModes: [Mode, string][] = [["slice", "Slice"], ["volume", "Volume"], ["surface", "Surface"], ["example", "By example"]];
 
 export function App(): JSX.Element {
   const [gallery, setGallery] = useState(false);
-  const [panel, setPanel] = useState(innerWidth > 1100);
+  const [panel, setPanel] = useState(innerWidth > 1100 || problem.value?.text !== undefined);
   const { noises, active, mode } = state.value;
   return (
     <div class={`app ${mode}`}>

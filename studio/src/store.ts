@@ -85,7 +85,12 @@ const kStart: State = {
 
 export const state = signal<State>(kStart);
 export const infos = signal<ReadonlyMap<string, Info>>(new Map());
-export const problem = signal<{ message: string; path?: Path } | undefined>(undefined);
+export interface Problem {
+  message: string;
+  path?: Path; // of what was edited
+  text?: string; // of a recipe that an address brought
+}
+export const problem = signal<Problem | undefined>(undefined);
 export const can = signal({ undo: false, redo: false });
 export const time = signal<number | undefined>(undefined); // while it plays
 
@@ -249,9 +254,19 @@ async function apply(tag: string): Promise<void> {
 
 let first: Pick<State, "noises" | "bake">; // where an address or what was kept has nothing else
 
-// Throws an Error that says what is wrong with a recipe of it.
+// A recipe that is not one; `text` is what it says.
+class Faulty extends Error {
+  constructor(message: string, readonly text: string) {
+    super(message);
+  }
+}
+const problemOf = (error: unknown): Problem => (error instanceof Faulty ? { message: error.message, text: error.text } : { message: (error as Error).message });
+
+// Throws a Faulty that says what is wrong with a recipe of it.
 async function whole(from: Partial<State>): Promise<State> {
-  const known = async ({ text, grid }: Noise): Promise<Noise> => ({ text: (await check(text)).recipe, grid });
+  const known = async ({ text, grid }: Noise): Promise<Noise> => noiseOf(await check(text).catch((error: Error) => {
+    throw new Faulty(error.message, text);
+  }), grid);
   const noises: Noise[] = [];
   for (const noise of from.noises?.length ? from.noises.slice(0, 3) : first.noises) noises.push(await known(noise));
   const { text: bake } = await known({ text: from.bake || first.bake, grid: "" });
@@ -272,27 +287,31 @@ export async function begin(pool: Pool, preset: string, surface: string): Promis
   desk = pool;
   first = { noises: [{ text: preset, grid: "" }], bake: surface };
   const kept = stored();
-  const asked = readAddress();
-  const same = kept && asked && addressOf({ ...kStart, ...kept }) === location.href;
-  for (const from of [same ? kept : asked, kept, {}]) {
-    if (!from) continue;
+  const same = kept && addressOf({ ...kStart, ...kept }) === location.href;
+  for (const from of [() => (same ? kept : readAddress()), () => kept, () => ({})]) {
     try {
-      return show(await whole(from));
+      const asked = from();
+      if (!asked) continue;
+      const next = await whole(asked);
+      // An address with a fault stays, until something is changed, and its text is in the panel of recipes.
+      if (problem.value) state.value = { ...next, mode: next.mode === "example" ? "slice" : next.mode };
+      else show(next);
+      return;
     } catch (error) {
-      problem.value = { message: (error as Error).message };
+      problem.value ??= problemOf(error);
     }
   }
 }
 
 // Another address in the same page: a link that was pasted, or the browser's way back.
 addEventListener("hashchange", async () => {
-  const from = readAddress();
-  if (!from) return;
   try {
+    const from = readAddress();
+    if (!from) return;
     const next = await whole(from);
     problem.value = undefined;
     commit(next, "address");
   } catch (error) {
-    problem.value = { message: (error as Error).message };
+    problem.value = problemOf(error);
   }
 });

@@ -180,6 +180,24 @@ test("a link of a surface is taken by a page that is open, and undone", async ()
   await wellOf(page);
 });
 
+test("a link with a fault, or cut off, stays, and its text is there to mend", async () => {
+  const text = JSON.stringify({ solidnoise: 2, noise: { type: "gabor", frequency: 5, bandwith: 2 } });
+  const faulty = await open(`#recipe=${codeOf(text)}&view=slice`);
+  await faulty.waitForTimeout(600);
+  assert.ok((await faulty.evaluate(() => location.hash)).includes(codeOf(text)));
+  assert.match(await faulty.textContent(".recipe .problem"), /bandwith is unknown/);
+  const area = faulty.locator("textarea");
+  await area.fill((await area.inputValue()).replace("bandwith", "bandwidth"));
+  await faulty.waitForSelector(".recipe .problem", { state: "detached" });
+  assert.equal(await faulty.inputValue('[data-path="noise.bandwidth"] input.number'), "2");
+  const cut = await open(`#recipe=${codeOf(text).slice(0, 41)}`);
+  await cut.waitForTimeout(600);
+  assert.equal(await cut.inputValue("textarea"), text.slice(0, 30));
+  assert.ok((await cut.evaluate(() => location.hash)).endsWith(codeOf(text).slice(0, 41)));
+  await wellOf(faulty);
+  await wellOf(cut);
+});
+
 test("three noises stand side by side", async () => {
   const page = await open();
   await page.click("text=+ Compare");

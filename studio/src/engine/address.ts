@@ -9,7 +9,11 @@ export const base64 = (bytes: Uint8Array): string => {
 };
 export const bytesOf = (code: string): Uint8Array<ArrayBuffer> => Uint8Array.from(atob(code), (c) => c.charCodeAt(0));
 const encode = (text: string): string => base64(new TextEncoder().encode(text)).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
-const decode = (code: string): string => new TextDecoder().decode(bytesOf(code.replaceAll("-", "+").replaceAll("_", "/")));
+// Of a link that was cut off, what there is of it.
+const decode = (code: string): string => {
+  const whole = code.replaceAll("-", "+").replaceAll("_", "/").replace(/[^\w+/]/g, "");
+  return new TextDecoder().decode(bytesOf(whole.slice(0, whole.length - (whole.length % 4 === 1 ? 1 : 0))));
+};
 
 // Without blanks outside of strings; numbers stay as they are written.
 const compact = (text: string): string => text.replace(/("(?:[^"\\]|\\.)*")|\s+/g, "$1");
@@ -34,30 +38,27 @@ export function writeAddress(state: State): void {
   history.replaceState(null, "", addressOf(state));
 }
 
+// Throws an Error where a part of it cannot be read.
 export function readAddress(): Partial<State> | undefined {
   const hash = location.hash.slice(1);
   if (!hash.includes("recipe=")) return undefined;
   const read: Partial<State> = { noises: [], active: 0 };
-  try {
-    for (const part of hash.split("&")) {
-      const [key, value = ""] = [part.slice(0, part.indexOf("=")), part.slice(part.indexOf("=") + 1)];
-      if (key === "recipe") read.noises!.push({ text: decode(value), grid: "" });
-      if (key === "grid" && read.noises!.length > 0) read.noises![read.noises!.length - 1]!.grid = decodeURIComponent(value);
-      if (key === "example") read.example = decode(value);
-      if (key === "groups") read.groups = JSON.parse(decode(value)) as State["groups"];
-      if (key === "ramp") read.ramp = decodeURIComponent(value);
-      if (key === "view" && ["slice", "volume", "surface", "example"].includes(value)) read.mode = value as State["mode"];
-      if (key === "plane") {
-        const n = value.split("_").map(Number);
-        if (n.length === 10 && n.every(Number.isFinite)) {
-          read.plane = { origin: [n[0]!, n[1]!, n[2]!], normal: [n[3]!, n[4]!, n[5]!], up: [n[6]!, n[7]!, n[8]!], width: n[9]! };
-        }
+  for (const part of hash.split("&")) {
+    const [key, value = ""] = [part.slice(0, part.indexOf("=")), part.slice(part.indexOf("=") + 1)];
+    if (key === "recipe") read.noises!.push({ text: decode(value), grid: "" });
+    if (key === "grid" && read.noises!.length > 0) read.noises![read.noises!.length - 1]!.grid = decodeURIComponent(value);
+    if (key === "example") read.example = decode(value);
+    if (key === "groups") read.groups = JSON.parse(decode(value)) as State["groups"];
+    if (key === "ramp") read.ramp = decodeURIComponent(value);
+    if (key === "view" && ["slice", "volume", "surface", "example"].includes(value)) read.mode = value as State["mode"];
+    if (key === "plane") {
+      const n = value.split("_").map(Number);
+      if (n.length === 10 && n.every(Number.isFinite)) {
+        read.plane = { origin: [n[0]!, n[1]!, n[2]!], normal: [n[3]!, n[4]!, n[5]!], up: [n[6]!, n[7]!, n[8]!], width: n[9]! };
       }
     }
-    // On surfaces their own recipe comes first.
-    if (read.mode === "surface") read.bake = read.noises!.shift()?.text ?? "";
-    return read;
-  } catch {
-    return undefined;
   }
+  // On surfaces their own recipe comes first.
+  if (read.mode === "surface") read.bake = read.noises!.shift()?.text ?? "";
+  return read;
 }

@@ -15,8 +15,19 @@ export function RecipePanel(): JSX.Element {
   const waiting = useRef<ReturnType<typeof setTimeout> | undefined>(undefined);
   const own = useRef("");
 
+  const mark = (message: string): void => {
+    const found = /^(?:line (\d+)|.*line (\d+))/.exec(message);
+    setWrong({ line: Number(found?.[1] ?? found?.[2] ?? 0), message });
+  };
   useSignalEffect(() => {
     const now = activeNoise().text;
+    const faulty = problem.value;
+    if (faulty?.text !== undefined) {
+      own.current = now;
+      write(faulty.text);
+      mark(faulty.message);
+      return;
+    }
     // What is being typed stays as it is typed.
     if (now === own.current) return;
     own.current = now;
@@ -32,9 +43,7 @@ export function RecipePanel(): JSX.Element {
         own.current = activeNoise().text;
         setWrong(undefined);
       } else {
-        const message = problem.value?.message ?? "";
-        const found = /^(?:line (\d+)|.*line (\d+))/.exec(message);
-        setWrong({ line: Number(found?.[1] ?? found?.[2] ?? 0), message });
+        mark(problem.value?.message ?? "");
       }
     }, 160);
   };
@@ -72,15 +81,15 @@ function Commands(): JSX.Element {
   ] : [
     "vdbnoise --recipe recipe.json --out noise.vdb --preview noise.png",
     ...(sliced ? [`vdbnoise slice --recipe recipe.json --origin ${numbers(plane.origin)} --normal ${numbers(plane.normal)} --up ${numbers(plane.up)} --width ${numbers([plane.width])} --resolution 1024 --out slice.png`] : []),
-    "vdbnoise --recipe LINK --out noise.vdb",
+    `vdbnoise --recipe '${addressOf(state.value)}' --out noise.vdb`,
   ];
   return (
     <section class="commands">
       <h2>In the shell</h2>
       {commands.map((command) => (
         <div class="command" key={command}>
-          <code>{command}</code>
-          <CopyButton label="Copy" text={() => command.replace("LINK", `'${addressOf(state.value)}'`)} />
+          <code>{command.replace(/(#.{14})[^']*/, "$1…")}</code>
+          <CopyButton label="Copy" text={() => command} />
         </div>
       ))}
       <p class="hint">Volumes of more than 128 voxels a side, files and meshes of your own are made there.</p>
