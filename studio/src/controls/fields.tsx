@@ -38,6 +38,26 @@ function Row({ schema, value, path, name, id, children }: Omit<FieldProps, "root
   );
 }
 
+// A number to type, with a point or a comma; what is not one, or is refused, goes back to what the recipe has.
+interface NumberProps {
+  value: string;
+  write: (number: number, typed: string) => void;
+  id?: string;
+  class?: string;
+  title?: string;
+  "aria-label"?: string;
+  onKeyDown?: (event: KeyboardEvent) => void;
+}
+function NumberInput({ value, write, ...rest }: NumberProps): JSX.Element {
+  return (
+    <input class="number" type="text" inputMode="decimal" value={value} {...rest} onChange={(event) => {
+      const typed = event.currentTarget.value.trim().replace(",", ".");
+      event.currentTarget.value = value;
+      if (typed && Number.isFinite(Number(typed))) write(Number(typed), typed);
+    }} />
+  );
+}
+
 // A slider that is a bar, with the number in it to type.
 export function NumberField({ schema, value, path, name }: FieldProps): JSX.Element {
   const id = useId();
@@ -46,15 +66,12 @@ export function NumberField({ schema, value, path, name }: FieldProps): JSX.Elem
   const now = number < slide.low || number > slide.high ? slideOf(schema, number, number) : slide;
   const whole = schema.type === "integer";
   const huge = whole && (schema.maximum ?? Infinity) > 1e9 && schema.minimum === 0;
-  const write = (x: number): void => {
-    if (Number.isFinite(x)) set(path, whole ? Math.round(x) : x);
-  };
+  const write = (x: number): void => set(path, whole ? Math.round(x) : x);
   const t = toSlider(now, number);
   if (huge) {
     return (
       <Row {...{ schema, value, path, name, id }}>
-        <input id={id} class="text" type="text" inputMode="numeric" value={String(number)}
-          onChange={(event) => /^\d+$/.test(event.currentTarget.value) && void edit([{ path, value: event.currentTarget.value }], tagOf(path))} />
+        <NumberInput id={id} class="text" value={String(number)} write={(_, typed) => /^\d+$/.test(typed) && void edit([{ path, value: typed }], tagOf(path))} />
         <button class="icon" aria-label={`Another ${name}`} title="Another one" onClick={() => write(Math.floor(Math.random() * 1e6))}>⚄</button>
       </Row>
     );
@@ -71,8 +88,7 @@ export function NumberField({ schema, value, path, name }: FieldProps): JSX.Elem
           onChange={() => setSlide(slideOf(schema, number, number))} />
         {schema.unit && <i class="unit" aria-hidden="true">{schema.unit.replace(/;.*/, "")}</i>}
       </span>
-      <input class="number" type="text" inputMode="decimal" aria-label={`${labelOf(name)}, number`} value={String(Number(number.toPrecision(7)))}
-        onChange={(event) => write(Number(event.currentTarget.value))}
+      <NumberInput aria-label={`${labelOf(name)}, number`} value={String(Number(number.toPrecision(7)))} write={write}
         onKeyDown={(event) => {
           const step = event.key === "ArrowUp" ? 1 : event.key === "ArrowDown" ? -1 : 0;
           if (step === 0) return;
@@ -91,12 +107,8 @@ function NumbersField({ schema, value, path, name }: FieldProps): JSX.Element {
     <Row {...{ schema, value, path, name }}>
       <span class={`numbers n${numbers.length}`}>
         {numbers.map((number, i) => (
-          <input key={i} class="number" type="text" inputMode="decimal" aria-label={`${labelOf(name)} ${axis(i)}`} title={axis(i)}
-            value={String(Number(number.toPrecision(6)))}
-            onChange={(event) => {
-              const changed = Number(event.currentTarget.value);
-              if (Number.isFinite(changed)) set(path, numbers.map((old, k) => (k === i ? changed : old)));
-            }} />
+          <NumberInput key={i} aria-label={`${labelOf(name)} ${axis(i)}`} title={axis(i)} value={String(Number(number.toPrecision(6)))}
+            write={(changed) => set(path, numbers.map((old, k) => (k === i ? changed : old)))} />
         ))}
       </span>
     </Row>
@@ -183,7 +195,7 @@ export function KindField({ schema, root, value, path, name }: FieldProps): JSX.
 // The fields of an object; those that it may have and has not wait under a button.
 export function ObjectFields({ schema, root, value, path, skip = [] }: FieldProps & { skip?: string[] }): JSX.Element {
   const object = isObject(value) ? value : {};
-  const entries = Object.entries(schema.properties ?? {}).filter(([key]) => !skip.includes(key));
+  const entries = Object.entries(schema.properties ?? {}).filter(([key]) => !skip.includes(key) && (key !== "combine" || object.layers !== undefined));
   const shown = entries.filter(([key, field]) => key in object || field.default !== undefined);
   const hidden = entries.filter(([key, field]) => !(key in object) && field.default === undefined && startOf(field, root) !== undefined);
   return (
