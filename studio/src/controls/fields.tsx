@@ -249,7 +249,7 @@ function ListField({ schema, root, value, path, name }: FieldProps): JSX.Element
             <span>{summaryOf(one, i)}</span>
             <span class="tools">
               {i > 0 && <button class="icon" aria-label="Up" title="Up" onClick={(event) => { event.preventDefault(); move(i, -1); }}>↑</button>}
-              <button class="icon" aria-label="Copy" title="Copy" onClick={(event) => { event.preventDefault(); set(path, [...items.slice(0, i + 1), one, ...items.slice(i + 1)]); }}>⧉</button>
+              <button class="icon" aria-label="Copy" title="Copy" onClick={(event) => { event.preventDefault(); set(path, [...items.slice(0, i + 1), one, ...items.slice(i + 1)]); }}><svg viewBox="0 0 16 16" aria-hidden="true"><path d="M5 5h8v8H5zM3 11V3h8" /></svg></button>
               <button class="icon" aria-label="Remove" title="Remove" onClick={(event) => { event.preventDefault(); removeAt(i); }}>×</button>
             </span>
           </summary>
