@@ -1,6 +1,7 @@
 import type { JSX } from "preact";
 import { useState } from "preact/hooks";
 import { CopyButton } from "./controls/copy.tsx";
+import { Choice } from "./controls/choice.tsx";
 import { Controls } from "./controls/controls.tsx";
 import { Gallery } from "./views/gallery.tsx";
 import { RecipePanel } from "./views/recipe.tsx";
@@ -19,17 +20,13 @@ export function App(): JSX.Element {
   const [gallery, setGallery] = useState(false);
   const [panel, setPanel] = useState(innerWidth > 1100 || problem.value?.text !== undefined);
   const { noises, active, mode } = state.value;
+  const shown = kModes.findIndex(([own]) => own === mode);
   return (
     <div class={`app ${mode}`}>
       <header class="bar">
         <h1><Mark />Solidnoise <span>Studio</span></h1>
         <button class="wide" onClick={() => setGallery(true)}>Gallery</button>
-        <nav class="tabs" role="tablist" aria-label="Views">
-          {kModes.map(([own, label]) => (
-            <button key={own} role="tab" aria-selected={own === mode} class={own === mode ? "on" : ""}
-              onClick={() => commit({ ...state.value, mode: own }, `mode ${own}`)}>{label}</button>
-          ))}
-        </nav>
+        <Choice tabs label="Views" look="tabs" words={kModes.map(([, label]) => label)} chosen={shown} choose={(i) => commit({ ...state.value, mode: kModes[i]![0] }, `mode ${i}`)} />
         <span class="space" />
         <button class="icon" aria-label="Undo" title="Undo (Ctrl+Z)" disabled={!can.value.undo} onClick={undo}>↶</button>
         <button class="icon" aria-label="Redo" title="Redo (Ctrl+Shift+Z)" disabled={!can.value.redo} onClick={redo}>↷</button>
@@ -40,7 +37,7 @@ export function App(): JSX.Element {
       {mode !== "example" && <aside class="controls" aria-label="Controls"><Controls /></aside>}
       <main class={`stage ${mode}`}>
         {mode !== "example" && <ViewBar />}
-        <div class={`views n${mode === "slice" ? noises.length : 1}`}>
+        <div class={`views n${mode === "slice" ? noises.length : 1}`} role="tabpanel" aria-label={kModes[shown]![1]}>
           {mode === "slice" && noises.map((noise, index) => (
             <section key={index} class={`pane${index === active && noises.length > 1 ? " active" : ""}`}
               onPointerDown={() => index !== state.value.active && commit({ ...state.value, active: index }, `active ${index}`)}>

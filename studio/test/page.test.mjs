@@ -69,7 +69,7 @@ test("every control can be reached by keys, and has a name", async () => {
     const nameless = await page.evaluate(() => [...document.querySelectorAll("button, input, select, textarea, canvas, [tabindex]")].filter((element) =>
       !element.getAttribute("aria-label") && !element.labels?.length && !element.textContent.trim() && !element.closest("label")).map((element) => element.outerHTML));
     assert.deepEqual(nameless, []);
-    const unreached = await page.evaluateHandle(() => new Set([...document.querySelectorAll("button:enabled, input, select, textarea, summary, [tabindex='0']")].filter((element) => element.checkVisibility())));
+    const unreached = await page.evaluateHandle(() => new Set([...document.querySelectorAll("button:enabled:not([tabindex='-1']), input, select, textarea, summary, [tabindex='0']")].filter((element) => element.checkVisibility())));
     const most = 2 * (await unreached.evaluate((set) => set.size));
     for (let i = 0; i < most && (await unreached.evaluate((set) => set.size)) > 0; ++i) {
       await page.keyboard.press("Tab");
@@ -96,6 +96,43 @@ test("keys move a slider, which goes back to its default by a button", async () 
   await page.click('[aria-label="Bandwidth back to the default"]');
   await bandwidth(1, 1);
   assert.equal(await page.locator('[aria-label="Bandwidth back to the default"]').count(), 0);
+  await wellOf(page);
+});
+
+test("arrow keys choose kinds and views", async () => {
+  const page = await open();
+  await page.locator('[role=radio][aria-checked=true]:text-is("gabor")').focus();
+  await page.keyboard.press("ArrowLeft");
+  await page.waitForFunction(() => JSON.parse(document.querySelector("textarea").value).noise.type === "cellular");
+  assert.equal(await page.textContent(":focus"), "cellular");
+  // The description was of another noise.
+  assert.equal(await page.locator(".description").count(), 0);
+  await page.locator('[role=tab][aria-selected=true]').focus();
+  await page.keyboard.press("ArrowRight");
+  await page.waitForSelector('[role=tabpanel][aria-label="Volume"] figure.volume');
+  await wellOf(page);
+});
+
+test("numbers are typed with a point or a comma; what is none, or refused, goes back", async () => {
+  const page = await open();
+  const number = page.locator('[data-path="noise.frequency"] input.number');
+  const typed = async (text, shown) => {
+    await number.fill(text);
+    await number.blur();
+    await page.waitForFunction((own) => document.querySelector('[data-path="noise.frequency"] input.number').value === own, shown, kPatience);
+  };
+  await typed("1,5", "1.5");
+  assert.equal((await recipeOf(page)).noise.frequency, 1.5);
+  for (const text of ["", "x", "-3"]) await typed(text, "1.5");
+  await page.waitForSelector('.controls .problem:has-text("noise.frequency is -3")');
+  assert.equal((await recipeOf(page)).noise.frequency, 1.5);
+  await wellOf(page);
+});
+
+test("a layer without layers of its own has nothing to combine", async () => {
+  const page = await open(`#recipe=${codeOf(textOf("two layers"))}&view=slice`);
+  await page.waitForSelector('[data-path="grids.0.layers.1.fold"]');
+  assert.equal(await page.locator('[data-path$=".combine"]').count(), 0);
   await wellOf(page);
 });
 

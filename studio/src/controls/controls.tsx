@@ -2,6 +2,7 @@ import { useComputed } from "@preact/signals";
 import type { JSX } from "preact";
 import { engine } from "../engine/engine.ts";
 import { activeNoise, infoOf, problem, replaceNoise, state } from "../store.ts";
+import { Choice } from "./choice.tsx";
 import { Field, KindField, ObjectFields } from "./fields.tsx";
 import { isObject, type Json, resolved, type Schema } from "./schema.ts";
 
@@ -9,6 +10,8 @@ import { isObject, type Json, resolved, type Schema } from "./schema.ts";
 
 const kMotion = ["dims", "time", "offset", "wind"];
 const kAtoms = ["noise", "grids", "domain", "fields", "solidnoise", "algorithm", "$schema", "description"];
+
+const kUndescribed = [{ path: ["description"] }]; // another noise is not what was described
 
 const section = (title: string, open: boolean, children: JSX.Element): JSX.Element => (
   <details class="section" open={open}><summary>{title}</summary>{children}</details>
@@ -38,7 +41,7 @@ export function Controls(): JSX.Element | null {
   if (onSurface) return <SurfaceControls json={json} root={root} />;
   const { properties } = root;
   const grids = Array.isArray(json.grids) ? json.grids : [];
-  const info = infoOf(activeNoise());
+  const names = infoOf(activeNoise())?.grids.flatMap((grid) => grid.names) ?? [];
   const place = Math.max(0, grids.findIndex((grid) => isObject(grid) && grid.name === activeNoise().grid));
   const grid = grids[place];
   const gridSchema = resolved(resolved(properties.grids ?? {}, root).items ?? {}, root);
@@ -50,14 +53,9 @@ export function Controls(): JSX.Element | null {
     <>
       {typeof json.description === "string" && <p class="description">{json.description}</p>}
       {problem.value && <p class="problem" role="alert">{problem.value.message}</p>}
-      {section("Noise", true, <KindField schema={noiseSchema} root={root} value={json.noise} path={["noise"]} name="noise" />)}
+      {section("Noise", true, <KindField schema={noiseSchema} root={root} value={json.noise} path={["noise"]} name="noise" along={kUndescribed} />)}
       {grids.length > 1 && (
-        <div class="kinds grids" role="radiogroup" aria-label="Grid">
-          {(info?.grids ?? []).flatMap(({ names }) => names).map((name, i) => (
-            <button key={name} role="radio" aria-checked={i === place} class={i === place ? "on" : ""}
-              onClick={() => replaceNoise({ ...activeNoise(), grid: name }, `grid ${name}`)}>{name}</button>
-          ))}
-        </div>
+        <Choice label="Grid" look="kinds grids" words={names} chosen={place} choose={(i) => replaceNoise({ ...activeNoise(), grid: names[i]! }, `grid ${i}`)} />
       )}
       {section("Shaping", true, <KindField schema={resolved(own.shaping ?? {}, root)} root={root} value={isObject(grid) ? grid.shaping : undefined} path={[...gridPath, "shaping"]} name="shaping" />)}
       {section("Layers", isObject(grid) && grid.layers !== undefined, (

@@ -1,9 +1,10 @@
 import { type ComponentChildren, type JSX } from "preact";
 import { useId, useState } from "preact/hooks";
-import { edit, type Path, problem } from "../store.ts";
+import { type Edit, edit, type Path, problem } from "../store.ts";
 import {
   aboutOf, fromSlider, isObject, type Json, labelOf, resolved, rounded, type Schema, slideOf, toSlider, typeName,
 } from "./schema.ts";
+import { Choice } from "./choice.tsx";
 import { RampEditor } from "./ramp.tsx";
 
 // Controls for whatever the schema says: nothing here knows what a noise is.
@@ -162,8 +163,8 @@ function TextField({ schema, value, path, name }: FieldProps): JSX.Element {
   );
 }
 
-// One of several kinds of thing, such as noises: its kind, and the fields of that.
-export function KindField({ schema, root, value, path, name }: FieldProps): JSX.Element {
+// One of several kinds of thing, such as noises: its kind, and the fields of that; another kind makes the edits `along`, too.
+export function KindField({ schema, root, value, path, name, along = [] }: FieldProps & { along?: Edit[] }): JSX.Element {
   const alternatives = schema.oneOf ?? [];
   const type = isObject(value) ? String(value.type) : typeName(alternatives[0] ?? {});
   const current = alternatives.find((alternative) => typeName(alternative) === type);
@@ -174,19 +175,12 @@ export function KindField({ schema, root, value, path, name }: FieldProps): JSX.
   });
   const change = (alternative: Schema): void => {
     const keep = Object.keys(alternative.properties ?? {}).filter((key) => key !== "type");
-    void edit([{ path, value: JSON.stringify({ type: typeName(alternative) }), keep }], `type ${tagOf(path)}`);
+    void edit([{ path, value: JSON.stringify({ type: typeName(alternative) }), keep }, ...along], `type ${tagOf(path)}`);
   };
   return (
     <>
-      <div class="kinds" role="radiogroup" aria-label={labelOf(name)}>
-        {offered.map((alternative) => {
-          const own = typeName(alternative);
-          return (
-            <button key={own} role="radio" aria-checked={own === type} class={own === type ? "on" : ""} title={alternative.description ?? ""}
-              onClick={() => own !== type && change(alternative)}>{own}</button>
-          );
-        })}
-      </div>
+      <Choice label={labelOf(name)} words={offered.map(typeName)} titles={offered.map(({ description }) => description ?? "")}
+        chosen={offered.findIndex((alternative) => typeName(alternative) === type)} choose={(i) => change(offered[i]!)} />
       {current && <ObjectFields schema={current} root={root} value={value} path={path} name={name} skip={["type", "exemplar"]} />}
     </>
   );

@@ -142,7 +142,7 @@ export function ExampleView(): JSX.Element {
       </div>
       {!parsed && busy === undefined && <p class="invite">Drop a photograph here, or take one of those above: sand, soil, moss and their like become a noise without seams.</p>}
       {report && (
-        <div class="report"><p>{report.text.replace(/[;,]? (in )?0(\.0+)? s(econds)?\b/, "")} · {report.seconds.toFixed(1)} s</p>{report.warnings.map((warning) => <p key={warning} class="warning">{warning}</p>)}</div>
+        <div class="report" role="status"><p>{report.text.replace(/[;,]? (in )?0(\.0+)? s(econds)?\b/, "")} · {report.seconds.toFixed(1)} s</p>{report.warnings.map((warning) => <p key={warning} class="warning">{warning}</p>)}</div>
       )}
       {parsed && (
         <div class="workbench">
@@ -178,12 +178,13 @@ export function ExampleView(): JSX.Element {
 }
 
 function GroupSlider({ label, value, shown = value, low, high, step, write }: { label: string; value: number; shown?: number; low: number; high: number; step: number; write: (value: number) => void }): JSX.Element {
+  const text = String(Number(shown.toFixed(2)));
   return (
     <label class="row"><span class="name">{label}</span>
       <span class="slide" style={{ "--t": `${(100 * (value - low)) / (high - low)}%` }}>
-        <input type="range" min={low} max={high} step={step} value={value} onInput={(event) => write(Number(event.currentTarget.value))} />
+        <input type="range" min={low} max={high} step={step} value={value} aria-valuetext={text} onInput={(event) => write(Number(event.currentTarget.value))} />
       </span>
-      <output class="number">{Number(shown.toFixed(2))}</output>
+      <output class="number">{text}</output>
     </label>
   );
 }

@@ -184,7 +184,7 @@ export function SliceView({ index }: { index: number }): JSX.Element {
         onContextMenu={(event) => event.preventDefault()} onKeyDown={onKey} />
       {failure && <p class="failure" role="alert">{failure}</p>}
       <figcaption>
-        {told && <span data-sharp={told.sharp}>{told.size} · {told.ms.toFixed(0)} ms</span>}
+        {told && <span data-sharp={told.sharp} aria-live={told.sharp ? "polite" : "off"}>{told.size} · {told.ms.toFixed(0)} ms</span>}
         {told && <span>{told.range[0].toPrecision(3)} … {told.range[1].toPrecision(3)}</span>}
         {value && <span class="value">{value}</span>}
       </figcaption>

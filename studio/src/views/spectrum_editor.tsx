@@ -1,5 +1,6 @@
 import type { JSX } from "preact";
-import { useRef, useState } from "preact/hooks";
+import { useEffect, useRef, useState } from "preact/hooks";
+import { Choice } from "../controls/choice.tsx";
 import type { ComponentEdit, Model } from "../engine/example.ts";
 import { during } from "../store.ts";
 
@@ -71,9 +72,7 @@ export function SpectrumEditor({ model, change }: { model: Model; change: (edits
   };
   return (
     <div class="spectrum-editor">
-      <div class="kinds" role="radiogroup" aria-label="Channel">
-        {model.channels.map((_, i) => <button key={i} role="radio" aria-checked={i === channel} class={i === channel ? "on" : ""} onClick={() => setChannel(i)}>Channel {i + 1}</button>)}
-      </div>
+      <Choice label="Channel" words={model.channels.map((_, i) => `Channel ${i + 1}`)} chosen={channel} choose={setChannel} />
       <svg ref={svg} viewBox={`${-half} ${-half} ${kSize} ${kSize}`} role="group" aria-label="The spectrum's Gaussians"
         onPointerMove={(event) => {
           const spot = drag.current;

@@ -85,7 +85,7 @@ export function SurfaceView(): JSX.Element {
         <label class="file">Open .ply, .obj, .off<input type="file" accept=".ply,.obj,.off" aria-label="A mesh" onChange={(event) => void take(event.currentTarget.files?.[0])} /></label>
         <label class="inline"><input class="toggle" type="checkbox" role="switch" checked={plain} onChange={(event) => setPlain(event.currentTarget.checked)} /> colours alone</label>
       </div>
-      <figcaption><span>{told}</span></figcaption>
+      <figcaption><span role="status">{told}</span></figcaption>
     </figure>
   );
 }

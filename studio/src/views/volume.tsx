@@ -85,7 +85,7 @@ export function VolumeView(): JSX.Element {
     <figure class="view volume">
       <SceneCanvas scene={scene} what="The volume" />
       <figcaption>
-        <span>{told}</span>
+        <span role="status">{told}</span>
         {raw && <label class="inline">Cut <input type="range" min="0" max="1" step="0.01" value={cut} onInput={(event) => setCut(Number(event.currentTarget.value))} /></label>}
       </figcaption>
     </figure>
