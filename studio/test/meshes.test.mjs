@@ -54,6 +54,16 @@ test("the surface is shown as it is baked", async () => {
   await wellOf(page);
 });
 
+test("a mesh that was dropped is there after a reload", async () => {
+  const page = await surfaces();
+  await baked(page);
+  await drop(page, "tetra.obj", Buffer.from("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"), /^4 vertices/);
+  await page.waitForTimeout(600);
+  await page.reload();
+  await page.waitForFunction(() => /^4 vertices/.test(document.querySelector("figure.surface figcaption")?.textContent ?? ""), null, kPatience);
+  await wellOf(page);
+});
+
 test("a surface has the colours that meshnoise bakes", async () => {
   const page = await surfaces();
   await baked(page);

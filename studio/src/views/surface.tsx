@@ -11,14 +11,26 @@ import { SurfaceRenderer } from "./surface_renderer.ts";
 // Noise on a mesh: one that comes with the page, or one that is dropped.
 
 const kMeshes = ["wyrm.ply", "bowl.obj", "torus.obj"];
-// Meshes that were dropped, for as long as the page is open.
+// Meshes that were dropped, for as long as the page is open; the last is there after a reload, too, where the browser keeps it.
 const dropped = new Map<string, Uint8Array<ArrayBuffer>>();
+const kKept = "solidnoise-mesh";
 let inWorker = "";
+
+async function keep(name: string, bytes: Uint8Array<ArrayBuffer>): Promise<void> {
+  dropped.set(name, bytes);
+  try {
+    await caches.delete(kKept);
+    await (await caches.open(kKept)).put(encodeURIComponent(name), new Response(bytes));
+  } catch {
+    // No room for it, or a page without https: it is to be dropped again.
+  }
+}
 
 async function bytesOf(name: string): Promise<Uint8Array<ArrayBuffer>> {
   const own = dropped.get(name);
   if (own) return own.slice();
-  const response = await fetch(new URL(name, document.baseURI));
+  const address = new URL(encodeURIComponent(name), document.baseURI);
+  const response = (await globalThis.caches?.match(address, { cacheName: kKept })) ?? (await fetch(address));
   if (!response.ok) throw new Error(`${name} is not here any more; drop it again`);
   return new Uint8Array(await response.arrayBuffer());
 }
@@ -67,7 +79,7 @@ export function SurfaceView(): JSX.Element {
   });
   const take = async (file: File | undefined): Promise<void> => {
     if (!file) return;
-    dropped.set(file.name, new Uint8Array(await file.arrayBuffer()));
+    await keep(file.name, new Uint8Array(await file.arrayBuffer()));
     inWorker = "";
     commit({ ...state.value, mesh: file.name }, "mesh");
   };
