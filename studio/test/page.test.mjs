@@ -317,6 +317,11 @@ test("a photograph becomes a noise, whose spectrum is changed by hand", async ()
   await strongest.focus();
   await page.keyboard.press("PageDown");
   assert.equal(await page.evaluate(() => document.activeElement.tagName), "ellipse");
+  // The wheel makes it wider, by a step, and it stays chosen.
+  const width = () => page.locator(".spectrum-editor .chosen").first().getAttribute("rx").then(Number);
+  const narrow = await width();
+  await strongest.dispatchEvent("wheel", { deltaY: -100 });
+  await page.waitForFunction((rx) => document.querySelector(".spectrum-editor .chosen").getAttribute("rx") > 1.1 * rx, narrow, kPatience);
   await page.click(".spectrum-editor >> text=+ Add");
   await page.waitForFunction((n) => document.querySelectorAll(".spectrum-editor ellipse").length > n || n >= 800, count, kPatience);
   await page.click(".spectrum-editor >> text=Remove");

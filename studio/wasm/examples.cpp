@@ -78,6 +78,14 @@ void drop(GaborSpectrum& spectrum, const Json& edit) {
   if (components.empty()) spectrum.bands.erase(spectrum.bands.begin() + static_cast<std::ptrdiff_t>(band));
 }
 
+// Another width of its Gaussian: it goes to another band.
+void widen(GaborSpectrum& spectrum, const Json& edit) {
+  const SpectrumComponent component = component_at(spectrum, edit);
+  const double a = spectrum.bands[edit.at("band")].a * edit.at("by").get<double>();
+  drop(spectrum, edit);
+  add_component(spectrum, a, component, spectrum.groups[static_cast<std::size_t>(component.group)]);
+}
+
 using Edit = std::function<void(GaborSpectrum&, const Json&)>;
 GroupChoice group_of(const Json& edit) {
   return edit.contains("group") ? GroupChoice(edit.at("group").get<std::string>()) : std::nullopt;
@@ -95,6 +103,7 @@ const std::map<std::string, Edit>& edits() {
          component_at(s, e).frequency = {e.at("to")[0].get<double>(), e.at("to")[1].get<double>(), 0.0};
        }},
       {"variance", [](auto& s, const Json& e) { component_at(s, e).variance *= e.at("by").get<double>(); }},
+      {"width", widen},
       {"drop", drop},
       {"add", [](auto& s, const Json& e) {
          SpectrumComponent component;

@@ -4,13 +4,13 @@ import { Choice } from "../controls/choice.tsx";
 import type { ComponentEdit, Model } from "../engine/example.ts";
 import { during } from "../store.ts";
 
-// The Gaussians of a sparse spectrum as ellipses, each with its mirror image: dragged to other frequencies, scaled by the wheel, taken
-// away by Delete, added by a double click; all of it by keys and buttons, too.
+// The Gaussians of a sparse spectrum as discs, each with its mirror image: dragged to other frequencies, made wider or narrower by the
+// wheel, taken away by Delete, added by a double click; all of it, and their strength, by keys and buttons, too.
 
 const kSize = 360;
 const kColors = ["#f2a93b", "#5db7de", "#8fcf6a", "#e0708f", "#b69cff", "#d9d05c"];
 const kMostShown = 400;
-const kStep = 1.15; // of a variance
+const kStep = 1.15; // of a variance, or a width
 
 interface Spot {
   band: number;
@@ -62,14 +62,25 @@ export function SpectrumEditor({ model, change }: { model: Model; change: (edits
   const name = (spot: Spot): string => `${spot.band}.${spot.component}`;
   const place = ({ band, component }: Spot) => ({ channel, band, component });
   const stronger = (spot: Spot, by: number): void => send([{ edit: "variance", ...place(spot), by }]);
+  // In the band of its new width it has another place, where it is chosen again.
+  const widened = useRef<Spot | undefined>(undefined);
+  const wider = (spot: Spot, by: number): void => {
+    widened.current = spot;
+    send([{ edit: "width", ...place(spot), by }]);
+  };
   const insert = (to: [number, number]): void => send([{ edit: "add", channel, a: spots[0]?.a ?? 1, variance: 0.25 * largest, to }]);
   const drop = (spot: Spot): void => send([{ edit: "drop", ...place(spot) }]);
   // The one that keys reach: what was chosen, or the strongest; page keys go to the next one in strength.
   const current = Math.max(0, spots.findIndex((spot) => name(spot) === chosen));
-  const go = (by: number): void => {
-    const to = Math.min(spots.length - 1, Math.max(0, current + by));
-    svg.current?.querySelectorAll<SVGElement>("ellipse:nth-of-type(odd)")[to]?.focus();
-  };
+  const focus = (i: number): void => svg.current?.querySelectorAll<SVGElement>("ellipse:nth-of-type(odd)")[i]?.focus();
+  const go = (by: number): void => focus(Math.min(spots.length - 1, Math.max(0, current + by)));
+  useEffect(() => {
+    const from = widened.current;
+    const to = spots.findIndex(({ x, y, a }) => x === from?.x && y === from.y && a !== from.a);
+    if (to < 0) return;
+    widened.current = undefined;
+    focus(to);
+  });
   return (
     <div class="spectrum-editor">
       <Choice label="Channel" words={model.channels.map((_, i) => `Channel ${i + 1}`)} chosen={channel} choose={setChannel} />
@@ -93,7 +104,7 @@ export function SpectrumEditor({ model, change }: { model: Model; change: (edits
               drag.current = spot; // a mirror image goes where it is dragged, too: both are one wave
             }}
             onDblClick={(event) => event.stopPropagation()}
-            onWheel={(event) => { event.preventDefault(); stronger(spot, event.deltaY < 0 ? kStep : 1 / kStep); }}
+            onWheel={(event) => { event.preventDefault(); wider(spot, event.deltaY < 0 ? kStep : 1 / kStep); }}
             onFocus={() => choose(name(spot))}
             onKeyDown={(event) => {
               const step = 0.01 * reach.current;
@@ -101,6 +112,7 @@ export function SpectrumEditor({ model, change }: { model: Model; change: (edits
               if (dx !== 0 || dy !== 0) send([{ edit: "move", ...place(spot), to: [spot.x + dx, spot.y + dy] }]);
               else if (event.key === "Delete" || event.key === "Backspace") drop(spot);
               else if (event.key === "+" || event.key === "-") stronger(spot, event.key === "+" ? kStep : 1 / kStep);
+              else if (event.key === "[" || event.key === "]") wider(spot, event.key === "]" ? kStep : 1 / kStep);
               else if (event.key === "PageUp" || event.key === "PageDown") go(event.key === "PageUp" ? -1 : 1);
               else return;
               event.preventDefault();
@@ -108,12 +120,14 @@ export function SpectrumEditor({ model, change }: { model: Model; change: (edits
         )))}
       </svg>
       <p class="hint">{own.groups.map((group, i) => <span key={group}><i style={{ background: kColors[i % kColors.length] }} />{group} </span>)}
-        <br />Drag one, scale it with the wheel, double-click to add one; or arrows, plus, minus, page keys, Delete.</p>
+        <br />Drag one, the wheel makes it wider, double-click to add one; or arrows, [ and ], plus and minus for strength, page keys, Delete.</p>
       <div class="more">
         <button onClick={() => insert([0.5 * reach.current, 0])}>+ Add</button>
         {spots[current] && <>
           <button onClick={() => stronger(spots[current]!, kStep)}>Stronger</button>
           <button onClick={() => stronger(spots[current]!, 1 / kStep)}>Weaker</button>
+          <button onClick={() => wider(spots[current]!, kStep)}>Wider</button>
+          <button onClick={() => wider(spots[current]!, 1 / kStep)}>Narrower</button>
           <button onClick={() => drop(spots[current]!)}>Remove</button>
         </>}
       </div>
