@@ -19,7 +19,8 @@ std::string Interval::text() const {
 
 void require(std::string_view field, double value, const Interval& allowed, std::string_view unit) {
   if (allowed.contains(value)) return;
-  if (std::isfinite(value) && allowed.contains(std::copysign(kLargestOption, value))) {
+  if (std::isfinite(value) && std::abs(value) > kLargestOption &&
+      allowed.contains(std::copysign(kLargestOption, value))) {
     throw std::invalid_argument(
         fmt::format("{} is {}; it must be at most {} in size", field, value, kLargestOption));
   }
