@@ -6,7 +6,6 @@ from typing import Any, Literal
 
 _FOLDER = Path(__file__).parent / "presets"
 _KINDS = ("volume", "bake")
-_Kind = Literal["volume", "bake"]
 
 
 def _files(kind: str | None) -> dict[str, Path]:
@@ -22,12 +21,12 @@ def _read(file: Path) -> dict[str, Any]:
     return recipe
 
 
-def presets(kind: _Kind | None = None) -> dict[str, str]:
+def presets(kind: Literal["volume", "bake"] | None = None) -> dict[str, str]:
     """The names of all presets, or of those of a kind, "volume" or "bake", each with a line that says what it is."""
     return {name: str(_read(file)["description"]) for name, file in sorted(_files(kind).items())}
 
 
-def preset(name: str, kind: _Kind | None = None) -> dict[str, Any]:
+def preset(name: str, kind: Literal["volume", "bake"] | None = None) -> dict[str, Any]:
     """A preset's recipe, to be changed and made, by make_volume() or by bake(). Where both kinds have the name, as they have raw, it is the
     volume's, unless kind is "bake". Raises ValueError for a name that there is none of."""
     files = _files(kind)

@@ -84,13 +84,15 @@ class Noise:
     def time(self) -> float | None: ...
 
 def gabor(
-    *, dims: int = ..., time: float | None = ..., frequency: _Number = ..., bandwidth: float = ..., error: float = ..., impulses: float = ...,
+    *, dims: int = ..., time: float | None = ..., frequency: _Number = ..., bandwidth: float = ..., error: float = ...,
+    bounds_gradient: bool = ..., impulses: float = ...,
     impulses_process: Literal["strata", "poisson"] = ..., evolve: float = ..., loop: float = ..., filter: float = ...,
     weights: Literal["signs", "uniform"] = ..., seed: _Integer = ..., period: _Axes = ..., octaves: int = ..., lacunarity: float = ...,
     gain: float = ..., renormalize: bool = ...,
 ) -> Noise: ...
 def gabor_oriented(
-    *, dims: int = ..., time: float | None = ..., frequency: _Number = ..., bandwidth: float = ..., error: float = ..., impulses: float = ...,
+    *, dims: int = ..., time: float | None = ..., frequency: _Number = ..., bandwidth: float = ..., error: float = ...,
+    bounds_gradient: bool = ..., impulses: float = ...,
     impulses_process: Literal["strata", "poisson"] = ..., evolve: float = ..., loop: float = ..., filter: float = ...,
     anisotropy: float = ..., direction: _Axes = ..., seed: _Integer = ..., period: _Axes = ..., octaves: int = ...,
     lacunarity: float = ..., gain: float = ..., renormalize: bool = ...,
@@ -106,6 +108,7 @@ def cellular(
 ) -> Noise: ...
 def spectrum(
     *, dims: int = ..., time: float | None = ..., exemplar: _Source | ExemplarModel, channel: int = ..., frequency: _Number = ..., error: float = ...,
+    bounds_gradient: bool = ...,
     impulses: float = ..., impulses_process: Literal["strata", "poisson"] = ..., evolve: float = ..., loop: float = ..., filter: float = ...,
     seed: _Integer = ..., period: _Axes = ..., octaves: int = ..., lacunarity: float = ..., gain: float = ..., renormalize: bool = ...,
 ) -> Noise: ...

@@ -60,15 +60,16 @@ def test_noises_of_a_model(model: solidnoise.ExemplarModel, tmp_path: Path) -> N
     assert spectrum[(radius > 1 / 16) & (radius < 1 / 4)].sum() > 0.8 * spectrum.sum()
 
 
-def test_recipes_of_volumes_and_meshes_take_models(model: solidnoise.ExemplarModel, tmp_path: Path) -> None:
+def test_recipes_of_volumes_and_meshes_take_models(tmp_path: Path) -> None:
+    model = solidnoise.fit(texture(), raw_values=True, kappa=0.02, solid=True)
     model.write(tmp_path / "model.json")
     vertices = np.random.default_rng(1).normal(size=(50, 3))
     faces = [[i, i + 1, i + 2] for i in range(48)]
 
     def made(exemplar: object) -> list["np.ndarray[tuple[int, ...], np.dtype[np.float32]]"]:
         noise = {"type": "spectrum", "exemplar": exemplar, "frequency": 4}
-        return [solidnoise.make_volume(noise=noise, dims=2, dim=16).to_numpy(),
-                solidnoise.slice({"noise": noise, "dims": 2}, resolution=16),
+        return [solidnoise.make_volume(noise=noise, dim=16).to_numpy(),
+                solidnoise.slice({"noise": noise}, resolution=16),
                 solidnoise.bake(vertices, faces, surface={"noise": "spectrum", "exemplar": exemplar})["noise"],
                 solidnoise.surface_noise(vertices, vertices, noise="spectrum", exemplar=exemplar)]
 
@@ -78,7 +79,7 @@ def test_recipes_of_volumes_and_meshes_take_models(model: solidnoise.ExemplarMod
             assert values.std() > 0
             np.testing.assert_array_equal(values, right)
     # In the place of another, as a whole.
-    recipe = {"noise": {"type": "spectrum", "exemplar": model.scale(2), "frequency": 4}, "dims": 2, "dim": 16}
+    recipe = {"noise": {"type": "spectrum", "exemplar": model.scale(2), "frequency": 4}, "dim": 16}
     np.testing.assert_array_equal(solidnoise.make_volume(recipe, noise={"exemplar": model}).to_numpy(), expected[0])
 
 

@@ -92,7 +92,7 @@ def test_arrays_have_vectors_last_and_boxes_are_cut() -> None:
     corner = (lower, (lower[0] + 1, lower[1] + 2, lower[2] + 3))
     np.testing.assert_array_equal(grid.to_numpy(corner), values[:2, :3, :4])
     outside = ((1000, 0, 0), (1001, 0, 0))
-    long = solidnoise.make_volume(dim=200, box=[1.0, 0.04, 0.04]).grids["density"]  # copied in slabs
+    long = solidnoise.make_volume(dim=200, box=[0.0, 0.0, 0.0, 1.0, 0.04, 0.04]).grids["density"]  # copied in slabs
     assert long.bounds is not None
     (x, y, z), upper = long.bounds
     fractions: list[float] = []
