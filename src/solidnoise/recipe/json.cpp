@@ -47,8 +47,8 @@ class KeyCheck final : public nlohmann::json_sax<Json> {
     constexpr int kOverflow = 406;
     if (error.id != kOverflow) return false;
     constexpr double kMost = std::numeric_limits<double>::max();
-    throw std::invalid_argument(fmt::format("{} is no number that fits; it must be between {} and {}",
-                                            printable(token), -kMost, kMost));
+    throw std::invalid_argument(
+        fmt::format("{} is no number that fits; it must be between {} and {}", cut(token), -kMost, kMost));
   }
 
   bool key(string_t& name) override {
