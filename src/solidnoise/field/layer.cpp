@@ -4,15 +4,11 @@
 #include <cstddef>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <variant>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "solidnoise/core/check.h"
-#include "solidnoise/core/choices.h"
-#include "solidnoise/core/printable.h"
 #include "solidnoise/core/random.h"
 
 namespace solidnoise {
@@ -39,8 +35,8 @@ void require_unit_variance(const std::string& prefix, const NoiseRecipe& noise) 
 }
 
 void validate_noise(const std::string& path, const std::optional<NoiseRecipe>& noise,
-                    const LayerScope& scope) {
-  if (!noise) return require_unit_variance(scope.path_of_own + ".", scope.own);
+                    const NoiseRecipe& own) {
+  if (!noise) return require_unit_variance("noise.", own);
   try {
     noise->validate();
   } catch (const std::invalid_argument& error) {
@@ -69,12 +65,14 @@ void validate_ramp(const std::string& path, const std::vector<Vec<2>>& ramp) {
 
 class Validation {
  public:
-  explicit Validation(const LayerScope& scope) : scope_(scope) {}
+  Validation(const NoiseRecipe& own, const NamedLayers& named, LayerSpace space)
+      : own_(own), named_(named), space_(space) {}
 
   void visit_all(const std::string& path, const std::vector<Layer>& layers, int depth) {
     for (std::size_t i = 0; i < layers.size(); ++i) visit(fmt::format("{}[{}]", path, i), layers[i], depth);
   }
 
+ private:
   void visit(const std::string& path, const Layer& layer, int depth) {
     if (depth > kDeepestLayer) {
       throw std::invalid_argument(
@@ -90,53 +88,32 @@ class Validation {
     require_finite(path + ".bias", layer.bias);
     if (layer.warp) {
       require_in_range(path + ".warp.amount", layer.warp->amount, 0.0, 1e9, "world units");
-      validate_noise(path + ".warp", layer.warp->noise, scope_);
+      validate_noise(path + ".warp", layer.warp->noise, own_);
     }
     visit_all(path + ".layers", layer.layers, depth + 1);
   }
 
- private:
   void validate_leaf(const std::string& path, const Layer& layer, int depth) {
     refuse_without_effect(path, "combine", layer.combine != Layer::Combine::sum, "without layers");
     for (int axis = 0; axis < 3; ++axis) require_positive(path + ".stretch", layer.stretch[axis]);
     require_in_range(path + ".turn", layer.turn, -360.0, 360.0, "degrees");
-    if (layer.noise || scope_.space == LayerSpace::volume) {
+    if (layer.noise || space_ == LayerSpace::volume) {
       refuse_without_effect(path, "turn", layer.turn != 0.0, "but on a surface's oriented noise");
     }
-    if (scope_.space == LayerSpace::volume && layer.place == Layer::Place::weight) {
+    if (space_ == LayerSpace::volume && layer.place == Layer::Place::weight) {
       throw std::invalid_argument(path + ".place is weight; only the noise of a surface is steered");
     }
     if (layer.use.empty() && layer.place == Layer::Place::none) return validate_noise_leaf(path, layer);
     const char* const where = layer.use.empty() ? "on a place" : "on a named field";
     refuse_without_effect(path, "place", !layer.use.empty() && layer.place != Layer::Place::none, where);
     refuse_noise_fields(path, layer, where);
-    if (!layer.use.empty()) visit_named(path, layer.use, depth);
-  }
-
-  void visit_named(const std::string& path, const std::string& name, int depth) {
-    const auto named = scope_.fields.find(name);
-    if (named == scope_.fields.end()) refuse_name(path, name);
-    const auto before = std::ranges::find(used_, name);
-    if (before != used_.end()) {
-      const std::string circle = fmt::format("{}, {}", fmt::join(before, used_.end(), ", "), name);
-      throw std::invalid_argument(fmt::format("{}.use is {}; fields must not use each other in a circle: {}",
-                                              path, printable(name), printable(circle)));
+    if (layer.use.empty()) return;
+    const auto named = named_.find(layer.use);
+    if (named == named_.end()) {
+      throw std::invalid_argument(
+          fmt::format("{}.use is {}; there is no field of that name", path, layer.use));
     }
-    used_.push_back(name);
-    visit("fields." + name, named->second, depth + 1);
-    used_.pop_back();
-  }
-
-  [[noreturn]] void refuse_name(const std::string& path, const std::string& name) const {
-    std::vector<std::string_view> known;
-    for (const auto& [field, layer] : scope_.fields) known.push_back(field);
-    constexpr std::size_t kMostListed = 400;  // bytes
-    const std::string_view nearest = nearest_word(name, known);
-    const std::string names = printable(fmt::to_string(fmt::join(known, ", ")), kMostListed);
-    throw std::invalid_argument(
-        fmt::format("{}.use is {}; it must be {}{}", path, printable(name),
-                    known.empty() ? "left out where there are no fields" : "one of " + names,
-                    nearest.empty() ? "" : fmt::format("; did you mean {}?", printable(nearest))));
+    visit("fields." + layer.use, named->second, depth + 1);
   }
 
   static void refuse_noise_fields(const std::string& path, const Layer& layer, const char* where) {
@@ -148,9 +125,9 @@ class Validation {
   }
 
   void validate_noise_leaf(const std::string& path, const Layer& layer) const {
-    validate_noise(path, layer.noise, scope_);
+    validate_noise(path, layer.noise, own_);
     const bool sums = layer.fold != Layer::Fold::none && layer.fold != Layer::Fold::billow;
-    const int octaves = layer.noise.value_or(scope_.own).fractal.octaves;
+    const int octaves = layer.noise.value_or(own_).fractal.octaves;
     if (layer.histogram == Layer::Histogram::uniform && sums && octaves > 1) {
       throw std::invalid_argument(fmt::format(
           "{}.histogram is uniform; it must be gaussian where {} octaves are folded one by one, whose "
@@ -170,8 +147,9 @@ class Validation {
     }
   }
 
-  const LayerScope& scope_;
-  std::vector<std::string> used_;  // fields that are being visited
+  const NoiseRecipe& own_;
+  const NamedLayers& named_;
+  LayerSpace space_;
   int count_ = 0;
 };
 
@@ -211,12 +189,9 @@ void scale(std::optional<NoiseRecipe>& noise, double unit) {
 
 }  // namespace
 
-void validate_layers(const std::vector<Layer>& layers, const LayerScope& scope, const std::string& path) {
-  Validation(scope).visit_all(path, layers, 1);
-}
-
-void validate_layer(const Layer& layer, const LayerScope& scope, const std::string& path) {
-  Validation(scope).visit(path, layer, 1);
+void validate_layers(const std::vector<Layer>& layers, const NoiseRecipe& own, const NamedLayers& named,
+                     LayerSpace space) {
+  Validation(own, named, space).visit_all("layers", layers, 1);
 }
 
 NoiseRecipe noise_of_layer(const std::optional<NoiseRecipe>& noise, const NoiseRecipe& own) {
