@@ -45,11 +45,8 @@ class KeptBlock {
 class KeptPoints {
  public:
   bool are(const Points<3>& points) const {
-    const auto same = [](const auto& a, const auto& b) {
-      return std::equal(a.begin(), a.end(), b.begin(), b.end());
-    };
-    return same(points.positions, positions_) && same(points.normals, normals_) &&
-           same(points.vertices, vertices_);
+    return std::ranges::equal(points.positions, positions_) && std::ranges::equal(points.normals, normals_) &&
+           std::ranges::equal(points.vertices, vertices_);
   }
   std::span<const float> values() const { return values_; }
 
