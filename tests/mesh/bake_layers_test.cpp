@@ -54,14 +54,14 @@ NoiseRecipe coarse() {
 
 TEST(BakeLayers, ALayerThatChangesNothingIsTheNoiseBitForBit) {
   const Sphere sphere;
-  EXPECT_EQ(bake_layers(some_surface(), {.layers = {Layer{}}}, sphere.vertices),
+  EXPECT_EQ(bake_layers(some_surface(), {.layers = {Layer{}}}, sphere.vertices).values,
             bake_noise(some_surface(), sphere.vertices));
 }
 
 TEST(BakeLayers, OfANoiseOfTheirOwnAreTheSolidNoise) {
   const Sphere sphere;
   const auto baked =
-      bake_layers(some_surface(), {.layers = {{.noise = coarse(), .bias = 0.5}}}, sphere.vertices);
+      bake_layers(some_surface(), {.layers = {{.noise = coarse(), .bias = 0.5}}}, sphere.vertices).values;
   const auto noise = make_noise<3>(noise_of_layer(coarse(), noise_of_layers(some_surface())));
   std::vector<float> expected(baked.size());
   noise->evaluate(Points<3>{sphere.positions}, {expected, {}});
@@ -74,7 +74,7 @@ TEST(BakeLayers, MixTangentAndSolidNoises) {
   const Layer solid{.noise = coarse()};
   const Layer height{.place = Layer::Place::height, .ramp = {{0.4, 0.0}, {0.6, 1.0}}};
   const auto of = [&](const Layer& layer) {
-    return bake_layers(some_surface(), {.layers = {layer}}, sphere.vertices);
+    return bake_layers(some_surface(), {.layers = {layer}}, sphere.vertices).values;
   };
   const auto mixed = of({.layers = {ridged, solid, height}, .combine = Layer::Combine::mix});
   const auto below = of(ridged);
@@ -95,11 +95,11 @@ TEST(BakeLayers, AreRefusedWhereTheyCannotBe) {
             "layers[0].use is paint; there is no field of that name");
   const Sphere sphere;
   EXPECT_EQ(message_of<std::invalid_argument>([&] {
-              bake_layers(some_surface(), {.layers = {{.stretch = {1.0, 2.0, 1.0}}}}, sphere.vertices);
+              bake_layers(some_surface(), {.layers = {{.stretch = {1.0, 2.0, 1.0}}}}, sphere.vertices).values;
             }),
             "stretch differs from axis to axis in layers with solid noises of their own only");
   EXPECT_EQ(message_of<std::invalid_argument>(
-                [&] { bake_layers(some_surface(), {.layers = {{.turn = 90.0}}}, sphere.vertices); }),
+                [&] { bake_layers(some_surface(), {.layers = {{.turn = 90.0}}}, sphere.vertices).values; }),
             "turn applies to layers of a noise that has a direction: oriented, or a flat exemplar");
   recipe.layers = {{.noise = coarse(), .turn = 90.0}};
   EXPECT_EQ(message_of<std::invalid_argument>([&] { recipe.validate(); }),
@@ -112,7 +112,8 @@ TEST(BakeLayers, AreRefusedWhereTheyCannotBe) {
 // Three times as long, three times as slow, at all vertices.
 TEST(BakeLayers, OfTheSurfacesNoiseStretchAlike) {
   Sphere sphere;
-  const auto stretched = bake_layers(some_surface(), {.layers = {{.stretch = Vec<3>(4.0)}}}, sphere.vertices);
+  const auto stretched =
+      bake_layers(some_surface(), {.layers = {{.stretch = Vec<3>(4.0)}}}, sphere.vertices).values;
   for (float& frequency : sphere.vertices.frequency.values) frequency /= 4.0f;
   EXPECT_EQ(stretched, bake_noise(some_surface(), sphere.vertices));
 }
@@ -128,28 +129,28 @@ TEST(BakeLayers, TurnTheDirectionsOfOrientedNoise) {
     west.push_back(glm::cross(p, north.back()));  // north turned by a right angle, as seen from outside
   }
   sphere.vertices.directions = north;
-  const auto turned = bake_layers(oriented, {.layers = {{.turn = 90.0}}}, sphere.vertices);
+  const auto turned = bake_layers(oriented, {.layers = {{.turn = 90.0}}}, sphere.vertices).values;
   sphere.vertices.directions = west;
   const auto expected = bake_noise(oriented, sphere.vertices);
   // Directions in single precision, of waves some 10 of which reach a vertex.
   for (std::size_t i = 0; i < turned.size(); ++i) EXPECT_NEAR(turned[i], expected[i], 1e-4);
 }
 
-TEST(BakeLayers, UseNamedFieldsWeightsAndValues) {
+TEST(BakeLayers, UseNamedFieldsAndWeights_PropertiesTheValueToo) {
   Sphere sphere;
   std::vector<float> weights;
-  std::vector<float> values;
-  for (const Vec<3>& p : sphere.positions) {
-    weights.push_back(static_cast<float>(0.5 + 0.5 * p.x));
-    values.push_back(static_cast<float>(3.0 * p.z));
-  }
+  for (const Vec<3>& p : sphere.positions) weights.push_back(static_cast<float>(0.5 + 0.5 * p.x));
   sphere.vertices.weights = weights;
-  sphere.vertices.values = values;
-  const auto sums = bake_layers(some_surface(),
-                                {.layers = {{.use = "steered"}, {.use = "value", .weight = 0.5}},
-                                 .fields = {{"steered", {.place = Layer::Place::weight, .weight = 2.0}}}},
-                                sphere.vertices);
-  for (std::size_t i = 0; i < sums.size(); ++i) EXPECT_EQ(sums[i], 2.0f * weights[i] + 0.5f * values[i]);
+  sphere.vertices.magnitude.constant = 3.0;
+  const SurfaceLayers layers{.layers = {{.use = "steered"}},
+                             .fields = {{"steered", {.place = Layer::Place::weight, .weight = 2.0}}},
+                             .properties = {{.layers = {{.use = "steered"}, {.use = "value", .weight = 0.5}},
+                                             .combine = Layer::Combine::sum}}};
+  const BakedLayers baked = bake_layers(some_surface(), layers, sphere.vertices);
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    EXPECT_EQ(baked.values[i], 6.0f * weights[i]);
+    EXPECT_EQ(baked.properties.front()[i], 2.0f * weights[i] + 0.5f * baked.values[i]);
+  }
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "solidnoise/field/shared_field.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -40,6 +41,31 @@ class KeptBlock {
   std::vector<float> values_;
 };
 
+// The points that a field was last asked for at, and its values there.
+class KeptPoints {
+ public:
+  bool are(const Points<3>& points) const {
+    const auto same = [](const auto& a, const auto& b) {
+      return std::equal(a.begin(), a.end(), b.begin(), b.end());
+    };
+    return same(points.positions, positions_) && same(points.normals, normals_) &&
+           same(points.vertices, vertices_);
+  }
+  std::span<const float> values() const { return values_; }
+
+  void keep(const Points<3>& points, std::span<const float> values) {
+    positions_.assign(points.positions.begin(), points.positions.end());
+    normals_.assign(points.normals.begin(), points.normals.end());
+    vertices_.assign(points.vertices.begin(), points.vertices.end());
+    values_.assign(values.begin(), values.end());
+  }
+
+ private:
+  std::vector<Vec<3>> positions_, normals_;
+  std::vector<std::uint32_t> vertices_;
+  std::vector<float> values_;
+};
+
 class SharedField final : public Field<3> {
  public:
   explicit SharedField(FieldPtr field) : field_(std::move(field)) {}
@@ -50,7 +76,14 @@ class SharedField final : public Field<3> {
     return std::make_unique<Block>(kept(box));
   }
   void evaluate(const Points<3>& points, const Samples<3>& samples) const override {
-    field_->evaluate(points, samples);
+    if (samples.wants_gradient()) return field_->evaluate(points, samples);
+    KeptPoints& kept = of_thread().points;
+    if (kept.are(points)) {
+      std::ranges::copy(kept.values(), samples.values.begin());
+    } else {
+      field_->evaluate(points, samples);  // which may come back here, in the same thread
+      kept.keep(points, samples.values);
+    }
   }
   bool empty(const Box<3>& box) const override { return field_->empty(box); }
   std::optional<Statistics> statistics() const override { return field_->statistics(); }
@@ -71,23 +104,30 @@ class SharedField final : public Field<3> {
     std::shared_ptr<KeptBlock> kept_;
   };
 
-  // The thread's own block of the box, if any of those that use it is alive.
+  struct Kept {
+    std::weak_ptr<KeptBlock> block;  // alive while one that uses it is
+    KeptPoints points;
+  };
+
+  Kept& of_thread() const {
+    const std::lock_guard lock(mutex_);
+    return kept_[std::this_thread::get_id()];
+  }
+
+  // The thread's own block of the box.
   std::shared_ptr<KeptBlock> kept(const Box<3>& box) const {
-    std::weak_ptr<KeptBlock>& of_thread = [&]() -> std::weak_ptr<KeptBlock>& {
-      const std::lock_guard lock(mutex_);
-      return kept_[std::this_thread::get_id()];
-    }();
-    std::shared_ptr<KeptBlock> block = of_thread.lock();
+    std::weak_ptr<KeptBlock>& last = of_thread().block;
+    std::shared_ptr<KeptBlock> block = last.lock();
     if (!block || !block->is_of(box)) {
       block = std::make_shared<KeptBlock>(box, field_->block(box));
-      of_thread = block;
+      last = block;
     }
     return block;
   }
 
   FieldPtr field_;
   mutable std::mutex mutex_;
-  mutable std::map<std::thread::id, std::weak_ptr<KeptBlock>> kept_;
+  mutable std::map<std::thread::id, Kept> kept_;
 };
 
 }  // namespace

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -18,6 +21,7 @@
 #include "solidnoise/field/combined_field.h"
 #include "solidnoise/field/layered_field.h"
 #include "solidnoise/field/moved_field.h"
+#include "solidnoise/field/shared_field.h"
 #include "solidnoise/field/value_maps.h"
 #include "solidnoise/mesh/bake_fields.h"
 #include "solidnoise/mesh/bake_recipe.h"
@@ -149,52 +153,72 @@ LayerNoise own_layer_noise(const SurfaceNoiseRecipe& recipe, const SurfaceKernel
   return surface_layer_noise(recipe, turned(scaled(kernel, 1.0 / stretch.x), turn));
 }
 
-FieldPtr numbers_of(std::string_view name, std::span<const float> numbers, const BakeVertices& vertices) {
-  require_size(name, numbers.size(), vertices.positions.size());
-  return std::make_shared<VertexField>(std::vector<std::span<const float>>{numbers});
-}
+// Layers as they are at vertices, to whose numbers they refer. Named fields are made once.
+class VertexLayers {
+ public:
+  VertexLayers(const SurfaceNoiseRecipe& recipe, const SurfaceLayers& layers, const SurfaceKernel& kernel,
+               const BakeVertices& vertices)
+      : recipe_(recipe),
+        layers_(layers),
+        kernel_(kernel),
+        vertices_(vertices),
+        own_(noise_of_layers(recipe)),
+        box_(vertices.bounds ? *vertices.bounds : place_bounds(vertices.positions)) {}
 
-// Of `vertices`, to whose numbers it refers; `value` is the field of that name, null: their values.
-FieldPtr layered_field(const SurfaceNoiseRecipe& recipe, const SurfaceLayers& layers,
-                       const SurfaceKernel& kernel, const BakeVertices& vertices,
-                       const FieldPtr& value = nullptr) {
-  const NoiseRecipe own = noise_of_layers(recipe);
-  NamedLayers known = layers.fields;
-  if (value || !vertices.values.empty()) known.try_emplace(kValueField, Layer{.place = Layer::Place::weight});
-  validate_layers(layers.layers, own, known, LayerSpace::surface);
-  const Box<3> box = vertices.bounds ? *vertices.bounds : place_bounds(vertices.positions);
-  LayerLeaves leaves;
-  leaves.noise = [&](const NoiseUse& use) {
+  // What has the name kValueField from here on.
+  void set_value(FieldPtr value) { named_[kValueField] = std::move(value); }
+
+  FieldPtr make(const std::vector<Layer>& layers) {
+    NamedLayers known = layers_.fields;
+    if (named_.contains(kValueField)) known.try_emplace(kValueField, Layer{.place = Layer::Place::weight});
+    validate_layers(layers, own_, known, LayerSpace::surface);
+    return make_layered_field(layers, leaves());
+  }
+
+ private:
+  LayerLeaves leaves() {
+    return {.noise = [this](const NoiseUse& use) { return noise(use); },
+            .named = [this](const std::string& name) { return named(name); },
+            .place = [this](Layer::Place place) { return place_of(place); }};
+  }
+
+  LayerNoise noise(const NoiseUse& use) const {
     const Vec<3> stretch = use.stretch;
-    if (!use.noise) return own_layer_noise(recipe, kernel, stretch, use.turn);
-    const double filter = kernel.filter / std::cbrt(stretch.x * stretch.y * stretch.z);
-    return layer_noise(noise_of_layer(use.noise, own), [&recipe, stretch, filter](const NoiseRecipe& solid) {
-      return stretched(solid_noise_of(recipe, solid, filter), stretch);
+    if (!use.noise) return own_layer_noise(recipe_, kernel_, stretch, use.turn);
+    const double filter = kernel_.filter / std::cbrt(stretch.x * stretch.y * stretch.z);
+    return layer_noise(noise_of_layer(use.noise, own_), [this, stretch, filter](const NoiseRecipe& solid) {
+      return stretched(solid_noise_of(recipe_, solid, filter), stretch);
     });
-  };
-  leaves.named = [&](const std::string& name) {
-    const auto named = layers.fields.find(name);
-    if (named != layers.fields.end()) return make_layered_field({named->second}, leaves);
-    if (value) return value;
-    return numbers_of(name, vertices.values, vertices);
-  };
-  leaves.place = [&](Layer::Place place) {
-    if (place == Layer::Place::weight) return numbers_of("weight", vertices.weights, vertices);
-    return place_in(box, layers.up, place);
-  };
-  return make_layered_field(layers.layers, leaves);
-}
+  }
+
+  FieldPtr named(const std::string& name) {
+    if (const auto known = named_.find(name); known != named_.end()) return known->second;
+    return named_[name] = share(make_layered_field({layers_.fields.at(name)}, leaves()));
+  }
+
+  FieldPtr place_of(Layer::Place place) const {
+    if (place != Layer::Place::weight) return place_in(box_, layers_.up, place);
+    require_size("weight", vertices_.weights.size(), vertices_.positions.size());
+    return std::make_shared<VertexField>(std::vector{vertices_.weights});
+  }
+
+  const SurfaceNoiseRecipe& recipe_;
+  const SurfaceLayers& layers_;
+  const SurfaceKernel& kernel_;
+  const BakeVertices& vertices_;
+  NoiseRecipe own_;
+  Box<3> box_;
+  std::map<std::string, FieldPtr> named_;
+};
 
 float number_at(const VertexNumber& number, std::size_t vertex) {
   return number.varies() ? number.values[vertex] : static_cast<float>(number.constant);
 }
 
 // The noise, or the layers that take its place, times magnitude plus bias.
-void magnify(const BakeVertices& vertices, std::vector<float>& values) {
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    values[i] *= number_at(vertices.magnitude, i);
-    values[i] += number_at(vertices.bias, i);
-  }
+float magnified(float value, const BakeVertices& vertices, std::size_t vertex) {
+  value *= number_at(vertices.magnitude, vertex);
+  return value + number_at(vertices.bias, vertex);
 }
 
 FieldPtr field_of(const VertexNumber& number, FieldPtr factor) {
@@ -262,35 +286,49 @@ Box<3> place_bounds(std::span<const Vec<3>> positions) {
 
 std::vector<float> bake_noise(const SurfaceNoiseRecipe& recipe, const BakeVertices& vertices,
                               Progress* progress) {
-  validate(recipe, vertices);
-  const Components directions = components_of(vertices.directions);
-  const FieldPtr field = make_surface_field(recipe, kernel_of(recipe, vertices, directions));
-  std::vector<float> values = bake_field(*field, vertices, progress);
-  magnify(vertices, values);
-  return values;
+  return bake_layers(recipe, {}, vertices, progress).values;
 }
 
-std::vector<float> bake_layers(const SurfaceNoiseRecipe& recipe, const SurfaceLayers& layers,
-                               const BakeVertices& vertices, Progress* progress) {
-  validate(recipe, vertices);
-  const Components directions = components_of(vertices.directions);
-  const FieldPtr field = layered_field(recipe, layers, kernel_of(recipe, vertices, directions), vertices);
-  std::vector<float> values = bake_field(*field, vertices, progress);
-  magnify(vertices, values);
-  return values;
-}
-
-std::vector<Vec<3>> bake_slopes(const SurfaceNoiseRecipe& recipe, const SurfaceLayers& layers,
-                                const std::optional<Layer>& of_value, const BakeVertices& vertices,
-                                Progress* progress) {
+BakedLayers bake_layers(const SurfaceNoiseRecipe& recipe, const SurfaceLayers& layers,
+                        const BakeVertices& vertices, Progress* progress) {
   validate(recipe, vertices);
   const Components directions = components_of(vertices.directions);
   const SurfaceKernel kernel = kernel_of(recipe, vertices, directions);
-  FieldPtr field = magnified(layers.layers.empty() ? make_surface_field(recipe, kernel)
-                                                   : layered_field(recipe, layers, kernel, vertices),
-                             vertices);
-  if (of_value) {
-    field = layered_field(recipe, {{*of_value}, layers.up, layers.fields}, kernel, vertices, field);
+  const std::size_t count = vertices.positions.size();
+  BakedLayers baked{std::vector<float>(count), {layers.properties.size(), std::vector<float>(count)}};
+  VertexLayers made(recipe, layers, kernel, vertices);
+  const FieldPtr value =
+      layers.layers.empty() ? make_surface_field(recipe, kernel) : made.make(layers.layers);
+  made.set_value(std::make_shared<VertexField>(std::vector{std::span<const float>(baked.values)}));
+  std::vector<FieldPtr> properties;
+  for (const Layer& property : layers.properties) properties.push_back(made.make({property}));
+
+  for_each_batch(vertices, cube_of(vertices), progress, [&](const Points<3>& points) {
+    std::vector<float> of_batch(points.size());
+    const auto evaluate = [&](const Field<3>& field, std::vector<float>& values) {
+      field.evaluate(points, {of_batch, {}});
+      for (std::size_t i = 0; i < points.size(); ++i) values[points.vertices[i]] = of_batch[i];
+    };
+    evaluate(*value, baked.values);
+    for (const std::uint32_t vertex : points.vertices) {
+      baked.values[vertex] = magnified(baked.values[vertex], vertices, vertex);
+    }
+    for (std::size_t k = 0; k < properties.size(); ++k) evaluate(*properties[k], baked.properties[k]);
+  });
+  return baked;
+}
+
+std::vector<Vec<3>> bake_slopes(const SurfaceNoiseRecipe& recipe, const SurfaceLayers& layers,
+                                const BakeVertices& vertices, Progress* progress) {
+  validate(recipe, vertices);
+  const Components directions = components_of(vertices.directions);
+  const SurfaceKernel kernel = kernel_of(recipe, vertices, directions);
+  VertexLayers made(recipe, layers, kernel, vertices);
+  FieldPtr field = magnified(
+      layers.layers.empty() ? make_surface_field(recipe, kernel) : made.make(layers.layers), vertices);
+  if (!layers.properties.empty()) {
+    made.set_value(field);
+    field = made.make({layers.properties.front()});
   }
   const double wave = 1.0 / (typical(vertices.frequency, kFrequencies));
   const double step = std::max(0.5 * vertices.filter, 0.002 * wave);
@@ -300,16 +338,6 @@ std::vector<Vec<3>> bake_slopes(const SurfaceNoiseRecipe& recipe, const SurfaceL
     for (std::size_t i = 0; i < points.size(); ++i) slopes[points.vertices[i]] = of_batch[i];
   });
   return slopes;
-}
-
-std::vector<float> bake_field(const Field<3>& field, const BakeVertices& vertices, Progress* progress) {
-  std::vector<float> values(vertices.positions.size());
-  for_each_batch(vertices, cube_of(vertices), progress, [&](const Points<3>& points) {
-    std::vector<float> of_batch(points.size());
-    field.evaluate(points, {of_batch, {}});
-    for (std::size_t i = 0; i < points.size(); ++i) values[points.vertices[i]] = of_batch[i];
-  });
-  return values;
 }
 
 Band surface_band(const SurfaceNoiseRecipe& recipe, double frequency, double bandwidth) {

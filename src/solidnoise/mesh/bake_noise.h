@@ -88,10 +88,8 @@ struct BakeVertices {
   VertexNumber magnitude{1.0, {}};     // standard deviation of the value; >= 0
   std::span<const Vec<3>> directions;  // where has_direction(); tangential or not, either sign
   VertexNumber bias{0.0, {}};          // added to the value
-  // Of layers: where one is the place `weight`, what steers, 0 to 1; where one uses kValueField, that.
-  std::span<const float> weights{};
-  std::span<const float> values{};
-  std::optional<Box<3>> bounds{};  // that places of layers are in; none: that of the positions
+  std::span<const float> weights{};    // of layers of which one is the place `weight`: what steers, 0 to 1
+  std::optional<Box<3>> bounds{};      // that places of layers are in; none: that of the positions
   // What a vertex stands for: a Gaussian of this standard deviation, world units, that noises are convolved
   // with in closed form, those that may_filter(), before layers fold and combine them; 0: a point.
   double filter = 0.0;
@@ -114,30 +112,30 @@ std::vector<float> bake_noise(const SurfaceNoiseRecipe& recipe, const BakeVertic
 
 // Layers of the noise and of solid noises, in world units (BakeRecipe::layers), and what has a name for them.
 struct SurfaceLayers {
-  std::vector<Layer> layers;
+  std::vector<Layer> layers;  // none: the noise itself
   UpAxis up = UpAxis::y;
-  NamedLayers fields{};
+  NamedLayers fields{};             // each is evaluated once for all that use it
+  std::vector<Layer> properties{};  // may use the value that the layers make (kValueField)
 };
 
-// The name by which layers use BakeVertices::values.
+// The name by which properties use the value.
 inline constexpr char kValueField[] = "value";
 
-// The same of layers, which take the noise's place.
-std::vector<float> bake_layers(const SurfaceNoiseRecipe& recipe, const SurfaceLayers& layers,
-                               const BakeVertices& vertices, Progress* progress = nullptr);
+struct BakedLayers {
+  std::vector<float> values;
+  std::vector<std::vector<float>> properties;  // without magnitude and bias
+};
+
+// The same of layers, which take the noise's place, and of properties.
+BakedLayers bake_layers(const SurfaceNoiseRecipe& recipe, const SurfaceLayers& layers,
+                        const BakeVertices& vertices, Progress* progress = nullptr);
 
 // The derivatives along the surface, per world unit, of what bake_noise() or, of layers, bake_layers() gives,
-// or of a layer that is made of it (kValueField), with normals, kernels and what steers held fixed: in closed
-// form where all that the layers are made of has a gradient, else by differences over half the filter's
-// deviation or a 500th of a wave, the larger.
+// or of the first property, if there is one, with normals, kernels and what steers held fixed: in closed form
+// where all that the layers are made of has a gradient, else by differences over half the filter's deviation
+// or a 500th of a wave, the larger.
 std::vector<Vec<3>> bake_slopes(const SurfaceNoiseRecipe& recipe, const SurfaceLayers& layers,
-                                const std::optional<Layer>& of_value, const BakeVertices& vertices,
-                                Progress* progress = nullptr);
-
-// A field at all vertices, in parallel; parameters do not count, but for the frequency, which says how near
-// vertices should be to be evaluated together. Throws Cancelled, and what the field throws.
-std::vector<float> bake_field(const Field<3>& field, const BakeVertices& vertices,
-                              Progress* progress = nullptr);
+                                const BakeVertices& vertices, Progress* progress = nullptr);
 
 // The frequencies that hold all but a thousandth of the variance, with the first octave at this frequency.
 Band surface_band(const SurfaceNoiseRecipe& recipe, double frequency, double bandwidth);

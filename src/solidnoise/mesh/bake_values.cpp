@@ -1,7 +1,6 @@
 #include "solidnoise/mesh/bake_values.h"
 
 #include <cstddef>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -29,35 +28,22 @@ BakeVertices vertices_of(const BakePlan& plan) {
   return vertices;
 }
 
-// Of a recipe, in world units.
-SurfaceLayers surface_layers(const BakePlan& plan, const BakeRecipe& recipe, std::vector<Layer> layers) {
-  SurfaceLayers result{std::move(layers), recipe.up, recipe.fields};
-  if (recipe.layer_unit == LayerUnit::world) return result;
-  result.layers = in_units(std::move(result.layers), plan.feature_size);
-  for (auto& [name, layer] : result.fields) layer = in_units({layer}, plan.feature_size).front();
-  return result;
-}
-
-// `noise` takes the place of the recipe's.
-std::vector<float> noise_values(const BakePlan& plan, const BakeRecipe& recipe,
-                                const SurfaceNoiseRecipe& noise, Progress* progress) {
-  if (recipe.layers.empty()) return bake_noise(noise, vertices_of(plan), progress);
-  return bake_layers(noise, surface_layers(plan, recipe, recipe.layers), vertices_of(plan), progress);
-}
-
 const Layer& property_of(const BakeRecipe& recipe, const std::string& name) {
   const auto found = recipe.properties.find(name);
   if (found != recipe.properties.end()) return found->second;
   throw std::invalid_argument(fmt::format("property is {}; the recipe has none of this name", name));
 }
 
-std::vector<float> property_values(const BakePlan& plan, const BakeRecipe& recipe, const Layer& layer,
-                                   const std::vector<float>& values, Progress* progress) {
-  BakeVertices vertices = vertices_of(plan);
-  vertices.magnitude = {1.0, {}};
-  vertices.bias = {0.0, {}};
-  vertices.values = values;
-  return bake_layers(recipe.noise, surface_layers(plan, recipe, {layer}), vertices, progress);
+// Of a recipe, in world units, with the properties of these names.
+SurfaceLayers surface_layers(const BakePlan& plan, const BakeRecipe& recipe,
+                             const std::vector<std::string>& properties) {
+  SurfaceLayers result{recipe.layers, recipe.up, recipe.fields};
+  for (const std::string& name : properties) result.properties.push_back(property_of(recipe, name));
+  if (recipe.layer_unit == LayerUnit::world) return result;
+  result.layers = in_units(std::move(result.layers), plan.feature_size);
+  result.properties = in_units(std::move(result.properties), plan.feature_size);
+  for (auto& [name, layer] : result.fields) layer = in_units({layer}, plan.feature_size).front();
+  return result;
 }
 
 std::vector<Color> ramp_colors(const BakeRecipe& recipe, const std::vector<float>& values) {
@@ -75,7 +61,9 @@ std::vector<Color> exemplar_colors(const BakePlan& plan, const BakeRecipe& recip
   const ExemplarModel& exemplar = recipe.noise.exemplar;
   std::vector<std::vector<float>> others;
   for (std::size_t k = 1; k < exemplar.channels.size(); ++k) {
-    others.push_back(noise_values(plan, recipe, channel_of(recipe.noise, static_cast<int>(k)), progress));
+    others.push_back(bake_layers(channel_of(recipe.noise, static_cast<int>(k)),
+                                 surface_layers(plan, recipe, {}), vertices_of(plan), progress)
+                         .values);
   }
   std::vector<Color> colors(first.size());
   std::vector<double> values(exemplar.channels.size());
@@ -89,12 +77,10 @@ std::vector<Color> exemplar_colors(const BakePlan& plan, const BakeRecipe& recip
 }
 
 std::vector<Vec<3>> height_slopes(const BakePlan& plan, const BakeRecipe& recipe, Progress* progress) {
-  const SurfaceLayers layers = surface_layers(plan, recipe, recipe.layers);
-  std::optional<Layer> height;
-  if (recipe.properties.contains(kHeightProperty)) {
-    height = surface_layers(plan, recipe, {recipe.properties.at(kHeightProperty)}).layers.front();
-  }
-  std::vector<Vec<3>> slopes = bake_slopes(recipe.noise, layers, height, vertices_of(plan), progress);
+  std::vector<std::string> height;
+  if (recipe.properties.contains(kHeightProperty)) height.push_back(kHeightProperty);
+  std::vector<Vec<3>> slopes =
+      bake_slopes(recipe.noise, surface_layers(plan, recipe, height), vertices_of(plan), progress);
   // The noise's plane is smoother than the surface.
   for (std::size_t i = 0; i < slopes.size(); ++i) {
     const Vec<3> normal = glm::normalize(plan.guides.normals[i]);
@@ -108,14 +94,13 @@ std::vector<Vec<3>> height_slopes(const BakePlan& plan, const BakeRecipe& recipe
 BakedValues bake_values(const BakePlan& plan, const BakeRecipe& recipe, const BakeWishes& wishes,
                         Progress* progress) {
   BakedValues baked;
-  baked.noise = noise_values(plan, recipe, recipe.noise, progress);
+  BakedLayers layers =
+      bake_layers(recipe.noise, surface_layers(plan, recipe, wishes.properties), vertices_of(plan), progress);
+  baked.noise = std::move(layers.values);
+  baked.properties = std::move(layers.properties);
   if (wishes.colors) {
     baked.colors = recipe.has_exemplar_colors() ? exemplar_colors(plan, recipe, baked.noise, progress)
                                                 : ramp_colors(recipe, baked.noise);
-  }
-  for (const std::string& name : wishes.properties) {
-    baked.properties.push_back(
-        property_values(plan, recipe, property_of(recipe, name), baked.noise, progress));
   }
   if (wishes.slopes) baked.slopes = height_slopes(plan, recipe, progress);
   return baked;
