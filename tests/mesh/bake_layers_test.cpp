@@ -92,7 +92,7 @@ TEST(BakeLayers, AreRefusedWhereTheyCannotBe) {
   BakeRecipe recipe;
   recipe.layers = {{.use = "paint"}};
   EXPECT_EQ(message_of<std::invalid_argument>([&] { recipe.validate(); }),
-            "layers[0].use is paint; there is no field of that name");
+            "layers[0].use is paint; it must be left out where there are no fields");
   const Sphere sphere;
   EXPECT_EQ(message_of<std::invalid_argument>([&] {
               bake_layers(some_surface(), {.layers = {{.stretch = {1.0, 2.0, 1.0}}}}, sphere.vertices).values;
@@ -104,8 +104,9 @@ TEST(BakeLayers, AreRefusedWhereTheyCannotBe) {
   recipe.layers = {{.noise = coarse(), .turn = 90.0}};
   EXPECT_EQ(message_of<std::invalid_argument>([&] { recipe.validate(); }),
             "layers[0].turn has no effect but on a surface's oriented noise");
-  EXPECT_EQ(message_of<std::invalid_argument>(
-                [&] { validate_layers({{.place = Layer::Place::weight}}, coarse()); }),
+  EXPECT_EQ(message_of<std::invalid_argument>([&] {
+              validate_layers({{.place = Layer::Place::weight}}, {coarse(), {}});
+            }),
             "layers[0].place is weight; only the noise of a surface is steered");
 }
 

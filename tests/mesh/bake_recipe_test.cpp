@@ -106,6 +106,8 @@ TEST(BakeRecipe, SaysWhereInTheTreeAnErrorIs) {
             "by.source and attribute contradict each other; give one of them");
   EXPECT_EQ(message(R"({"solidnoise": 1, "frequency": [1, 2, 3]})"),
             "frequency is [1,2,3]; it must be an array of 2 numbers");
+  EXPECT_EQ(message(R"({"solidnoise": 1, "refine": {"mode": "rounds", "rounds": 99}})"),
+            "refine.rounds is 99; it must be between 1 and 8 (rounds)");
   EXPECT_EQ(message(R"({"frequency": 1})"), "\"solidnoise\": 2 is missing; this is no recipe");
 }
 
@@ -152,7 +154,7 @@ TEST(BakeRecipe, PropertiesHaveNamesOfTheirOwn) {
   EXPECT_THROW(recipe.validate(), std::invalid_argument);
   recipe.properties = {{"height", {.use = "bumps"}}};
   EXPECT_EQ(message_of<std::invalid_argument>([&] { recipe.validate(); }),
-            "properties.height: layers[0].use is bumps; there is no field of that name");
+            "properties.height.use is bumps; it must be one of value");
   recipe.fields = {{"value", {}}};
   EXPECT_EQ(message_of<std::invalid_argument>([&] { recipe.validate(); }),
             "fields has value; that is the name of what is baked");

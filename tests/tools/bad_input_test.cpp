@@ -203,7 +203,7 @@ const Refusal kRefusals[] = {
     {"NameOfTwoGrids",
      2,
      {"--out", "x.vdb", "--output", "value,gradient", "--grid", "a"},
-     {"--grid is a", "several"}},
+     {"--output is value,gradient", "a grid that has a name, a, has one output"}},
     {"SpeedOfAValue", 2, {"--out", "x.vdb", "--speed", "2"}, {"--speed is 2", "output curl"}},
     {"SpeedZero", 2, {"--out", "x.vdb", "--output", "curl", "--speed", "0"}, {"--speed is 0"}},
     {"BoundaryOfAGradient",

@@ -278,7 +278,7 @@ TEST(SkyRecipe, RefusesWhatCannotBePlaced) {
   EXPECT_EQ(refusal([](SkyRecipe& r) { r.voxel = 0.0; }),
             "voxel is 0; it must be between 0.001 and 100000000 (world units)");
   EXPECT_EQ(refusal([](SkyRecipe& r) { r.cloud.density.optical_depth = -1.0; }),
-            "cloud.optical_depth is -1; it must be greater than 0");
+            "cloud.scale.optical_depth is -1; it must be greater than 0");
   EXPECT_EQ(refusal([](SkyRecipe& r) { r.points = PointsFile{}; }),
             "points.file is empty; it must name a .csv or .ply");
   EXPECT_EQ(refusal([](SkyRecipe& r) { std::get<ScatteredPoints>(r.points).spacing = -1.0; }),

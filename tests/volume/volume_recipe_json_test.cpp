@@ -147,18 +147,65 @@ TEST(VolumeRecipeJson, ReadsTheShortFormAsAListOfOneGrid) {
 TEST(VolumeRecipeJson, RefusesGridsThatDoNotGoTogether) {
   const auto with = [](const std::string& rest) { return message_of(R"({"solidnoise": 2, )" + rest + "}"); };
   EXPECT_EQ(with(R"("grids": [{"name": "a"}, {"name": "a"}])"),
-            "grids[1] is a; there is a grid of that name before it");
-  EXPECT_EQ(with(R"("grids": [{}, {"name": "b", "layers": [{"use": "nothing"}]}])"),
-            "grids[1].layers[0].use is nothing; there is no field of that name");
-  EXPECT_EQ(with(R"("fields": {"a": {"use": "b"}, "b": {"use": "a"}}, "grids": [{"layers": [{"use": "a"}]}])")
-                .substr(0, 7),
-            "fields.");
+            "grids[1].name is a; there is a grid of that name before it");
   EXPECT_EQ(with(R"("grids": [{"drift": [0, 1, 0]}, {"name": "b"}])"),
             "grids[0].drift applies to output curl only");
   EXPECT_EQ(with(R"("grids": [{"layers": [{"place": "radius", "fold": "ridged"}]}])"),
-            "layers[0].fold has no effect on a place");
+            "grids[0].layers[0].fold has no effect on a place");
   EXPECT_EQ(with(R"("grids": [{"shaping": {"type": "remap", "edge": -1}}])"),
             "grids[0].shaping.edge is -1; it must be at least 0 (sigmas)");
+}
+
+// Whether there is one grid or several, and whether a reader or validate() refuses.
+TEST(VolumeRecipeJson, MessagesGiveThePathInTheListOfGrids) {
+  const auto with = [](const std::string& rest) { return message_of(R"({"solidnoise": 2, )" + rest + "}"); };
+  for (const std::string before : {"", R"({"name": "first"}, )"}) {
+    const auto grid = [&](const std::string& keys) {
+      return with(R"("grids": [)" + before + R"({"name": "a", )" + keys + "}]");
+    };
+    const std::string path = before.empty() ? "grids[0]." : "grids[1].";
+    EXPECT_EQ(grid(R"("output": "curl", "speed": -3)"),
+              path + "speed is -3; it must be greater than 0 (world units per second)");
+    EXPECT_EQ(grid(R"("output": "curly")").substr(0, 24), path + "output is curly");
+    EXPECT_EQ(grid(R"("output": "value,gradient")"),
+              path + "output is value,gradient; a grid that has a name, a, has one output");
+    EXPECT_EQ(grid(R"("drift": [0, 1, 0])"), path + "drift applies to output curl only");
+    EXPECT_EQ(grid(R"("scale": {"peak": -1})"),
+              path + "scale.peak is -1; it must be greater than 0 (extinction per world unit)");
+    EXPECT_EQ(
+        grid(R"("layers": [{"layers": [{}, {"warp": {"amount": -3}}]}])"),
+        path + "layers[0].layers[1].warp.amount is -3; it must be between 0 and 1000000000 (world units)");
+    EXPECT_EQ(grid(R"("layers": [{"combine": "max"}])"),
+              path + "layers[0].combine has no effect without layers");
+    EXPECT_EQ(grid(R"("within": {"layers": [{"use": "a"}]})"),
+              path + "within.layers[0].use is a; it must be left out where there are no fields");
+    EXPECT_EQ(grid(R"("noise": {"type": "gabor", "filter": 1}, "layers": [{}])"),
+              path + "noise.filter is 1; it must be 0 in a layer");
+  }
+}
+
+TEST(VolumeRecipeJson, MessagesAboutTheWholeRecipeHaveNoPathOfAGrid) {
+  const auto with = [](const std::string& rest) {
+    return message_of(R"({"solidnoise": 2, "grids": [{"name": "a"}, {"name": "b"}], )" + rest + "}");
+  };
+  EXPECT_EQ(with(R"("dims": 5)"), "dims is 5; it must be between 3 and 4");
+  EXPECT_EQ(with(R"("domain": {"dim": 0})"), "domain.dim is 0; it must be between 1 and 1048576 (voxels)");
+  EXPECT_EQ(with(R"("domain": {"box": [0, 0, 0, 1, 0, 1]})"),
+            "domain.box is 0 to 0 along y; its upper corner must lie beyond its lower one");
+  EXPECT_EQ(with(R"("band_limit": true, "noise": {"type": "kensler"})").substr(0, 18), "band_limit is true");
+}
+
+TEST(VolumeRecipeJson, RefusesFieldsThatDoNotExistOrUseEachOtherInACircle) {
+  const auto with = [](const std::string& fields, const std::string& use) {
+    return message_of(R"({"solidnoise": 2, "time": 1, "fields": )" + fields +
+                      R"(, "grids": [{"layers": [{"use": ")" + use + R"("}]}]})");
+  };
+  const std::string known = R"({"oak": {}, "birch": {}})";
+  EXPECT_EQ(with(known, "okk"),
+            "grids[0].layers[0].use is okk; it must be one of birch, oak; did you mean oak?");
+  EXPECT_EQ(with(known, "limetree"), "grids[0].layers[0].use is limetree; it must be one of birch, oak");
+  EXPECT_EQ(with(R"({"z": {"use": "x"}, "x": {"use": "y"}, "y": {"layers": [{}, {"use": "x"}]}})", "z"),
+            "fields.y.layers[1].use is x; fields must not use each other in a circle: x, y, x");
 }
 
 TEST(VolumeRecipeJson, RefusesWhatIsNoRecipeOfThisVersion) {
@@ -203,6 +250,8 @@ TEST(VolumeRecipeJson, MessagesGiveThePathInTheTree) {
   EXPECT_EQ(with(R"("voxel": 0.1, "dim": 3)"), "voxel and dim contradict each other; give one of them");
   EXPECT_EQ(with(R"("density": 1, "optical_depth": 3)"),
             "optical_depth and density contradict each other; give one of them");
+  EXPECT_EQ(with(R"("density": -1)"), "density is -1; it must be greater than 0 (extinction per world unit)");
+  EXPECT_EQ(with(R"("domain": {"dim": 0})"), "domain.dim is 0; it must be between 1 and 1048576 (voxels)");
 }
 
 TEST(VolumeRecipeJson, TellsTheAlgorithmsThatARecipeWasMadeWith) {

@@ -12,6 +12,7 @@
 #include "common/flag_help.h"
 #include "common/parse_value.h"
 #include "common/run_tool.h"
+#include "solidnoise/core/bounds.h"
 #include "solidnoise/core/fields.h"
 #include "solidnoise/core/vec.h"
 
@@ -27,12 +28,6 @@ template <typename Value>
 struct FlagForm;
 
 using FlagTexts = std::vector<std::string>;
-
-template <typename Visit>
-void for_each_number(const Box<3>& box, const Visit& visit) {
-  for (int axis = 0; axis < 3; ++axis) visit(box.lower[axis]);
-  for (int axis = 0; axis < 3; ++axis) visit(box.upper[axis]);
-}
 
 // So many numbers of a unit: "OCTAVES", "X Y Z".
 std::string number_names(std::size_t count, std::string_view unit);

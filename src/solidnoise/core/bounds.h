@@ -18,4 +18,11 @@ Box<Dim> bounds_of(std::span<const Vec<Dim>> positions) {
   return box;
 }
 
+// The numbers that a box is made of, as tables of fields have them (core/fields.h).
+template <int Dim, typename Visit>
+void for_each_number(const Box<Dim>& box, const Visit& visit) {
+  for (int axis = 0; axis < Dim; ++axis) visit(box.lower[axis]);
+  for (int axis = 0; axis < Dim; ++axis) visit(box.upper[axis]);
+}
+
 }  // namespace solidnoise

@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <variant>
 
 #include <fmt/format.h>
 
 #include "solidnoise/core/check.h"
+#include "solidnoise/core/choices.h"
+#include "solidnoise/core/printable.h"
 #include "solidnoise/core/random.h"
 
 namespace solidnoise {
@@ -35,8 +39,8 @@ void require_unit_variance(const std::string& prefix, const NoiseRecipe& noise) 
 }
 
 void validate_noise(const std::string& path, const std::optional<NoiseRecipe>& noise,
-                    const NoiseRecipe& own) {
-  if (!noise) return require_unit_variance("noise.", own);
+                    const LayerScope& scope) {
+  if (!noise) return require_unit_variance(scope.path_of_own + ".", scope.own);
   try {
     noise->validate();
   } catch (const std::invalid_argument& error) {
@@ -63,16 +67,20 @@ void validate_ramp(const std::string& path, const std::vector<Vec<2>>& ramp) {
   }
 }
 
+std::string listed(std::span<const std::string_view> names) {
+  std::string list;
+  for (const std::string_view name : names) list.append(list.empty() ? "" : ", ").append(name);
+  return list;
+}
+
 class Validation {
  public:
-  Validation(const NoiseRecipe& own, const NamedLayers& named, LayerSpace space)
-      : own_(own), named_(named), space_(space) {}
+  explicit Validation(const LayerScope& scope) : scope_(scope) {}
 
   void visit_all(const std::string& path, const std::vector<Layer>& layers, int depth) {
     for (std::size_t i = 0; i < layers.size(); ++i) visit(fmt::format("{}[{}]", path, i), layers[i], depth);
   }
 
- private:
   void visit(const std::string& path, const Layer& layer, int depth) {
     if (depth > kDeepestLayer) {
       throw std::invalid_argument(
@@ -88,32 +96,54 @@ class Validation {
     require_finite(path + ".bias", layer.bias);
     if (layer.warp) {
       require_in_range(path + ".warp.amount", layer.warp->amount, 0.0, 1e9, "world units");
-      validate_noise(path + ".warp", layer.warp->noise, own_);
+      validate_noise(path + ".warp", layer.warp->noise, scope_);
     }
     visit_all(path + ".layers", layer.layers, depth + 1);
   }
 
+ private:
   void validate_leaf(const std::string& path, const Layer& layer, int depth) {
     refuse_without_effect(path, "combine", layer.combine != Layer::Combine::sum, "without layers");
     for (int axis = 0; axis < 3; ++axis) require_positive(path + ".stretch", layer.stretch[axis]);
     require_in_range(path + ".turn", layer.turn, -360.0, 360.0, "degrees");
-    if (layer.noise || space_ == LayerSpace::volume) {
+    if (layer.noise || scope_.space == LayerSpace::volume) {
       refuse_without_effect(path, "turn", layer.turn != 0.0, "but on a surface's oriented noise");
     }
-    if (space_ == LayerSpace::volume && layer.place == Layer::Place::weight) {
+    if (scope_.space == LayerSpace::volume && layer.place == Layer::Place::weight) {
       throw std::invalid_argument(path + ".place is weight; only the noise of a surface is steered");
     }
     if (layer.use.empty() && layer.place == Layer::Place::none) return validate_noise_leaf(path, layer);
     const char* const where = layer.use.empty() ? "on a place" : "on a named field";
     refuse_without_effect(path, "place", !layer.use.empty() && layer.place != Layer::Place::none, where);
     refuse_noise_fields(path, layer, where);
-    if (layer.use.empty()) return;
-    const auto named = named_.find(layer.use);
-    if (named == named_.end()) {
-      throw std::invalid_argument(
-          fmt::format("{}.use is {}; there is no field of that name", path, layer.use));
+    if (!layer.use.empty()) visit_named(path, layer.use, depth);
+  }
+
+  void visit_named(const std::string& path, const std::string& name, int depth) {
+    const auto named = scope_.fields.find(name);
+    if (named == scope_.fields.end()) refuse_name(path, name);
+    const auto before = std::find(used_.begin(), used_.end(), name);
+    const auto first = static_cast<std::size_t>(before - used_.begin());
+    used_.push_back(name);
+    if (first + 1 < used_.size()) {
+      const std::string circle = listed(std::span(used_).subspan(first));
+      throw std::invalid_argument(fmt::format("{}.use is {}; fields must not use each other in a circle: {}",
+                                              path, printable(name), printable(circle)));
     }
-    visit("fields." + layer.use, named->second, depth + 1);
+    visit("fields." + name, named->second, depth + 1);
+    used_.pop_back();
+  }
+
+  [[noreturn]] void refuse_name(const std::string& path, const std::string& name) const {
+    std::vector<std::string_view> known;
+    for (const auto& [field, layer] : scope_.fields) known.push_back(field);
+    constexpr std::size_t kMostListed = 400;  // bytes
+    const std::string_view nearest = nearest_word(name, known);
+    const std::string names = printable(listed(known), kMostListed);
+    throw std::invalid_argument(
+        fmt::format("{}.use is {}; it must be {}{}", path, printable(name),
+                    known.empty() ? "left out where there are no fields" : "one of " + names,
+                    nearest.empty() ? "" : fmt::format("; did you mean {}?", printable(nearest))));
   }
 
   static void refuse_noise_fields(const std::string& path, const Layer& layer, const char* where) {
@@ -125,9 +155,9 @@ class Validation {
   }
 
   void validate_noise_leaf(const std::string& path, const Layer& layer) const {
-    validate_noise(path, layer.noise, own_);
+    validate_noise(path, layer.noise, scope_);
     const bool sums = layer.fold != Layer::Fold::none && layer.fold != Layer::Fold::billow;
-    const int octaves = layer.noise.value_or(own_).fractal.octaves;
+    const int octaves = layer.noise.value_or(scope_.own).fractal.octaves;
     if (layer.histogram == Layer::Histogram::uniform && sums && octaves > 1) {
       throw std::invalid_argument(fmt::format(
           "{}.histogram is uniform; it must be gaussian where {} octaves are folded one by one, whose "
@@ -147,9 +177,8 @@ class Validation {
     }
   }
 
-  const NoiseRecipe& own_;
-  const NamedLayers& named_;
-  LayerSpace space_;
+  const LayerScope& scope_;
+  std::vector<std::string_view> used_;  // fields that are being visited
   int count_ = 0;
 };
 
@@ -189,9 +218,12 @@ void scale(std::optional<NoiseRecipe>& noise, double unit) {
 
 }  // namespace
 
-void validate_layers(const std::vector<Layer>& layers, const NoiseRecipe& own, const NamedLayers& named,
-                     LayerSpace space) {
-  Validation(own, named, space).visit_all("layers", layers, 1);
+void validate_layers(const std::vector<Layer>& layers, const LayerScope& scope, const std::string& path) {
+  Validation(scope).visit_all(path, layers, 1);
+}
+
+void validate_layer(const Layer& layer, const LayerScope& scope, const std::string& path) {
+  Validation(scope).visit(path, layer, 1);
 }
 
 NoiseRecipe noise_of_layer(const std::optional<NoiseRecipe>& noise, const NoiseRecipe& own) {

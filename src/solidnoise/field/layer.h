@@ -96,10 +96,20 @@ using NamedLayers = std::map<std::string, Layer>;
 // Where layers are. The noise of a surface has a plane to turn in, and a weight of what steers it.
 enum class LayerSpace { volume, surface };
 
-// Throws std::invalid_argument with the place in the tree, such as "layers[1].noise.bandwidth is -1; ...",
-// also where named fields use each other in a circle. `own` is the recipe's noise.
-void validate_layers(const std::vector<Layer>& layers, const NoiseRecipe& own, const NamedLayers& named = {},
-                     LayerSpace space = LayerSpace::volume);
+// What a recipe has that its layers may use.
+struct LayerScope {
+  const NoiseRecipe& own;  // its noise
+  const NamedLayers& fields;
+  LayerSpace space = LayerSpace::volume;
+  std::string path_of_own = "noise";  // in the recipe
+};
+
+// Throws std::invalid_argument with the path in the recipe, such as "layers[1].noise.bandwidth is -1; ...",
+// also where named fields use each other in a circle. `path` is that of the layers; those of named fields are
+// at "fields.NAME".
+void validate_layers(const std::vector<Layer>& layers, const LayerScope& scope,
+                     const std::string& path = "layers");
+void validate_layer(const Layer& layer, const LayerScope& scope, const std::string& path);
 
 // Every noise of the tree, also those of warps and of the named fields that it uses, as it is made: with its
 // seed mixed with that of `own`, which stands where a layer names none.

@@ -163,7 +163,7 @@ FieldPtr make_layered_field(const std::vector<Layer>& layers, const LayerLeaves&
 
 FieldPtr make_layered_field(const std::vector<Layer>& layers, const NoiseRecipe& own,
                             const MakeNoise& make_noise) {
-  validate_layers(layers, own);
+  validate_layers(layers, {own, {}});
   LayerLeaves leaves;
   leaves.noise = [&](const NoiseUse& use) {
     return layer_noise(noise_of_layer(use.noise, own), [=, stretch = use.stretch](const NoiseRecipe& recipe) {

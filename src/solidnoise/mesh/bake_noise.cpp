@@ -171,7 +171,7 @@ class VertexLayers {
   FieldPtr make(const std::vector<Layer>& layers) {
     NamedLayers known = layers_.fields;
     if (named_.contains(kValueField)) known.try_emplace(kValueField, Layer{.place = Layer::Place::weight});
-    validate_layers(layers, own_, known, LayerSpace::surface);
+    validate_layers(layers, {own_, known, LayerSpace::surface, "surface"});
     return make_layered_field(layers, leaves());
   }
 

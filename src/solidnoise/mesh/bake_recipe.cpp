@@ -40,11 +40,8 @@ void validate_properties(const BakeRecipe& recipe) {
   known[kValueField] = {.place = Layer::Place::weight};  // any that is valid stands for it
   for (const auto& [name, layer] : recipe.properties) {
     require_property_name(name);
-    try {
-      validate_layers({layer}, noise_of_layers(recipe.noise), known, LayerSpace::surface);
-    } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument(fmt::format("properties.{}: {}", name, error.what()));
-    }
+    validate_layer(layer, {noise_of_layers(recipe.noise), known, LayerSpace::surface, "surface"},
+                   "properties." + name);
   }
 }
 
@@ -65,7 +62,7 @@ void BakeRecipe::validate() const {
     throw std::invalid_argument(fmt::format(
         "bandwidth is {}..{}; this noise has one bandwidth for all vertices", bandwidth.from, bandwidth.to));
   }
-  validate_layers(layers, noise_of_layers(noise), fields, LayerSpace::surface);
+  validate_layers(layers, {noise_of_layers(noise), fields, LayerSpace::surface, "surface"});
   validate_properties(*this);
   if (noise.time != 0.0 && !changes_with_time()) {
     throw std::invalid_argument(
@@ -80,7 +77,7 @@ void BakeRecipe::validate() const {
     throw std::invalid_argument("ramp is exemplar; only a noise by example has such colours");
   }
   if (refine.method != RefineOptions::Method::own && refine.placement != RefineOptions::Placement::on_edges) {
-    throw std::invalid_argument("placement is smooth; it applies where the method of refining is own");
+    throw std::invalid_argument("refine.placement is smooth; it applies where the method of refining is own");
   }
 }
 

@@ -117,7 +117,8 @@ void read_value(JsonReader& reader, const std::string& key, Value& value) {
   }
 }
 
-// Reads what keys there are. The caller goes on with further keys, finish() and validate().
+// Reads what keys there are, each within its range. The caller goes on with further keys, finish() and
+// validate().
 template <HasFields Struct>
 void read_fields(JsonReader& reader, Struct& object) {
   for_each_field(object, [&](const auto& field, auto& owner) {
@@ -128,6 +129,12 @@ void read_fields(JsonReader& reader, Struct& object) {
       reader.read(key, field.allowed, value);
     } else {
       read_value(reader, key, value);
+    }
+    if constexpr (std::same_as<std::remove_cvref_t<decltype(field.allowed)>, Interval>) {
+      const auto check = [&](double number) {
+        require(reader.path_of(key), number, field.allowed, field.unit);
+      };
+      if (reader.has(key)) for_each_number(value, check);
     }
     field.set(owner, std::move(value));
   });

@@ -73,14 +73,18 @@ class JsonReader {
   // An array must have one at least.
   std::vector<JsonReader> objects(const std::string& key);
 
-  // Runs options.validate() and puts the path before what it says.
-  template <typename Options>
-  void validate(const Options& options) const {
+  // Runs refusing() and puts the path before what it says.
+  template <typename Run>
+  void check(const Run& refusing) const {
     try {
-      options.validate();
+      refusing();
     } catch (const std::invalid_argument& error) {
       throw std::invalid_argument(path_of(error.what()));
     }
+  }
+  template <typename Options>
+  void validate(const Options& options) const {
+    check([&] { options.validate(); });
   }
 
   // Refuses an object that has both.

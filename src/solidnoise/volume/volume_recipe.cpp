@@ -1,13 +1,15 @@
 #include "solidnoise/volume/volume_recipe.h"
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "solidnoise/core/check.h"
+#include "solidnoise/core/printable.h"
 #include "solidnoise/volume/volume_recipe_json.h"
 
 namespace solidnoise {
@@ -21,8 +23,8 @@ void validate_output(const VolumeRecipe& recipe) {
   validate_outputs(recipe.output);
   const std::string output = format_outputs(recipe.output);
   if (recipe.output.size() > 1 && !recipe.grid.empty()) {
-    throw std::invalid_argument(fmt::format(
-        "grid is {}; it must be left out where output is {}, which makes several", recipe.grid, output));
+    throw std::invalid_argument(fmt::format("output is {}; a grid that has a name, {}, has one output",
+                                            output, printable(recipe.grid)));
   }
   if (!is_scalar(recipe)) {
     if (recipe.modification) {
@@ -44,8 +46,6 @@ void validate_output(const VolumeRecipe& recipe) {
   if (contains(recipe.output, Output::phase) || contains(recipe.output, Output::intensity)) {
     require_phase(recipe.noise);
   }
-  require_positive("speed", recipe.speed, "world units per second");
-  for (int axis = 0; axis < 3; ++axis) require_finite("drift", recipe.drift[axis]);
   if (!contains(recipe.output, Output::curl)) {
     if (recipe.drift != Vec<3>(0.0)) throw std::invalid_argument("drift applies to output curl only");
     if (recipe.speed != 1.0) {
@@ -53,9 +53,8 @@ void validate_output(const VolumeRecipe& recipe) {
     }
     if (recipe.boundary) throw std::invalid_argument("boundary applies to output curl only");
   }
-  if (recipe.boundary_width) {
-    if (!recipe.boundary) throw std::invalid_argument("boundary_width applies to a boundary only");
-    require_positive("boundary_width", *recipe.boundary_width, "world units");
+  if (recipe.boundary_width && !recipe.boundary) {
+    throw std::invalid_argument("boundary_width applies to a boundary only");
   }
   if (!recipe.boundary) return;
   recipe.boundary->validate();
@@ -65,53 +64,18 @@ void validate_output(const VolumeRecipe& recipe) {
 }
 
 void validate_finish(const VolumeRecipe& recipe) {
-  if (recipe.within) {
-    if (recipe.modification) {
-      throw std::invalid_argument("within has no effect where a grid that exists is worked on");
-    }
-    try {
-      validate_layers({*recipe.within}, recipe.noise, recipe.fields);
-    } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument(fmt::format("within: {}", error.what()));
-    }
+  if (recipe.within && recipe.modification) {
+    throw std::invalid_argument("within has no effect where a grid that exists is worked on");
   }
   if (recipe.sparse && recipe.modification) {
     throw std::invalid_argument("sparse has no effect where a grid that exists is worked on");
   }
-  require_in_range("prune", recipe.prune, 0.0, 1.0, "of the largest density");
   const bool raw = std::holds_alternative<RawShaping>(recipe.shaping);
   if (recipe.prune != 0.0 && (raw || recipe.modification)) {
     throw std::invalid_argument("prune applies to densities that are made, not to raw noise");
   }
   if (recipe.output.size() > 1 && recipe.within) {
     throw std::invalid_argument("within goes with a single output");
-  }
-}
-
-// Each grid by itself, and all names different.
-void validate_grids(const VolumeRecipe& recipe) {
-  if (static_cast<const GridRecipe&>(recipe) != GridRecipe{}) {
-    throw std::invalid_argument("grids have shapings, layers and outputs of their own; give them there");
-  }
-  if (recipe.modification) {
-    throw std::invalid_argument("grids have no effect where a grid that exists is worked on");
-  }
-  const std::vector<VolumeRecipe> each = recipes_of_grids(recipe);
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < each.size(); ++i) {
-    try {
-      if (recipe.grids[i].own) recipe.grids[i].own->validate();
-      each[i].validate();
-    } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument(fmt::format("grids[{}].{}", i, error.what()));
-    }
-    for (const std::string& name : grid_names(each[i])) {
-      if (std::find(names.begin(), names.end(), name) != names.end()) {
-        throw std::invalid_argument(
-            fmt::format("grids[{}] is {}; there is a grid of that name before it", i, name));
-      }
-      names.push_back(name);
-    }
   }
 }
 
@@ -134,22 +98,83 @@ void validate_parameters(const VolumeRecipe& recipe) {
   }
 }
 
+// Puts the path before what refusing() says.
+template <typename Run>
+void check_at(const std::string& path, const Run& refusing) {
+  try {
+    refusing();
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(path + error.what());
+  }
+}
+
+// A grid at `path`, and what of the recipe has to go with it. `own` is the path of the grid's noise.
+void validate_grid(const VolumeRecipe& recipe, const std::string& path, const std::string& own = "noise") {
+  validate_parameters(recipe);
+  if (recipe.band_limit && !may_band_limit(recipe)) {
+    throw std::invalid_argument(
+        "band_limit is true; it must be false where dims is 4, for gradient noise (kensler), with layers and "
+        "where frequency, bandwidth or direction are from a grid");
+  }
+  require_fields(static_cast<const GridRecipe&>(recipe), path);
+  const LayerScope scope{recipe.noise, recipe.fields, LayerSpace::volume, own};
+  validate_layers(recipe.layers, scope, path + "layers");
+  if (recipe.within) validate_layer(*recipe.within, scope, path + "within");
+  check_at(path, [&] {
+    std::visit([](const auto& shaped) { shaped.validate(); }, recipe.shaping);
+    if (!recipe.layers.empty() && std::holds_alternative<CloudShaping>(recipe.shaping)) {
+      throw std::invalid_argument(
+          "layers have no effect on a cloud, whose shaping takes the noise's octaves");
+    }
+    validate_output(recipe);
+    validate_finish(recipe);
+  });
+}
+
+// Each grid by itself, and all names different.
+void validate_grids(const VolumeRecipe& recipe) {
+  if (static_cast<const GridRecipe&>(recipe) != GridRecipe{}) {
+    throw std::invalid_argument("grids have shapings, layers and outputs of their own; give them there");
+  }
+  if (recipe.modification) {
+    throw std::invalid_argument("grids have no effect where a grid that exists is worked on");
+  }
+  const std::vector<VolumeRecipe> each = recipes_of_grids(recipe);
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < each.size(); ++i) {
+    const std::string path = fmt::format("grids[{}].", i);
+    const std::optional<NoiseRecipe>& own = recipe.grids[i].own;
+    if (own) check_at(path + "noise.", [&] { own->validate(); });
+    validate_grid(each[i], path, own ? path + "noise" : "noise");
+    for (const std::string& name : grid_names(each[i])) {
+      if (std::find(names.begin(), names.end(), name) != names.end()) {
+        throw std::invalid_argument(
+            fmt::format("{}name is {}; there is a grid of that name before it", path, printable(name)));
+      }
+      names.push_back(name);
+    }
+  }
+}
+
 }  // namespace
 
-void VolumeRecipe::validate() const {
-  noise.validate();
-  if (!grids.empty()) return validate_grids(*this);
-  validate_parameters(*this);
-  require_in_range("dims", dims, 3, 4);
-  require_finite("time", time);
+void Domain::validate() const {
+  require_fields(*this);
   for (int axis = 0; axis < 3; ++axis) {
-    require_in_range("offset", offset[axis], -kFarthest, kFarthest, "world units");
-    require_in_range("wind", wind[axis], -kFarthest, kFarthest, "world units per unit of time");
+    if (box.lower[axis] >= box.upper[axis]) {
+      throw std::invalid_argument(
+          fmt::format("box is {} to {} along {}; its upper corner must lie beyond its lower one",
+                      box.lower[axis], box.upper[axis], "xyz"[axis]));
+    }
   }
-  validate_layers(layers, noise, fields);
-  if (!layers.empty() && std::holds_alternative<CloudShaping>(shaping)) {
-    throw std::invalid_argument("layers have no effect on a cloud, whose shaping takes the noise's octaves");
-  }
+}
+
+void VolumeRecipe::validate(const std::string& path) const {
+  noise.validate();
+  require_fields(*this);
+  Domain::validate();
+  if (modification) modification->validate();
+  grids.empty() ? validate_grid(*this, path) : validate_grids(*this);  // whose fields are in no circle then
   if (dims == 3 && time != 0.0 && wind == Vec<3>(0.0) && !evolves(*this)) {
     throw std::invalid_argument(fmt::format(
         "time is {}; it must be 0 where dims is 3, there is no wind and the noise does not evolve", time));
@@ -157,31 +182,6 @@ void VolumeRecipe::validate() const {
   if (dims == 4 && evolves(*this)) {
     throw std::invalid_argument("dims is 4; it must be 3 where the noise evolves");
   }
-  if (band_limit && !may_band_limit(*this)) {
-    throw std::invalid_argument(
-        "band_limit is true; it must be false where dims is 4, for gradient noise (kensler), with layers and "
-        "where frequency, bandwidth or direction are from a grid");
-  }
-  std::visit([](const auto& shaped) { shaped.validate(); }, shaping);
-  if (modification) modification->validate();
-  require_positive("optical_depth", density.optical_depth);
-  if (density.peak) require_positive("density", *density.peak, "extinction per world unit");
-  if (density.factor) require_positive("density_factor", *density.factor);
-
-  for (int axis = 0; axis < 3; ++axis) {
-    require_finite("box", box.lower[axis]);
-    require_finite("box", box.upper[axis]);
-    if (box.lower[axis] >= box.upper[axis]) {
-      throw std::invalid_argument(
-          fmt::format("box is {} to {} along {}; its upper corner must lie beyond its lower one",
-                      box.lower[axis], box.upper[axis], "xyz"[axis]));
-    }
-  }
-  if (voxel) require_positive("voxel", *voxel, "world units");
-  if (edge) require_in_range("edge", *edge, 0.0, kFarthest, "world units");
-  require_in_range("dim", dim, 1, 1 << 20, "voxels");
-  validate_output(*this);
-  validate_finish(*this);
 }
 
 std::vector<VolumeRecipe> recipes_of_grids(const VolumeRecipe& recipe) {

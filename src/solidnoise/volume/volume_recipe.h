@@ -85,6 +85,9 @@ struct Domain {
   int dim = 256;                                    // voxels along the longest side; 1 to 2^20
   std::optional<double> edge;  // of densities: over which they end at the shape's surface, world units; at
                                // least 0; else of two voxels, of a box 0
+
+  // Throws std::invalid_argument naming the field, its value and what is allowed.
+  void validate() const;
 };
 
 // What a preview shows a volume as.
@@ -125,8 +128,9 @@ struct VolumeRecipe : GridRecipe, Domain {
   Codec codec = Codec::blosc;
   PreviewLook look = PreviewLook::automatic;  // of previews; changes nothing else
 
-  // Throws std::invalid_argument naming the field, its value and what is allowed.
-  void validate() const;
+  // Throws std::invalid_argument naming the field, its value and what is allowed. `path` is where a short
+  // form's own grid was read, such as "grids[0].".
+  void validate(const std::string& path = {}) const;
 };
 
 // The recipe in short forms: one of each entry of its grids, with its noise; itself if there are none.

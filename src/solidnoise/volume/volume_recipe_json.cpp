@@ -75,7 +75,7 @@ struct JsonForm<std::vector<Output>> {
   static void read(JsonReader& reader, const std::string& key, std::vector<Output>& outputs) {
     std::string text = format_outputs(outputs);
     reader.read(key, text);
-    outputs = parse_outputs(text);
+    reader.check([&] { outputs = parse_outputs(text); });
   }
   static Json schema() { return {{"type", "string"}}; }
 };
@@ -149,7 +149,8 @@ VolumeRecipe volume_recipe_from_json(const Json& json) {
   for (std::size_t i = 0; i < recipe.grids.size(); ++i) {
     require_name(json["grids"][i], "name", fmt::format("grids[{}].", i), recipe.grids[i].grid);
   }
-  if (reader.has("grids")) {
+  const bool is_listed = reader.has("grids");
+  if (is_listed) {
     simplify(recipe);
   } else {
     read_short_form(reader, recipe);
@@ -160,7 +161,7 @@ VolumeRecipe volume_recipe_from_json(const Json& json) {
   read_value(reader, "domain", domain);
   read_fields(reader, domain);
   reader.finish();
-  reader.validate(recipe);
+  recipe.validate(is_listed ? "grids[0]." : "");
   return recipe;
 }
 

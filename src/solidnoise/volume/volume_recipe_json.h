@@ -6,6 +6,7 @@
 #include <tuple>
 #include <type_traits>
 
+#include "solidnoise/core/bounds.h"
 #include "solidnoise/core/fields.h"
 #include "solidnoise/field/field_tables.h"
 #include "solidnoise/recipe/json.h"

@@ -153,7 +153,7 @@ void ScatteredPoints::validate() const {
     throw std::invalid_argument(
         fmt::format("largest is {}; it must be at least smallest, {} (world units)", largest, smallest));
   }
-  if (density) validate_layers({*density}, NoiseRecipe{});
+  if (density) validate_layer(*density, {NoiseRecipe{}, {}}, "density");
 }
 
 std::vector<SkyPoint> scatter(const ScatteredPoints& how, UpAxis up) {
