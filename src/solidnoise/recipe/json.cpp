@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cstddef>
+#include <iterator>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <unordered_set>
@@ -23,6 +25,25 @@ constexpr std::size_t kMaxDepth = 32;
 constexpr std::size_t kMaxKeys = 1024;
 constexpr std::size_t kMaxObjects = 4096;  // each a grid, layer or band, which costs memory and time
 
+// Where a parser reads; which character it read last is told to `last`.
+struct TextReader {
+  using iterator_category = std::input_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
+
+  const char* at;
+  const char** last;
+
+  reference operator*() const { return *(*last = at); }
+  TextReader& operator++() {
+    ++at;
+    return *this;
+  }
+  bool operator==(const TextReader& other) const { return at == other.at; }
+};
+
 // Goes through a text without keeping what is in it, but the keys of open objects.
 class KeyCheck final : public nlohmann::json_sax<Json> {
  public:
@@ -40,8 +61,14 @@ class KeyCheck final : public nlohmann::json_sax<Json> {
   bool end_object() override { return close(); }
   bool start_array(std::size_t) override { return open(); }
   bool end_array() override { return close(); }
-  // What is wrong with the text is said by the parser.
-  bool parse_error(std::size_t, const std::string&, const Json::exception&) override { return false; }
+  // What else is wrong with the text is said by the parser.
+  bool parse_error(std::size_t, const std::string& token, const Json::exception& error) override {
+    constexpr int kOverflow = 406;
+    if (error.id != kOverflow) return false;
+    constexpr double kMost = std::numeric_limits<double>::max();
+    throw std::invalid_argument(fmt::format("{} is no number that fits; it must be between {} and {}",
+                                            printable(token), -kMost, kMost));
+  }
 
   bool key(string_t& name) override {
     std::unordered_set<std::string>& keys = keys_of_open_.back();
@@ -182,6 +209,11 @@ std::optional<std::size_t> find_path(std::string_view text, std::string_view pat
   return place;
 }
 
+std::string at_line(std::string_view text, std::size_t place, std::string_view message) {
+  const std::string_view before = text.substr(0, place);
+  return fmt::format("line {}: {}", std::count(before.begin(), before.end(), '\n') + 1, message);
+}
+
 void append(std::string& text, const Json& json, int indent) {
   const bool is_flat =
       std::none_of(json.begin(), json.end(), [](const Json& v) { return v.is_structured(); });
@@ -221,16 +253,20 @@ std::string say_no_json(std::string_view text, std::size_t byte) {
 }  // namespace
 
 Json parse_json(std::string_view text) {
-  KeyCheck check;
   constexpr bool kIgnoreComments = true;
-  Json::sax_parse(text, &check, Json::input_format_t::json, /*strict=*/true, kIgnoreComments);
+  const char* last = text.data();
+  const TextReader begin{text.data(), &last};
+  const TextReader end{text.data() + text.size(), &last};
   try {
-    return Json::parse(text, nullptr, /*allow_exceptions=*/true, kIgnoreComments);
+    KeyCheck check;
+    Json::sax_parse(begin, end, &check, Json::input_format_t::json, /*strict=*/true, kIgnoreComments);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(at_line(text, static_cast<std::size_t>(last - text.data()), error.what()));
+  }
+  try {
+    return Json::parse(begin, end, nullptr, /*allow_exceptions=*/true, kIgnoreComments);
   } catch (const Json::parse_error& error) {
     throw std::invalid_argument(say_no_json(text, error.byte));
-  } catch (const Json::exception& error) {
-    const std::string_view message = error.what();  // after "[json.exception.out_of_range.406] "
-    throw std::invalid_argument(printable(message.substr(message.find(' ') + 1)));
   }
 }
 
@@ -238,8 +274,7 @@ std::string with_line(std::string_view text, const std::string& message) {
   const std::string_view path = std::string_view(message).substr(0, message.find(' '));
   const std::optional<std::size_t> place = find_path(text, path);
   if (!place) return message;
-  const auto line = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(*place), '\n') + 1;
-  return fmt::format("line {}: {}", line, message);
+  return at_line(text, *place, message);
 }
 
 std::string shown(const Json& json) {

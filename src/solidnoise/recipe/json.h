@@ -14,8 +14,8 @@ using Json = nlohmann::ordered_json;
 // it.
 inline constexpr int kRecipeVersion = 2;
 
-// Parses a text, in which // and /* */ are comments. Throws std::invalid_argument with line and column; a key
-// given twice is refused too, and more keys in one object, or more objects, than any recipe has.
+// Parses a text, in which // and /* */ are comments. Throws std::invalid_argument with the line; a key given
+// twice is refused too, and more keys in one object, or more objects, than any recipe has.
 Json parse_json(std::string_view text);
 
 // A message about a part of the text that begins with its path, as those of readers do
