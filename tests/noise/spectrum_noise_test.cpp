@@ -136,11 +136,12 @@ TEST(SpectrumNoise, RefusesWhatIsNoSpectrum) {
   EXPECT_EQ(message([](auto& o) { o.model.channels[0].bands[1].components[0].variance = -1.0; }),
             "channels[0]: bands[1].components[0].variance is -1; it must be 0 or more, and finite");
   EXPECT_EQ(message([](auto& o) { o.model.channels[0].bands[0].a = 0.0; }),
-            "channels[0]: bands[0].a is 0; it must be greater than 0");
+            "channels[0]: bands[0].a is 0; it must be between 1e-16 and 1e+16 (cycles per world unit)");
   EXPECT_EQ(message([](auto& o) { o.model.channels[0].bands[0].components[0].group = 1; }),
             "channels[0]: bands[0].components[0].group is 1; it must be the number of a group, from 0");
-  EXPECT_EQ(message([](auto& o) { o.model.channels[0].bands.clear(); }),
-            "channels[0]: the variances of all components add up to 0; they must to more than 0");
+  EXPECT_EQ(
+      message([](auto& o) { o.model.channels[0].bands.clear(); }),
+      "channels[0]: the variances of all components add up to 0; the sum must be between 1e-60 and 1e+60");
   EXPECT_EQ(message([](auto& o) { o.model.channels.clear(); }),
             "exemplar is missing; it must be the model of an exemplar");
   EXPECT_EQ(message([](auto& o) { o.model.axes.clear(); }),

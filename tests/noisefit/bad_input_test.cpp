@@ -94,7 +94,7 @@ const std::vector<Refusal> kEditRefusals = {
     {"HugeVariance",
      2,
      {"edit", "model.json", "--out", "x.json", "--add", "0.1", "1e300", "0.1", "0.1"},
-     {"add up to 1e+300; they must to between 1e-60 and 1e+60"}},
+     {"add up to 1e+300; the sum must be between 1e-60 and 1e+60"}},
     {"NarrowFile",
      1,
      {"edit", "narrow.json", "--out", "x.json", "--scale", "2"},

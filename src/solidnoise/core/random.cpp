@@ -22,7 +22,7 @@ CumulativeTable::CumulativeTable(std::span<const double> weights) {
   }
   const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
   if (!(total > 0.0) || !std::isfinite(total)) {
-    throw std::invalid_argument(fmt::format("the weights add up to {}; they must to more than 0", total));
+    throw std::invalid_argument(fmt::format("the weights add up to {}; the sum must be more than 0", total));
   }
 
   double sum = 0.0;

@@ -167,8 +167,8 @@ void GaborSpectrum::validate() const {
   }
   const double total = variance();
   if (!kVariances.contains(total)) {
-    throw std::invalid_argument(fmt::format("the variances of all components add up to {}; they must to {}",
-                                            total, kVariances.text()));
+    throw std::invalid_argument(fmt::format(
+        "the variances of all components add up to {}; the sum must be {}", total, kVariances.text()));
   }
   validate_proportions(*this);
 }
