@@ -152,10 +152,10 @@ Image render_preview(const openvdb::FloatGrid& grid, const PreviewOptions& optio
   const Vec3d to_sky = (vertical(options.up) + 0.25 * view.back + 0.2 * view.right).unit();
   Scene scene;
   scene.has_sky = true;
-  scene.ambient = {0.07, 0.09, 0.125};
+  scene.ambient = {0.085, 0.098, 0.117};
   scene.suns = {{to_sun, {0.79, 0.76, 0.69}, 0.8},
                 {to_sun, {0.24, 0.23, 0.22}, 0.15},
-                {to_sky, {0.14, 0.18, 0.25}, 0.24}};
+                {to_sky, {0.15, 0.18, 0.22}, 0.24}};
   scene.make_matter = [&]() -> MatterAt {
     return [density = grid.getConstAccessor()](const Vec3d& index) {
       return Matter{std::max(0.0f, Sampler::sample(density, index)), {0.0, 0.0, 0.0}};
