@@ -164,7 +164,7 @@ class OBJECT_OT_solidnoise_show(bpy.types.Operator):
     bl_idname, bl_label = "object.solidnoise_show", "Show"
     bl_options = {"REGISTER", "UNDO"}
 
-    what: bpy.props.EnumProperty(name="Show", items=[("COLORS", "Colours", "The colour attribute solidnoise"),
+    what: bpy.props.EnumProperty(name="Show", description="What the mesh's material shows", items=[("COLORS", "Colours", "The colour attribute solidnoise"),
                                                      ("NOISE", "Noise", "The float attribute noise, in greys")])
 
     @reported

@@ -52,10 +52,12 @@ constexpr auto fields_of(std::type_identity<Modification>) {
             "Of a level set, in place of combine and amount: how far one sigma moves its surface along its "
             "normals"),
       field("combine", &Modification::combine, kCombineChoices,
-            "Noise n in place of value v; v + a n; v (1 + a n); or wear thin parts off")
+            "How the noise n, by the amount a, changes the value v: n in its place; v + a n; v (1 + a n); or "
+            "thin parts worn off")
           .in_place_of("displace")
           .written_if([](const Modification& change) { return !change.displace; }),
-      field("amount", &Modification::amount, kFinite, "", "The factor a")
+      field("amount", &Modification::amount, kFinite, "",
+            "How much of the noise: a in what combine says; to erode, 0 or more")
           .in_place_of("displace")
           .written_if([](const Modification& change) {
             return !change.displace && change.combine != Combine::replace;
