@@ -158,13 +158,24 @@ def damage(path):
     path.write_bytes(bytes_of)
 
 
+# Runs a command and says its peak of memory, KiB.
+MEASURED = """import resource, subprocess, sys
+status = subprocess.run(sys.argv[1:]).returncode
+print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss, flush=True)
+sys.exit(status)"""
+
+
 def do_job(program, folder, job):
-    """As a manager would, without any."""
+    """As a manager would, without any. No job takes more memory than it asks for."""
     for step in check_template(job)["steps"]:
+        asked = next(amount["min"] for amount in step["hostRequirements"]["amounts"] if amount["name"] == "amount.worker.memory")
+        assert f"#SBATCH --mem={asked:.0f}M\n" in (job / f"{step['name']}.sbatch").read_text()
         last = int(step["parameterSpace"]["taskParameterDefinitions"][0]["range"].split("-")[1])
         for number in range(1, last + 1):
-            done = run([program, "farm", "run", job, step["name"], number], "/")
+            done = run([sys.executable, "-c", MEASURED, program, "farm", "run", job, step["name"], number], "/")
             assert "openjd_progress: 100\n" in done.stdout, done.stdout
+            taken = int(done.stdout.splitlines()[-1]) / 1024
+            assert 0.1 * asked < taken < asked, (step["name"], taken, asked)
 
 
 def test_sequences(tools, folder, project):
@@ -178,9 +189,9 @@ def test_sequences(tools, folder, project):
     status = run([vdbnoise, "farm", "status", "boil.farm"], folder).stdout
     assert status == "scale: 1 of 1 done\nparts: 6 of 6 done\nmerge: 3 of 3 done\n", status
 
-    rust = [project / "meshes" / "torus.obj", "--evolve", "0.5", "--frames", "1-3", "--quiet"]
+    rust = [project / "meshes" / "wyrm.ply", "--preset", "rust", "--evolve", "0.5", "--frames", "1-3", "--quiet"]
     run([meshnoise, "bake", *rust, "--out", "one.#.ply"], folder)
-    run([meshnoise, "farm", *rust, "--out", "rust.#.ply", "--job-time", 0], folder)
+    run([meshnoise, "farm", *rust, "--out", "rust.#.ply"], folder)
     do_job(meshnoise, folder, folder / "rust.farm")
     for frame in "123":
         assert filecmp.cmp(folder / f"one.{frame}.ply", folder / f"rust.{frame}.ply", shallow=False), frame

@@ -12,6 +12,11 @@
 
 namespace solidnoise {
 
+double FarmStep::memory_of_job() const {
+  constexpr double kMebibyte = 0x1p20;
+  return std::ceil(1.25 * bytes / kMebibyte) + 64.0;
+}
+
 void chunk_tasks(const FarmOptions& options, std::vector<FarmStep>& steps) {
   for (FarmStep& step : steps) {
     const double that_last = step.seconds > 0.0 ? std::ceil(options.job_time / step.seconds) : step.tasks;

@@ -43,6 +43,9 @@ struct FarmStep {
   int tasks_per_job = 1;  // that a job of the array does, one after the other
 
   int jobs() const { return (tasks + tasks_per_job - 1) / tasks_per_job; }
+  // MiB of memory that a job asks for: a quarter more than the estimate and 64 MiB for the program itself, as
+  // farms end what takes more.
+  double memory_of_job() const;
 };
 
 // Gives the jobs of each step so many tasks that they last, and that arrays have room for them.

@@ -1,7 +1,5 @@
 #include "common/farm_scripts.h"
 
-#include <cmath>
-#include <cstdint>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -50,7 +48,6 @@ done
 }  // namespace
 
 std::string sbatch_script(const FarmJob& job, const FarmStep& step) {
-  constexpr double kMebibyte = 0x1p20;
   std::string text = "#!/usr/bin/env bash\n";
   const auto option = [&](std::string_view name, const std::string& value) {
     text += fmt::format("#SBATCH --{}{}{}\n", name, value.empty() ? "" : "=", value);
@@ -58,7 +55,7 @@ std::string sbatch_script(const FarmJob& job, const FarmStep& step) {
   option("job-name", fmt::format("{}-{}", job.name(), step.name));
   option("array", fmt::format("1-{}{}", step.jobs(), job.at_once ? fmt::format("%{}", *job.at_once) : ""));
   option("cpus-per-task", std::to_string(job.threads));
-  option("mem", fmt::format("{}M", static_cast<std::uint64_t>(std::ceil(step.bytes / kMebibyte))));
+  option("mem", fmt::format("{:.0f}M", step.memory_of_job()));
   option("chdir", sbatch_path(job.directory.string()) + '"');
   option("output", sbatch_path((job.folder / "log" / step.name).string()) + "-%a.log\"");
   option("open-mode", "append");

@@ -1,4 +1,3 @@
-#include <cmath>
 #include <string>
 
 #include <fmt/format.h>
@@ -20,13 +19,11 @@ Json amount(const char* name, double least) {
 }
 
 Json step_of(const FarmJob& job, std::size_t index) {
-  constexpr double kMebibyte = 0x1p20;
   const FarmStep& step = job.steps[index];
   Json json = {{"name", step.name}};
   if (index > 0) json["dependencies"] = Json::array({{{"dependsOn", job.steps[index - 1].name}}});
-  json["hostRequirements"]["amounts"] =
-      Json::array({amount("amount.worker.vcpu", job.threads),
-                   amount("amount.worker.memory", std::ceil(step.bytes / kMebibyte))});
+  json["hostRequirements"]["amounts"] = Json::array(
+      {amount("amount.worker.vcpu", job.threads), amount("amount.worker.memory", step.memory_of_job())});
   json["parameterSpace"]["taskParameterDefinitions"] =
       Json::array({{{"name", "Job"}, {"type", "INT"}, {"range", fmt::format("1-{}", step.jobs())}}});
   Json& run = json["script"]["actions"]["onRun"];
