@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <set>
 #include <string>
 #include <vector>
@@ -7,6 +8,8 @@
 
 #include "solidnoise/recipe/json.h"
 #include "solidnoise/volume/vdb/grid_file.h"
+#include "solidnoise/volume/volume_cost.h"
+#include "tools/expect_estimate.h"
 #include "tools/run_vdbnoise.h"
 #include "tools/same_grid.h"
 
@@ -40,6 +43,36 @@ TEST(Parts, ShardsMergeToTheWholeToTheLastBit) {
     expect_same_grid(folder.file("merged.vdb"), folder.file("whole.vdb"));
     EXPECT_EQ(folder.names().count("merged.png"), 1u);
   }
+}
+
+TEST(Parts, MergingIsHeldAgainstItsLimits) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the sanitizer takes memory of its own";
+#endif
+  const TemporaryFolder folder;
+  for (const char* const shard : {"1", "2"}) {
+    run_well({"--raw", "--noise", "kensler", "--dim", "256", "--shard", std::string(shard) + "/2", "--out",
+              std::string("part") + shard + ".vdb", "--quiet"},
+             folder);
+  }
+  const auto merge = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"merge", "part1.vdb", "part2.vdb", "--out", "whole.vdb", "--quiet"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_vdbnoise(arguments, {.folder = folder.path()});
+  };
+  const ToolResult large = merge({"--max-memory", "60M"});
+  EXPECT_EQ(large.status, 1);
+  EXPECT_NE(large.err.find("merging may need"), std::string::npos) << large.err;
+  EXPECT_NE(large.err.find("--max-memory allows 60.0 MiB"), std::string::npos) << large.err;
+  const ToolResult slow = merge({"--max-time", "0.01"});
+  EXPECT_EQ(slow.status, 1);
+  EXPECT_NE(slow.err.find("--max-time allows 0.01"), std::string::npos) << slow.err;
+  EXPECT_EQ(folder.count(), 2u);
+
+  const std::vector<std::filesystem::path> files{folder.file("part1.vdb"), folder.file("part2.vdb")};
+  expect_peak(merge_cost(files, Making::streamed, Target::file).bytes, merge({}), "merge");
+  expect_peak(merge_cost(files, Making::in_memory, Target::picture).bytes,
+              merge({"--force", "--preview", "x.png"}), "merge --preview");
 }
 
 TEST(Parts, RegionsMergeToTheWholeToTheLastBit) {

@@ -25,7 +25,7 @@ int run_merge(const std::vector<std::string>& arguments) {
   flags.arguments("FILE...", "The parts, in any order", files);
   flags.keep("--out", "FILE.vdb", "Where the grid goes; - for the standard output", out);
   flags.keep("--preview", "FILE.png", "A picture of the volume, rendered by OpenVDB", preview);
-  declare_fields(flags, options, {"force", "quiet"});
+  declare_fields(flags, options, {"force", "max_memory", "max_time", "quiet"});
   flags.parse(arguments);
   flags.apply();
   if (out.empty()) throw UsageError("--out is missing; say where the grid goes: --out whole.vdb");

@@ -8,6 +8,7 @@
 #include "solidnoise/image/image_file.h"
 #include "solidnoise/volume/merge_parts.h"
 #include "solidnoise/volume/preview/picture.h"
+#include "solidnoise/volume/volume_cost.h"
 #include "vdbnoise/commands.h"
 #include "vdbnoise/volume_output.h"
 
@@ -47,6 +48,9 @@ void merge_files(const std::vector<std::string>& parts, const std::string& out, 
     write.progress = &progress;
     progress.begin("merging");
     const bool streams = out != "-" && preview.empty() && may_stream_parts(files);
+    const Cost cost = merge_cost(files, streams ? Making::streamed : Making::in_memory,
+                                 preview.empty() ? Target::file : Target::picture);
+    options.require_cost("merging", {cost.bytes, cost.seconds});
     merged = streams ? merge_parts_to_file(files, out, write) : merge_in_memory(files, out, preview, write);
   }
   if (!options.quiet) print_statistics(merged.volume, out);

@@ -1,7 +1,11 @@
 #include "solidnoise/volume/volume_cost.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -13,6 +17,7 @@
 #include "solidnoise/volume/finish_volume.h"
 #include "solidnoise/volume/modified_volume.h"
 #include "solidnoise/volume/stream_volume.h"
+#include "solidnoise/volume/vdb/vdb_read.h"
 #include "solidnoise/volume/volume_field.h"
 
 namespace solidnoise {
@@ -169,6 +174,27 @@ double streamed_bytes(const VolumeRecipe& recipe, const VolumePlan& plan) {
          std::min(kSlab, kWriting * static_cast<double>(plan.memory));
 }
 
+// Of so many voxels of all grids together, with the bytes of the largest part, in a box.
+Cost merge_cost(double voxels, double part, const openvdb::CoordBBox& box) {
+  constexpr double kSecondsPerMergedVoxel =
+      10e-9;                                     // each is read twice, and looked at once, where it is scaled
+  constexpr double kLeastBytes = 48.0 * 0x1p20;  // a slab, and what is being compressed
+  const openvdb::Coord size = box.empty() ? openvdb::Coord(0) : box.dim();
+  const double columns = sizeof(double) * static_cast<double>(size.x()) * std::max(size.y(), size.z());
+  return {voxels * kSecondsPerMergedVoxel, kProgramBytes + std::max(kWriting * part, kLeastBytes) + columns};
+}
+
+// In memory, as its file says, but not less than its active voxels.
+double bytes_of(const GridSummary& grid) {
+  const auto noted = grid.metadata.find(openvdb::GridBase::META_FILE_MEM_BYTES);
+  std::int64_t bytes = 0;
+  if (noted != grid.metadata.end()) {
+    const std::string& text = noted->second;
+    std::from_chars(text.data(), text.data() + text.size(), bytes);
+  }
+  return std::max(static_cast<double>(bytes), sizeof(float) * static_cast<double>(grid.active_voxels));
+}
+
 }  // namespace
 
 int max_threads() {
@@ -198,15 +224,29 @@ Cost volume_cost(const VolumeRecipe& recipe, const VolumePlan& plan, int threads
 }
 
 Cost merge_cost(const VolumeRecipe& recipe, const VolumePlan& whole, int parts) {
-  constexpr double kSecondsPerMergedVoxel =
-      10e-9;                                     // each is read twice, and looked at once, where it is scaled
-  constexpr double kLeastBytes = 48.0 * 0x1p20;  // a slab, and what is being compressed
   const auto grids = static_cast<double>(output_grids(recipe).size());
-  const double part = kWriting * static_cast<double>(whole.memory) / parts;
-  const openvdb::Coord size = whole.voxels.dim();
-  const double columns = sizeof(double) * static_cast<double>(size.x()) * std::max(size.y(), size.z());
-  return {voxels_of(whole) * grids * kSecondsPerMergedVoxel,
-          kProgramBytes + std::max(part, kLeastBytes) + columns};
+  return merge_cost(grids * voxels_of(whole), static_cast<double>(whole.memory) / parts, whole.voxels);
+}
+
+Cost merge_cost(const std::vector<std::filesystem::path>& parts, Making making, Target target) {
+  double voxels = 0.0;
+  double all = 0.0;
+  double largest = 0.0;
+  openvdb::CoordBBox box;
+  for (const std::filesystem::path& part : parts) {
+    double bytes = 0.0;
+    for (const GridSummary& grid : read_vdb_summary(part).grids) {
+      voxels += static_cast<double>(grid.active_voxels);
+      bytes += bytes_of(grid);
+      box.expand(grid.voxel_bounds);
+    }
+    all += bytes;
+    largest = std::max(largest, bytes);
+  }
+  Cost cost = merge_cost(voxels, largest, box);
+  if (making == Making::in_memory) cost.bytes += kWriting * all;
+  if (target == Target::picture) cost.bytes += kPictureBytes;
+  return cost;
 }
 
 MakingPlan plan_making(const VolumeRecipe& recipe, const VolumePlan& plan, int threads, double memory,

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <filesystem>
+#include <vector>
+
 #include "solidnoise/noise/interpolation/noise_cost.h"
 #include "solidnoise/volume/make_volume.h"
 
@@ -38,5 +41,9 @@ struct MakingPlan {
 };
 MakingPlan plan_making(const VolumeRecipe& recipe, const VolumePlan& plan, int threads, double memory,
                        Target target);
+
+// What merging parts takes that exist, by what their files say of themselves. Throws what read_vdb_summary()
+// throws.
+Cost merge_cost(const std::vector<std::filesystem::path>& parts, Making making, Target target);
 
 }  // namespace solidnoise
