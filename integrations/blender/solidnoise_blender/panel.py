@@ -13,7 +13,7 @@ class VIEW3D_MT_solidnoise_volume_add(bpy.types.Menu):
 
     def draw(self, context):
         for name, _ in recipes.presets(recipes.VOLUME):
-            self.layout.operator("object.solidnoise_volume_add", text=name.capitalize(), icon_value=pictures.icon(name)).preset = name
+            self.layout.operator("object.solidnoise_volume_add", text=name.capitalize(), icon_value=pictures.icon(name, recipes.VOLUME)).preset = name
 
 
 class VIEW3D_MT_solidnoise_object(bpy.types.Menu):

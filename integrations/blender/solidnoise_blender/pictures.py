@@ -8,9 +8,11 @@ _FOLDER = os.path.join(os.path.dirname(__file__), "pictures")
 _previews = None
 
 
-def icon(name: str) -> int:
-    """0, none, where there is no picture."""
-    return _previews[name].icon_id if _previews and name in _previews else 0
+def icon(name: str, kind: str) -> int:
+    """Of a preset of a kind: its own, as bake_raw_icon.png, or that of its name; 0, none, where there is no picture."""
+    own = f"{kind}_{name}"
+    picture = own if _previews and own in _previews else name
+    return _previews[picture].icon_id if _previews and picture in _previews else 0
 
 
 def register() -> None:

@@ -44,7 +44,7 @@ _items = {}  # Blender keeps no reference to what a function returns
 def _presets(kind: str):
     def items(self, context):
         from . import pictures
-        _items[kind] = [(name, name.capitalize(), told, pictures.icon(name), place)
+        _items[kind] = [(name, name.capitalize(), told, pictures.icon(name, kind), place)
                         for place, (name, told) in enumerate(recipes.presets(kind))]
         return _items[kind]
     return items
