@@ -20,6 +20,7 @@ const TemporaryFolder& files() {
     run_vdbnoise({"surface", in_source("meshes/torus.obj"), "--dim", "32", "--quiet", "--out", "small.vdb"},
                  in_folder);
     run_vdbnoise({"--raw", "--noise", "kensler", "--dim", "96", "--quiet", "--out", "values.vdb"}, in_folder);
+    run_vdbnoise({"--raw", "--noise", "kensler", "--dim", "320", "--quiet", "--out", "large.vdb"}, in_folder);
     // Three bands of an exemplar's.
     folder.write("exemplar.json", R"({"solidnoise": 2, "exemplar": {"mean": [0, 0, 0], "channels": [
       {"axis": [1, 1, 1], "dimensions": 3, "isotropic": true, "groups": ["all"], "bands": [
@@ -56,6 +57,8 @@ INSTANTIATE_TEST_SUITE_P(
         std::vector<std::string>{"--preset", "cumulus", "--dim", "64", "--preview", "x.png"},
         std::vector<std::string>{"--preset", "fire", "--dim", "128", "--preview", "x.png"},
         std::vector<std::string>{"--preset", "marble", "--dim", "128", "--preview", "x.png"},
+        std::vector<std::string>{"--raw", "--shape", "large.vdb"},
+        std::vector<std::string>{"--raw", "--shape", "large.vdb", "--shard", "1/4"},
         std::vector<std::string>{"--on", "values.vdb", "--combine", "add"},
         std::vector<std::string>{"--on", "surface.vdb", "--raw", "--displace", "0.02"},
         std::vector<std::string>{"--on", "small.vdb", "--raw", "--displace", "2"},

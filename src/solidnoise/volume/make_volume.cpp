@@ -77,8 +77,9 @@ VolumePlan plan_voxels(const VolumeRecipe& recipe, const VolumePart& part) {
     plan.frame = GridFrame(plan.grid->transform());
     plan.voxels = plan.grid->evalActiveVoxelBoundingBox();
     plan.box = plan.frame.bounds(plan.voxels);
-    plan.memory = estimate_part_memory(estimate_memory(*plan.grid, channels), plan.frame, part);
-    plan.mask_memory = estimate_mask_memory(*plan.grid);
+    const std::uint64_t held = plan.grid->memUsage() + (part.whole() ? 0 : estimate_mask_memory(*plan.grid));
+    plan.memory = held + estimate_part_memory(estimate_memory(*plan.grid, channels), plan.frame, part);
+    plan.mask_memory = held + estimate_mask_memory(*plan.grid);
     return plan;
   }
   if (auto* shape = std::get_if<MeshShape>(&plan.shape)) {
