@@ -225,7 +225,9 @@ Cost volume_cost(const VolumeRecipe& recipe, const VolumePlan& plan, int threads
 
 Cost merge_cost(const VolumeRecipe& recipe, const VolumePlan& whole, int parts) {
   const auto grids = static_cast<double>(output_grids(recipe).size());
-  return merge_cost(grids * voxels_of(whole), static_cast<double>(whole.memory) / parts, whole.voxels);
+  const std::uint64_t shape = whole.grid ? whole.grid->memUsage() : 0;  // of which merging needs nothing
+  return merge_cost(grids * voxels_of(whole), static_cast<double>(whole.memory - shape) / parts,
+                    whole.voxels);
 }
 
 Cost merge_cost(const std::vector<std::filesystem::path>& parts, Making making, Target target) {
