@@ -29,6 +29,16 @@ TEST(MeshnoiseEstimatedMemory, IsWhatABakeTakes) {
   }
 }
 
+TEST(MeshnoiseEstimatedMemory, IsWhatCurvatureTakes) {
+  const TemporaryFolder folder;
+  write_sample(folder, "in.ply", sample_torus(200));
+  const auto run = [&](const std::vector<std::string>& arguments) {
+    return run_meshnoise(arguments, {.folder = folder.path()});
+  };
+  expect_limits(run, {"curvature", "in.ply", "--out", "x.ply", "--force"});
+  expect_limits(run, {"curvature", "in.ply", "--preview", "x.png", "--force"});
+}
+
 TEST(MeshnoiseLimits, CountTheImpulsesOfVerticesThatShareNone) {
   const TemporaryFolder folder;
   write_sample(folder, "in.ply", sample_torus(200));

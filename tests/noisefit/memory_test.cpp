@@ -44,5 +44,13 @@ INSTANTIATE_TEST_SUITE_P(
                     std::vector<std::string>{"1024.png", "--patch", "128", "--preview", "x.png"},
                     std::vector<std::string>{"wide.png", "--grey", "--preview", "x.png"}));
 
+TEST(FitMemory, IsWhatAnEditTakes) {
+  const RunOptions there{.folder = pictures().path()};
+  ASSERT_EQ(run_noisefit({"64.png", "--kappa", "0.25", "--out", "model.json", "--force"}, there).status, 0);
+  const auto run = [&](const std::vector<std::string>& arguments) { return run_noisefit(arguments, there); };
+  expect_limits(run, {"edit", "model.json", "--scale", "2", "--out", "x.json", "--force"});
+  expect_limits(run, {"edit", "model.json", "--scale", "2", "--preview", "x.png", "--force"});
+}
+
 }  // namespace
 }  // namespace solidnoise::memory_test

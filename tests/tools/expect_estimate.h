@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,35 @@ inline void expect_estimate(const std::function<ToolResult(const std::vector<std
   const double estimate = nlohmann::json::parse(described.out)["cost"]["memory_bytes"];
   command.insert(command.end(), writing.begin(), writing.end());
   expect_peak(estimate, run(command), text);
+}
+
+// What --max-memory holds against, where nothing describes it, is as expect_peak() says; and --max-time
+// refuses the command too.
+inline void expect_limits(const std::function<ToolResult(const std::vector<std::string>&)>& run,
+                          const std::vector<std::string>& command) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the sanitizer takes memory of its own";
+#endif
+  std::string text;
+  for (const std::string& word : command) text += word + " ";
+  SCOPED_TRACE(text);
+  const auto refused = [&](const std::string& flag, const std::string& limit) {
+    std::vector<std::string> limited = command;
+    limited.insert(limited.end(), {flag, limit});
+    const ToolResult result = run(limited);
+    EXPECT_EQ(result.status, 1);
+    return result.err;
+  };
+  const std::string slow = refused("--max-time", "1e-9");
+  EXPECT_NE(slow.find(" seconds, --max-time allows 1e-09"), std::string::npos) << slow;
+  const std::string large = refused("--max-memory", "1");
+  const std::string::size_type at = large.find(" may need ");
+  ASSERT_NE(at, std::string::npos) << large;
+  std::string unit;
+  double estimate = 0.0;
+  std::istringstream(large.substr(at + 10)) >> estimate >> unit;
+  ASSERT_EQ(unit, "MiB,") << large;
+  expect_peak(estimate * 0x1p20, run(command), text);
 }
 
 }  // namespace solidnoise

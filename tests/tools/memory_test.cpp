@@ -73,6 +73,28 @@ TEST(EstimatedMemory, OfDenseImpulsesIsHeldAgainstWhatMayBeTaken) {
   EXPECT_NE(refused.err.find("--max-memory"), std::string::npos) << refused.err;
 }
 
+TEST(EstimatedMemory, IsWhatOtherCommandsTake) {
+  const auto run = [](const std::vector<std::string>& arguments) {
+    return run_vdbnoise(arguments, {.folder = files().path()});
+  };
+  for (const std::vector<std::string>& command : std::vector<std::vector<std::string>>{
+           {"analyze", "values.vdb"},
+           {"analyze", "large.vdb", "--plot", "x.png", "--force"},
+           {"surface", in_source("meshes/torus.obj"), "--dim", "384", "--out", "s.vdb", "--force"},
+           {"surface", in_source("meshes/torus.obj"), "--band", "0.2", "--out", "s.vdb", "--force"},
+           {"slice", "--out", "x.png", "--force"},
+           {"slice", "--resolution", "2048", "--noise", "kensler", "--out", "x.exr", "--force"},
+           {"slice", "--resolution", "2048", "--noise", "kensler", "--color", "--out", "x.exr", "--force"},
+           {"slice", "--resolution", "2048", "--noise", "kensler", "--ramp", "viridis", "--out", "x.png",
+            "--force"},
+           {"slice", "--resolution", "2048", "--dims", "2", "--spectrum", "x.png", "--force"},
+           {"slice", "--dims", "1", "--out", "x.csv", "--force"},
+           {"slice", "large.vdb", "--out", "x.png", "--force"},
+       }) {
+    expect_limits(run, command);
+  }
+}
+
 // Of clouds most of a box is empty, and more of the boxes of a sky.
 TEST(EstimatedMemory, IsWhatASkyTakes) {
   const auto run = [](const std::vector<std::string>& arguments) {

@@ -13,6 +13,7 @@
 #include "meshnoise/commands.h"
 #include "meshnoise/mesh_files.h"
 #include "solidnoise/image/image_file.h"
+#include "solidnoise/mesh/bake_cost.h"
 #include "solidnoise/mesh/bake_fields.h"
 #include "solidnoise/mesh/vertex_colors.h"
 
@@ -23,6 +24,17 @@ constexpr char kCurvatureDescription[] =
     "meshnoise curvature shows the curvature of a surface as vertex colours, and puts it into a .ply as "
     "numbers:\n"
     "mean_curvature, gaussian_curvature, k1, k2 (1 / world unit; positive where the surface bulges out).";
+
+// Measured: a vertex takes the four curvatures more than a bake does, and 4 microseconds; a picture half a
+// second.
+void require_cost(const RunOptions& options, const PolygonMesh& mesh, bool is_shown) {
+  const auto vertices = static_cast<double>(mesh.positions.size());
+  const double bytes =
+      bake_memory(vertices, static_cast<double>(mesh.face_count())) + 4.0 * sizeof(double) * vertices;
+  RunOptions::Needs needs{bytes, 4e-6 * vertices};
+  if (is_shown) needs = {kPreviewMemory * needs.bytes + kImageMemory, needs.seconds + 0.5};
+  options.require_cost(fmt::format("{} vertices", mesh.positions.size()), needs);
+}
 
 }  // namespace
 
@@ -45,7 +57,7 @@ int run_curvature(const std::vector<std::string>& arguments) {
                 [&](SteeringSource source) { recipe.by.source = source; });
   declare_fields(flags, recipe.by, {"percentiles"});
   declare_fields(flags, recipe);
-  declare_fields(flags, options, {"force", "quiet"});
+  declare_fields(flags, options, {"force", "max_memory", "max_time", "quiet"});
   flags.parse(arguments);
   try {
     flags.apply();
@@ -61,6 +73,7 @@ int run_curvature(const std::vector<std::string>& arguments) {
 
   catch_interrupts();
   const MeshReading reading = read_input_mesh(in, options.quiet ? Notes::keep_quiet : Notes::print);
+  require_cost(options, reading.mesh, !preview.empty());
   const bool keeps = keeps_the_rest(in, out) && has_rest(reading);
   if (!keeps && !options.quiet) print_dropped(in, reading);
   TaskProgress progress(TaskProgress::Visibility::hidden);

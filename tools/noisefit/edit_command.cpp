@@ -13,6 +13,7 @@
 #include "common/run_options.h"
 #include "common/run_tool.h"
 #include "noisefit/commands.h"
+#include "noisefit/fit_flags.h"
 #include "noisefit/model_file.h"
 #include "solidnoise/analysis/exemplar/describe_fit.h"
 #include "solidnoise/analysis/exemplar/edit_model.h"
@@ -67,8 +68,8 @@ void declare_number(FlagSet& flags, EditCommand& command, const std::string& fla
 }
 
 // The noise of a model at its exemplar's size, and that of what was made of it, of the same seed.
+constexpr int kSide = 320;
 Image draw_both(const ExemplarModel& before, const ExemplarFile& after) {
-  constexpr int kSide = 320;
   constexpr int kMargin = 12;
   constexpr std::uint64_t kSeed = 1;
   Image sheet(2 * kSide + 3 * kMargin, kSide + 2 * kMargin, 3);
@@ -92,6 +93,16 @@ Image draw_both(const ExemplarModel& before, const ExemplarFile& after) {
   return sheet;
 }
 
+// Editing takes next to nothing beside the files; a pixel of the previews what its noise and its picture do.
+void require_cost(const EditCommand& command, const ExemplarModel& before, const ExemplarModel& after) {
+  if (command.preview.empty()) return command.require_cost("the edit", {kProgramBytes + 12.0 * 0x1p20, 0.1});
+  double pixels = 0.0;
+  for (const ExemplarModel* const model : {&before, &after}) {
+    pixels += static_cast<double>(model->channels.size()) * kSide * kSide;
+  }
+  command.require_cost("the preview", {kPictureProgramBytes + 100.0 * pixels, 3e-6 * pixels});
+}
+
 void declare_flags(FlagSet& flags, EditCommand& command) {
   flags.argument("FILE", "The spectrum file", command.in);
   flags.group("Flags");
@@ -102,7 +113,7 @@ void declare_flags(FlagSet& flags, EditCommand& command) {
              [&](const std::string& name) { command.group = name; });
   flags.integer("--channel", "NUMBER", "The channel to work on, from 0 (default: all)",
                 [&](int number) { command.channel = number; });
-  declare_fields<RunOptions>(flags, command, {"force", "quiet"});
+  declare_fields<RunOptions>(flags, command, {"force", "max_memory", "max_time", "quiet"});
   flags.group("What to do");
   flags.toggle("--regroup", "Sort the components into groups anew, after Wold", [&] {
     command.operations.push_back(
@@ -209,6 +220,7 @@ int run_edit(const std::vector<std::string>& arguments) {
     }
   });
   if (!edited) throw UsageError(fmt::format("{} has no group {}", command.in, *command.group));
+  require_cost(command, before, model);
   OutputGroup outputs;
   if (!command.preview.empty()) {
     write_image(command.preview, draw_both(before, edited_file),

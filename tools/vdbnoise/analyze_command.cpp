@@ -53,6 +53,16 @@ Image draw(const AnalysisSubject& subject, const AnalysisReport& report, const s
       report.comparison ? SpectrumPlot(*report.comparison) : SpectrumPlot(report.spectrum));
 }
 
+// Where the file has no such grid, reading it says so.
+void require_cost(const RunOptions& options, const std::string& file, const std::string& name) {
+  for (const GridSummary& grid : read_vdb_summary(file).grids) {
+    if (grid.value_type != "float" || (!name.empty() && grid.name != name)) continue;
+    const Cost cost = analysis_cost(grid);
+    return options.require_cost(fmt::format("the analysis of {} voxels", grid.active_voxels),
+                                {cost.bytes, cost.seconds});
+  }
+}
+
 }  // namespace
 
 int run_analyze(const std::vector<std::string>& arguments) {
@@ -65,12 +75,13 @@ int run_analyze(const std::vector<std::string>& arguments) {
   flags.keep("--grid", "NAME", "The grid to measure (default: the first one of floats)", grid_name);
   flags.keep("--plot", "FILE.png",
              "A picture: noise, kernel, the Fourier transform of each, and the spectrum", plot);
-  declare_fields(flags, options, {"force"});
+  declare_fields(flags, options, {"force", "max_memory", "max_time"});
   flags.parse(arguments);
   flags.apply();
   require_extension("--plot", plot, {".png"}, StandardOutput::refused);
   require_outputs({plot}, options.existing(), {file});
 
+  require_cost(options, file, grid_name);
   const AnalysisSubject subject = analysis_subject(read_float_grid(file, grid_name), file);
   if (!plot.empty() && !subject.block) {
     throw std::runtime_error(file + ": no block of its voxels is dense enough for --plot");

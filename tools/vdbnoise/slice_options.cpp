@@ -216,7 +216,7 @@ std::vector<std::string> declare_slice_flags(FlagSet& flags, SliceOptions& optio
   declare_layer_flags(flags, recipe);
   declare_plane(flags, options);
   flags.group("Run");
-  declare_fields<RunOptions>(flags, options, {"threads", "quiet"});
+  declare_fields<RunOptions>(flags, options, {"threads", "max_memory", "max_time", "quiet"});
   return noise_flags;
 }
 

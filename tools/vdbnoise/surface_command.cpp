@@ -48,7 +48,7 @@ void declare(FlagSet& flags, SurfaceOptions& options) {
   flags.keep("--out", "FILE.vdb", "Where the grid goes; - for the standard output", options.out);
   declare_fields(flags, options);
   flags.exclude({"--voxel", "--dim"});
-  declare_fields<RunOptions>(flags, options, {"force", "max_memory", "quiet"});
+  declare_fields<RunOptions>(flags, options, {"force", "max_memory", "max_time", "quiet"});
 }
 
 TriangleMesh read_triangles(const std::string& file) {
@@ -85,9 +85,8 @@ int run_surface(const std::vector<std::string>& arguments) {
     try {
       const double voxel = options.voxel ? *options.voxel : voxel_size_for_dim(mesh.bounds(), options.dim);
       const double band = options.band.value_or(3.0 * voxel);
-      options.require_cost("the level set",
-                           {static_cast<double>(estimate_level_set_memory(mesh, voxel, band))},
-                           "; make --dim or --band smaller");
+      const Cost cost = level_set_cost(mesh, voxel, band);
+      options.require_cost("the level set", {cost.bytes, cost.seconds}, "; make --dim or --band smaller");
       grid = mesh_level_set(mesh, voxel, band, &progress);
     } catch (const std::invalid_argument& error) {
       throw UsageError(flags.name_flag(error.what()));

@@ -10,9 +10,11 @@
 #include "solidnoise/analysis/dense_field.h"
 #include "solidnoise/analysis/radial_spectrum.h"
 #include "solidnoise/core/progress.h"
+#include "solidnoise/noise/interpolation/noise_cost.h"
 #include "solidnoise/noise/noise.h"
 #include "solidnoise/recipe/json.h"
 #include "solidnoise/volume/vdb/openvdb.h"
+#include "solidnoise/volume/vdb/vdb_read.h"
 #include "solidnoise/volume/volume_recipe.h"
 
 namespace solidnoise {
@@ -34,6 +36,9 @@ struct AnalysisSubject {
 // transform takes about a second and 100 MB. Throws what stored_recipe() does, and std::runtime_error where
 // values are not finite.
 AnalysisSubject analysis_subject(openvdb::FloatGrid::Ptr grid, const std::string& file);
+
+// What analysing a grid of a file takes, by one thread, with the program itself: known before it is read.
+Cost analysis_cost(const GridSummary& grid);
 
 struct AnalysisReport {
   Json json;

@@ -1,7 +1,6 @@
 #include "solidnoise/volume/volume_cost.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
@@ -184,17 +183,6 @@ Cost merge_cost(double voxels, double part, const openvdb::CoordBBox& box) {
   return {voxels * kSecondsPerMergedVoxel, kProgramBytes + std::max(kWriting * part, kLeastBytes) + columns};
 }
 
-// In memory, as its file says, but not less than its active voxels.
-double bytes_of(const GridSummary& grid) {
-  const auto noted = grid.metadata.find(openvdb::GridBase::META_FILE_MEM_BYTES);
-  std::int64_t bytes = 0;
-  if (noted != grid.metadata.end()) {
-    const std::string& text = noted->second;
-    std::from_chars(text.data(), text.data() + text.size(), bytes);
-  }
-  return std::max(static_cast<double>(bytes), sizeof(float) * static_cast<double>(grid.active_voxels));
-}
-
 }  // namespace
 
 int max_threads() {
@@ -239,7 +227,7 @@ Cost merge_cost(const std::vector<std::filesystem::path>& parts, Making making, 
     double bytes = 0.0;
     for (const GridSummary& grid : read_vdb_summary(part).grids) {
       voxels += static_cast<double>(grid.active_voxels);
-      bytes += bytes_of(grid);
+      bytes += memory_of(grid);
       box.expand(grid.voxel_bounds);
     }
     all += bytes;

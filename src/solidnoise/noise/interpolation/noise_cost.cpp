@@ -20,9 +20,9 @@ constexpr double kSecondsPerPointImpulse = 2e-9;
 constexpr double kSecondsPerGradientSample = 6e-9;
 constexpr double kNanosecond = 1e-9;
 
-template <typename Visit>
-void for_each_part(const Noise<3>& noise, const Visit& visit) {
-  const std::vector<Noise<3>::Part> parts = noise.parts();
+template <int Dim, typename Visit>
+void for_each_part(const Noise<Dim>& noise, const Visit& visit) {
+  const std::vector<typename Noise<Dim>::Part> parts = noise.parts();
   for (std::size_t i = 0; i < parts.size(); ++i) visit(i, parts[i].noise->waves());
   if (parts.empty()) visit(0, noise.waves());
 }
@@ -60,14 +60,20 @@ Cost cost_on_lattice(const Noise<3>& noise, const LatticeFrame<3>& frame, const 
   return cost;
 }
 
-Cost cost_at_points(const Noise<3>& noise, double points) {
+template <int Dim>
+Cost cost_at_points(const Noise<Dim>& noise, double points) {
   Cost cost;
-  for_each_part(noise, [&](std::size_t, const WaveMixture<3>& waves) {
+  for_each_part(noise, [&](std::size_t, const WaveMixture<Dim>& waves) {
     cost.seconds += points * (waves.impulses * kSecondsPerPointImpulse + kSecondsPerGradientSample);
     cost.bytes += waves.impulses * kBytesPerImpulse;
   });
   return cost;
 }
+
+template Cost cost_at_points(const Noise<1>&, double);
+template Cost cost_at_points(const Noise<2>&, double);
+template Cost cost_at_points(const Noise<3>&, double);
+template Cost cost_at_points(const Noise<4>&, double);
 
 Cost cost_at_points(const Noise<3>& noise, double points, const LatticeFrame<3>& frame, double error,
                     const PointSpread& spread) {

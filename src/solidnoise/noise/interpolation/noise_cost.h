@@ -10,7 +10,7 @@ namespace solidnoise {
 // What work takes beside its results.
 struct Cost {
   double seconds = 0.0;  // of one core of 2023 (3 GHz, AVX-512), without other work beside it
-  double bytes = 0.0;    // for each thread
+  double bytes = 0.0;    // for each thread, unless it is said otherwise
 
   Cost& operator+=(const Cost& other) {
     seconds += other.seconds;
@@ -41,7 +41,8 @@ ImpulsesHeld impulses_held(const WaveMixture<3>& waves, const Vec<3>& step, doub
 inline constexpr double kBytesPerImpulse = 56.0;  // measured
 
 // The same at points, all of them near each other; and where interpolate_at_points() has made it quicker.
-Cost cost_at_points(const Noise<3>& noise, double points);
+template <int Dim>
+Cost cost_at_points(const Noise<Dim>& noise, double points);
 Cost cost_at_points(const Noise<3>& noise, double points, const LatticeFrame<3>& frame, double error,
                     const PointSpread& spread);
 

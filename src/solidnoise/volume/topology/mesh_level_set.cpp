@@ -73,7 +73,9 @@ double area_of(const TriangleMesh& mesh) {
 // The band touches the leaves whose voxels are within it and half a leaf's diagonal, 7 voxels, of the
 // surface; but no more than there are in the bounds. Beside distances OpenVDB keeps the closest triangle of
 // each voxel, and each in a second tree while it widens the band.
-std::uint64_t estimate_level_set_memory(const TriangleMesh& mesh, double voxel, double band) {
+Cost level_set_cost(const TriangleMesh& mesh, double voxel, double band) {
+  constexpr double kProgramBytes = 40.0 * 0x1p20;
+  constexpr double kSecondsPerVoxel = 75e-9;
   constexpr double kLeafVoxels = 512.0;
   constexpr double kHalfDiagonal = 7.0;
   constexpr double kBytesPerLeaf = kLeafVoxels * (sizeof(float) + sizeof(std::int32_t)) + 400.0;
@@ -83,9 +85,8 @@ std::uint64_t estimate_level_set_memory(const TriangleMesh& mesh, double voxel, 
   const Box<3> bounds = mesh.bounds();
   const Vec<3> size = (bounds.upper - bounds.lower) / voxel + Vec<3>(2.0 * reach);
   const double in_band = area_of(mesh) / (voxel * voxel) * 2.0 * reach;
-  const double leaves = std::min(in_band, size.x * size.y * size.z) / kLeafVoxels;
-  constexpr double kLargest = 0x1.0p63;
-  return static_cast<std::uint64_t>(std::min(leaves * kBytesPerLeaf * kTrees, kLargest));
+  const double voxels = std::min(in_band, size.x * size.y * size.z);
+  return {kSecondsPerVoxel * voxels, kProgramBytes + voxels / kLeafVoxels * kBytesPerLeaf * kTrees};
 }
 
 openvdb::FloatGrid::Ptr mesh_level_set(const TriangleMesh& mesh, double voxel, double band,

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "solidnoise/core/progress.h"
+#include "solidnoise/noise/interpolation/noise_cost.h"
 #include "solidnoise/volume/topology/topology.h"
 #include "solidnoise/volume/topology/triangle_mesh.h"
 #include "solidnoise/volume/vdb/openvdb.h"
@@ -29,7 +30,8 @@ MeshVoxels mesh_voxels(const GridFrame& frame, const TriangleMesh& mesh, double 
 openvdb::FloatGrid::Ptr mesh_level_set(const TriangleMesh& mesh, double voxel, double band,
                                        Progress* progress = nullptr);
 
-// Bytes that it takes at most. Throws std::invalid_argument for the voxel size and the band, as above.
-std::uint64_t estimate_level_set_memory(const TriangleMesh& mesh, double voxel, double band);
+// What making and writing it takes at most, by one thread, with the program itself. Throws
+// std::invalid_argument for the voxel size and the band, as above.
+Cost level_set_cost(const TriangleMesh& mesh, double voxel, double band);
 
 }  // namespace solidnoise

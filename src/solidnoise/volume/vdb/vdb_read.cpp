@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
+#include <charconv>
 #include <cstdio>
 #include <fstream>
 #include <ios>
@@ -207,6 +208,16 @@ VdbSummary read_vdb_summary(const std::filesystem::path& path) {
     for (std::size_t i = 0; i < reader->grid_count(); ++i) summary.grids.push_back(summarize(*reader, i));
     return summary;
   });
+}
+
+double memory_of(const GridSummary& grid) {
+  const auto noted = grid.metadata.find(openvdb::GridBase::META_FILE_MEM_BYTES);
+  std::int64_t bytes = 0;
+  if (noted != grid.metadata.end()) {
+    const std::string& text = noted->second;
+    std::from_chars(text.data(), text.data() + text.size(), bytes);
+  }
+  return std::max(static_cast<double>(bytes), sizeof(float) * static_cast<double>(grid.active_voxels));
 }
 
 openvdb::GridBase::Ptr read_grid(const std::filesystem::path& path, const std::string& name) {

@@ -40,6 +40,9 @@ bool has_vectors(const openvdb::GridBase& grid);
 
 VdbSummary read_vdb_summary(const std::filesystem::path& path);
 
+// Bytes of the grid in memory, as its file says, but no less than its active voxels have as floats.
+double memory_of(const GridSummary& grid);
+
 // All of the grid of this name, or, if `name` is empty, of the first one. Throws std::runtime_error listing
 // the names that exist if there is none.
 openvdb::GridBase::Ptr read_grid(const std::filesystem::path& path, const std::string& name = {});
