@@ -58,6 +58,7 @@ SliceField plain_field(VolumeRecipe recipe, const NoiseRecipe& noise, const Slic
   const RawShaping& raw = std::get<RawShaping>(recipe.shaping);
   SliceField field;
   field.sigma = std::sqrt(solid->variance());
+  const Normalization normalization = normalization_of(recipe, recipe.box);
   if (!recipe.exact) {
     LatticeFrame<2> frame{Vec<2>(0.0), Vec<2>(plane.pixel)};
     for (const auto& [axis, direction] : {std::pair(0, plane.right), std::pair(1, plane.up)}) {
@@ -66,9 +67,9 @@ SliceField plain_field(VolumeRecipe recipe, const NoiseRecipe& noise, const Slic
     const std::shared_ptr<const Noise<2>> flat =
         on_plane(solid, {plane.position(0, 0), plane.right, plane.up});
     const auto interpolated = interpolate<2>(flat, frame, ErrorBudget(error_of(noise)).interpolation);
-    if (interpolated != flat) field.source = make_slice_source(interpolated, frame, raw.range);
+    if (interpolated != flat) field.source = make_slice_source(interpolated, frame, normalization, raw.range);
   }
-  if (!field.source) field.source = make_slice_source(shape(solid, raw));
+  if (!field.source) field.source = make_slice_source(shape(map_field(solid, normalization), raw));
   return field;
 }
 

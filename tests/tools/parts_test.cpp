@@ -26,6 +26,7 @@ TEST(Parts, ShardsMergeToTheWholeToTheLastBit) {
       {"--dim", "96", "--quiet"},
       {"--preset", "marble", "--dim", "64", "--half", "--quiet"},
       {"--raw", "--shape", "sphere", "--dim", "70", "--range", "unit", "--quiet"},
+      {"--raw", "--normalize", "--dim", "48", "--quiet"},
   };
   for (std::vector<std::string> arguments : cases) {
     const TemporaryFolder folder;

@@ -22,6 +22,7 @@ const std::vector<std::vector<std::string>> kNoises{
     {"--evolve", "0.5", "--time", "0.4"},
     {"--dims", "4", "--time", "0.4", "--loop", "3"},
     {"--band-limit", "--octaves", "2"},
+    {"--normalize"},
 };
 
 openvdb::FloatGrid::Ptr make(const std::vector<std::string>& noise, const std::vector<std::string>& box) {

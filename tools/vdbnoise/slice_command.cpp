@@ -90,6 +90,7 @@ void require_cost(const SliceOptions& options) {
   double making = kSecondsPerGridSample;
   if (options.file.empty()) {
     making = seconds_of_noises(options.recipe);
+    if (std::get<RawShaping>(options.recipe.shaping).normalize) samples += kMostNormalizationSamples;
   } else if (const auto grid = grid_to_slice(options)) {
     bytes += memory_of(*grid);
     has_channels = grid->value_type != "float" && !options.component;

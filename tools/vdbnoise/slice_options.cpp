@@ -88,6 +88,12 @@ void declare_source(FlagSet& flags, SliceOptions& options) {
   flags.exclude({"--preset", "--recipe"});
   flags.toggle("--raw", "The recipe's noise itself, without its shaping",
                [&] { options.recipe.shaping = RawShaping{}; });
+  static const RawShaping kRaw{};
+  declare_field(flags, kRaw, "normalize", [&](bool normalize) {
+    auto* const raw = std::get_if<RawShaping>(&options.recipe.shaping);
+    if (!raw) throw UsageError("--normalize applies to raw noise; give --raw too");
+    raw->normalize = normalize;
+  });
 }
 
 void declare_plane(FlagSet& flags, SliceOptions& options) {
@@ -161,9 +167,10 @@ void check_file(const FlagSet& flags, const SliceOptions& options,
   }
   const std::string why = fmt::format("has no effect where {} is sliced", options.file);
   for (const std::string& flag : noise_flags) flags.refuse({flag}, why);
-  flags.refuse({"--preset", "--recipe", "--raw", "--offset", "--band-limit", "--exact", "--evolve", "--dims",
-                "--time", "--loop", "--wind", "--generator", "--fold", "--histogram", "--warp", "--color"},
-               why);
+  flags.refuse(
+      {"--preset", "--recipe", "--raw", "--normalize", "--offset", "--band-limit", "--exact", "--evolve",
+       "--dims", "--time", "--loop", "--wind", "--generator", "--fold", "--histogram", "--warp", "--color"},
+      why);
 }
 
 void check_recipe(const SliceOptions& options) {

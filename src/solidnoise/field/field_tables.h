@@ -55,8 +55,10 @@ inline constexpr Choices<Layer::Place, 8> kPlaceChoices{{
 }};
 
 constexpr auto fields_of(std::type_identity<RawShaping>) {
-  return list_fields(field("range", &RawShaping::range, kRangeChoices,
-                           "Values as they are, or 3 sigma to -1..1 or to 0..1"));
+  return list_fields(
+      field("range", &RawShaping::range, kRangeChoices, "Values as they are, or 3 sigma to -1..1 or to 0..1"),
+      field("normalize", &RawShaping::normalize,
+            "Mean 0 and variance 1 in the box itself, or in a period, not on average over seeds"));
 }
 
 constexpr auto fields_of(std::type_identity<RemapShaping>) {

@@ -23,6 +23,7 @@ struct RawShaping {
     unit,           // 0 to 1: the same, halved and about 1/2
   };
   Range range = Range::raw;
+  bool normalize = false;  // mean 0 and variance 1 in the box itself, and not on average over all seeds
 
   // Throws std::invalid_argument naming the field, its value and what is allowed.
   void validate() const;

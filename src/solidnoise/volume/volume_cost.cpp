@@ -50,6 +50,12 @@ double seconds_per_voxel(const VolumeRecipe& recipe) {
                                                                                   : kSecondsPerShapedVoxel);
 }
 
+// What a noise takes to be normalized.
+double normalization_seconds(const VolumeRecipe& recipe, const Noise<3>& noise) {
+  const auto* const raw = std::get_if<RawShaping>(&recipe.shaping);
+  return raw && raw->normalize ? cost_at_points(noise, kMostNormalizationSamples).seconds : 0.0;
+}
+
 bool contains(const VolumeRecipe& recipe, Output output) {
   return std::ranges::find(recipe.output, output) != recipe.output.end();
 }
@@ -147,6 +153,7 @@ Cost noise_cost(const VolumeRecipe& recipe, const NoiseRecipe& of, const VolumeP
   const Quantity quantity = has_gradient(recipe) ? Quantity::gradient : Quantity::values;
   Cost cost = cost_on_lattice(
       *noise, lattice, {.samples = voxels, .side = block_side(plan), .error = error, .quantity = quantity});
+  cost.seconds += normalization_seconds(recipe, *noise);
   cost.bytes *= threads;
   const auto plans = InterpolationPlanner<3>(*noise, lattice).plan(error, quantity);
   for (std::size_t i = 0; i < plans.size(); ++i) {

@@ -18,6 +18,7 @@
 #include "solidnoise/field/derived_fields.h"
 #include "solidnoise/field/layered_field.h"
 #include "solidnoise/field/moved_field.h"
+#include "solidnoise/field/pointwise_field.h"
 #include "solidnoise/field/shaping.h"
 #include "solidnoise/field/shared_field.h"
 #include "solidnoise/field/varying_field.h"
@@ -166,6 +167,12 @@ FieldPtr make_source(const VolumeRecipe& recipe, const VolumePlan& plan, VolumeL
   return with_magnitude(noise, plan);
 }
 
+// Raw noise of a recipe, normalized in a box where the recipe says so.
+FieldPtr normalized(const VolumeRecipe& recipe, const Box<3>& box, FieldPtr noise) {
+  const Normalization normalization = normalization_of(recipe, box);
+  return normalization.changes_nothing() ? noise : map_field(std::move(noise), normalization);
+}
+
 FieldPtr shaped(const VolumeRecipe& recipe, const VolumePlan& plan, VolumeLayers& layers) {
   if (const auto* const cloud = std::get_if<CloudShaping>(&recipe.shaping)) {
     return make_cloud(recipe, plan, *cloud);
@@ -175,7 +182,7 @@ FieldPtr shaped(const VolumeRecipe& recipe, const VolumePlan& plan, VolumeLayers
     return shape(source, *remap, plan.box);
   }
   if (const auto* const veins = std::get_if<VeinShaping>(&recipe.shaping)) return shape(source, *veins);
-  return shape(source, std::get<RawShaping>(recipe.shaping));
+  return shape(normalized(recipe, plan.box, source), std::get<RawShaping>(recipe.shaping));
 }
 
 NoiseRecipe unfiltered(const NoiseRecipe& recipe) {
@@ -204,7 +211,11 @@ FieldPtr make_velocity(const VolumeRecipe& recipe, const VolumePlan& plan,
 
 FieldPtr make_colors(const VolumeRecipe& recipe, const VolumePlan& plan) {
   std::vector<FieldPtr> channels;
-  for (int c = 0; c < 3; ++c) channels.push_back(make_voxel_noise(recipe, plan, channel_of(recipe.noise, c)));
+  for (int c = 0; c < 3; ++c) {
+    VolumeRecipe single = recipe;
+    single.noise = channel_of(recipe.noise, c);
+    channels.push_back(normalized(single, plan.box, make_voxel_noise(single, plan, single.noise)));
+  }
   if (const ExemplarModel* const exemplar = exemplar_of_colors(recipe)) {
     return exemplar_colors_of(channels, *exemplar);
   }
@@ -304,9 +315,23 @@ FieldPtr make_raw_field(const VolumeRecipe& recipe) {
   const auto* const raw = std::get_if<RawShaping>(&recipe.shaping);
   if (!raw) throw std::invalid_argument("a field without voxels is of raw noise");
   const auto make = [&](const NoiseRecipe& noise) -> FieldPtr { return make_noise_of(recipe, noise); };
-  return shape(
-      recipe.layers.empty() ? make(recipe.noise) : make_layered_field(recipe.layers, recipe.noise, make),
-      *raw);
+  const FieldPtr field =
+      recipe.layers.empty() ? make(recipe.noise) : make_layered_field(recipe.layers, recipe.noise, make);
+  return shape(normalized(recipe, recipe.box, field), *raw);
+}
+
+Normalization normalization_of(const VolumeRecipe& recipe, const Box<3>& box) {
+  const auto* const raw = std::get_if<RawShaping>(&recipe.shaping);
+  if (!raw || !raw->normalize) return {};
+  Box<3> region = box;
+  const Vec<4> period = std::visit([](const auto& options) { return options.period; }, recipe.noise.noise);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (period[axis] == 0.0) continue;
+    region.lower[axis] = 0.0;  // whatever the box is: tiles have the values of what they are tiles of
+    region.upper[axis] = period[axis];
+  }
+  const auto noise = make_volume_noise(recipe);
+  return normalization_in<3>(*noise, region, noise->band().upper, noise->variance());
 }
 
 double highest_frequency(const VolumeRecipe& recipe, const VolumePlan& plan) {

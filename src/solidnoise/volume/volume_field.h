@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "solidnoise/core/field.h"
+#include "solidnoise/field/normalization.h"
 #include "solidnoise/noise/interpolation/lattice_frame.h"
 #include "solidnoise/noise/interpolation/point_plan.h"
 #include "solidnoise/noise/noise.h"
@@ -28,8 +29,12 @@ VolumeField make_volume_field(const VolumeRecipe& recipe, const VolumePlan& plan
 bool keeps_all_voxels(const VolumeRecipe& recipe);
 
 // The field of a short form whose shaping is RawShaping, without voxels: its noise or its layers, in their
-// range.
+// range; where they are normalized, over the recipe's box.
 FieldPtr make_raw_field(const VolumeRecipe& recipe);
+
+// What RawShaping::normalize makes of the values of a short form's noise in a box, along whose axes with a
+// period it is measured over one; of other recipes nothing.
+Normalization normalization_of(const VolumeRecipe& recipe, const Box<3>& box);
 
 // The noise of a recipe as it is in the volume: at the recipe's time, and a frame of it where it is of 4
 // dimensions. Parameters are the recipe's own, not those of grids. Of a recipe with band_limit take it

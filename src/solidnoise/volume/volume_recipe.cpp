@@ -79,6 +79,21 @@ void validate_finish(const VolumeRecipe& recipe) {
   }
 }
 
+// What moves would flicker, for each frame has moments of its own.
+void validate_normalize(const VolumeRecipe& recipe) {
+  const auto* const raw = std::get_if<RawShaping>(&recipe.shaping);
+  if (!raw || !raw->normalize) return;
+  const bool of_values = is_scalar(recipe) || recipe.output == std::vector{Output::color};
+  if (!of_values || !recipe.layers.empty() || recipe.parameters.any()) {
+    throw std::invalid_argument(
+        "normalize is true; it applies to the values or colours of a noise, without layers and parameters "
+        "that vary");
+  }
+  if (recipe.dims == 4 || evolves(recipe) || recipe.wind != Vec<3>(0.0)) {
+    throw std::invalid_argument("normalize is true; it applies to noise that does not move");
+  }
+}
+
 void validate_parameters(const VolumeRecipe& recipe) {
   const ParameterGrids& parameters = recipe.parameters;
   if (!parameters.any()) return;
@@ -111,6 +126,7 @@ void check_at(const std::string& path, const Run& refusing) {
 // A grid at `path`, and what of the recipe has to go with it. `own` is the path of the grid's noise.
 void validate_grid(const VolumeRecipe& recipe, const std::string& path, const std::string& own = "noise") {
   validate_parameters(recipe);
+  validate_normalize(recipe);
   if (recipe.band_limit && !may_band_limit(recipe)) {
     throw std::invalid_argument(
         "band_limit is true; it must be false where dims is 4, for gradient noise (kensler), with layers and "

@@ -40,13 +40,15 @@ class FieldSource final : public SliceSource {
 
 class LatticeSource final : public SliceSource {
  public:
-  LatticeSource(std::shared_ptr<const Noise<2>> noise, const LatticeFrame<2>& frame, RawShaping::Range range)
-      : noise_(std::move(noise)), frame_(frame), range_(range) {}
+  LatticeSource(std::shared_ptr<const Noise<2>> noise, const LatticeFrame<2>& frame,
+                const Normalization& normalization, RawShaping::Range range)
+      : noise_(std::move(noise)), frame_(frame), normalization_(normalization), range_(range) {}
 
   void evaluate(const SlicePlane&, const glm::ivec2& first, const glm::ivec2& count,
                 std::span<float> values) const override {
     const Lattice<2> lattice{frame_.origin, frame_.step, Index<2>(first), count};
     noise_->block(lattice.bounds())->evaluate(lattice, Samples<2>{values, {}});
+    for (float& value : values) value = normalization_(value);
     to_range(range_, values);
   }
 
@@ -55,6 +57,7 @@ class LatticeSource final : public SliceSource {
  private:
   std::shared_ptr<const Noise<2>> noise_;
   LatticeFrame<2> frame_;
+  Normalization normalization_;
   RawShaping::Range range_;
 };
 
@@ -65,8 +68,9 @@ std::unique_ptr<SliceSource> make_slice_source(FieldPtr field) {
 }
 
 std::unique_ptr<SliceSource> make_slice_source(std::shared_ptr<const Noise<2>> noise,
-                                               const LatticeFrame<2>& frame, RawShaping::Range range) {
-  return std::make_unique<LatticeSource>(std::move(noise), frame, range);
+                                               const LatticeFrame<2>& frame,
+                                               const Normalization& normalization, RawShaping::Range range) {
+  return std::make_unique<LatticeSource>(std::move(noise), frame, normalization, range);
 }
 
 namespace {
@@ -98,6 +102,7 @@ RawShaping::Range range_of(const VolumeRecipe& recipe) {
 // The noise of the plane as it is quickest on the pixels, if that is not pixel by pixel.
 std::shared_ptr<const SliceSource> interpolated_source(const SliceRecipe& slice, const VolumeRecipe& recipe,
                                                        const std::shared_ptr<const Noise<2>>& noise,
+                                                       const Normalization& normalization,
                                                        const Vec<2>& first_pixel) {
   if (recipe.exact || slice.line) return nullptr;
   LatticeFrame<2> frame{first_pixel, Vec<2>(slice.plane.pixel)};
@@ -106,7 +111,21 @@ std::shared_ptr<const SliceSource> interpolated_source(const SliceRecipe& slice,
   }
   const auto interpolated = interpolate<2>(noise, frame, ErrorBudget(error_of(recipe.noise)).interpolation);
   if (interpolated == noise) return nullptr;
-  return make_slice_source(interpolated, frame, range_of(recipe));
+  return make_slice_source(interpolated, frame, normalization, range_of(recipe));
+}
+
+// As normalization_of() has it in space.
+template <int Dim>
+Normalization flat_normalization(const VolumeRecipe& recipe, const Noise<Dim>& noise) {
+  if (!std::get<RawShaping>(recipe.shaping).normalize) return {};
+  const Vec<4> period = std::visit([](const auto& options) { return options.period; }, recipe.noise.noise);
+  Box<Dim> box;
+  for (int axis = 0; axis < Dim; ++axis) {
+    const bool repeats = period[axis] > 0.0;
+    box.lower[axis] = repeats ? 0.0 : recipe.box.lower[axis];
+    box.upper[axis] = repeats ? period[axis] : recipe.box.upper[axis];
+  }
+  return normalization_in<Dim>(noise, box, noise.band().upper, noise.variance());
 }
 
 template <int Dim>
@@ -118,15 +137,16 @@ SliceField make_flat_field(const SliceRecipe& slice, const VolumeRecipe& recipe)
   SliceField result;
   result.sigma = std::sqrt(noise->variance());
   result.highest_frequency = noise->band().upper;
+  const Normalization normalization = flat_normalization<Dim>(recipe, *noise);
   if constexpr (Dim == 2) {
     const SlicePlane& plane = slice.plane;
     if (plane.right == Vec<3>(1.0, 0.0, 0.0) && plane.up == Vec<3>(0.0, 1.0, 0.0)) {
-      result.source = interpolated_source(slice, recipe, noise, Vec<2>(plane.position(0, 0)));
+      result.source = interpolated_source(slice, recipe, noise, normalization, Vec<2>(plane.position(0, 0)));
     }
   }
   if (!result.source) {
-    result.source = make_slice_source(
-        shape(std::make_shared<FlatNoiseField<Dim>>(noise), std::get<RawShaping>(recipe.shaping)));
+    const FieldPtr field = map_field(std::make_shared<FlatNoiseField<Dim>>(noise), normalization);
+    result.source = make_slice_source(shape(field, std::get<RawShaping>(recipe.shaping)));
   }
   return result;
 }
@@ -140,8 +160,9 @@ SliceField make_noise_field(const SliceRecipe& slice, const VolumeRecipe& recipe
     const std::shared_ptr<const Noise<3>> noise = make_volume_noise(recipe);
     const SlicePlane& plane = slice.plane;
     result.sigma = std::sqrt(noise->variance());
-    result.source = interpolated_source(
-        slice, recipe, on_plane(noise, {plane.position(0, 0), plane.right, plane.up}), Vec<2>(0.0));
+    result.source =
+        interpolated_source(slice, recipe, on_plane(noise, {plane.position(0, 0), plane.right, plane.up}),
+                            normalization_of(recipe, recipe.box), Vec<2>(0.0));
   }
   if (!result.source) result.source = make_slice_source(make_raw_field(recipe));
   return result;

@@ -9,6 +9,7 @@
 
 #include "solidnoise/core/field.h"
 #include "solidnoise/core/vec.h"
+#include "solidnoise/field/normalization.h"
 #include "solidnoise/field/shaping.h"
 #include "solidnoise/noise/interpolation/lattice_interpolation.h"
 #include "solidnoise/noise/noise.h"
@@ -58,9 +59,10 @@ class SliceSource {
 std::unique_ptr<SliceSource> make_slice_source(FieldPtr field);
 
 // A noise of the plane, evaluated on this lattice of the pixels' middles, whose first sample is that of pixel
-// (0, 0), and mapped to the range.
+// (0, 0), normalized, and mapped to the range.
 std::unique_ptr<SliceSource> make_slice_source(std::shared_ptr<const Noise<2>> noise,
-                                               const LatticeFrame<2>& frame, RawShaping::Range range);
+                                               const LatticeFrame<2>& frame,
+                                               const Normalization& normalization, RawShaping::Range range);
 
 // What a slice is taken of.
 struct SliceField {
