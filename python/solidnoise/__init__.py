@@ -10,6 +10,8 @@ Noise at points and on lattices, as NumPy arrays:
 
 The kinds of noise are gabor(), gabor_oriented(), kensler(), cellular() and, by example, spectrum(), in 1 to 4 dimensions.
 
+Field(recipe) is what a recipe fills voxels with, layers and all, at points and on lattices.
+
 Recipes are plain dicts, the JSON that vdbnoise, meshnoise and noisefit read and write; a path of such a file will do, too, and keywords
 change a recipe's keys. presets() lists those that come with the package, and preset(NAME) is one: of a volume, or of a
 bake, where there is none of a volume or by preset(NAME, "bake").

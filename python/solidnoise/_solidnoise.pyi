@@ -16,6 +16,7 @@ _PerAxis = float | _Axes
 
 __all__ = [
     "ExemplarModel",
+    "Field",
     "Grid",
     "Noise",
     "Volume",
@@ -150,6 +151,37 @@ class Volume:
         progress: _Progress | None = ...,
     ) -> None: ...
     def preview(self, *, threads: int | None = ..., progress: _Progress | None = ...) -> _Floats: ...
+
+class Field:
+    def __init__(self, recipe: _Source | Volume | Field | None = ..., /, *, grid: str | None = ..., **keys: Any) -> None: ...
+    @overload
+    def __call__(
+        self, points: npt.ArrayLike, *, gradient: Literal[False] = ..., out: _Floats | None = ..., threads: int | None = ...,
+        progress: _Progress | None = ...,
+    ) -> _Floats: ...
+    @overload
+    def __call__(
+        self, points: npt.ArrayLike, *, gradient: Literal[True], out: _Floats | None = ..., threads: int | None = ...,
+        progress: _Progress | None = ...,
+    ) -> tuple[_Floats, _Floats]: ...
+    @overload
+    def lattice(
+        self, origin: _PerAxis, step: _PerAxis, shape: int | Sequence[int], out: _Floats | None = ..., gradient: Literal[False] = ..., *,
+        first: int | Sequence[int] = ..., interpolate: bool = ..., threads: int | None = ..., progress: _Progress | None = ...,
+    ) -> _Floats: ...
+    @overload
+    def lattice(
+        self, origin: _PerAxis, step: _PerAxis, shape: int | Sequence[int], out: _Floats | None = ..., *, gradient: Literal[True],
+        first: int | Sequence[int] = ..., interpolate: bool = ..., threads: int | None = ..., progress: _Progress | None = ...,
+    ) -> tuple[_Floats, _Floats]: ...
+    @property
+    def channels(self) -> int: ...
+    @property
+    def grids(self) -> list[str]: ...
+    @property
+    def grid(self) -> str | None: ...
+    @property
+    def recipe(self) -> dict[str, Any]: ...
 
 def make_volume(
     recipe: _Source | None = ..., *, shard: tuple[int, int] | None = ..., max_memory: int | None = ..., threads: int | None = ...,

@@ -185,6 +185,7 @@ void add_volume(py::module_& module) {
   add_makers(module);
   add_measures(module);
   add_pictures(module);
+  add_field(module);
 }
 
 }  // namespace solidnoise::python

@@ -51,11 +51,12 @@ void refuse_empty(PyHeapTypeObject* type);
 // (rows, columns) or (rows, columns, channels).
 py::array array_of_image(Image&& image);
 
-// Grids, volumes, and the functions that make and measure them: all of the below.
+// Grids, volumes, fields, and the functions that make and measure them: all of the below.
 void add_volume(py::module_& module);
 void add_grid(py::module_& module);
 void add_makers(py::module_& module);
 void add_measures(py::module_& module);
 void add_pictures(py::module_& module);
+void add_field(py::module_& module);
 
 }  // namespace solidnoise::python

@@ -104,7 +104,8 @@ class VolumeLayers {
     }
     VolumeRecipe layer = recipe_;
     layer.noise = recipe;
-    layer.wind /= stretch;  // which moves what is stretched
+    layer.output = {Output::value};  // whatever is made of what it shapes or masks
+    layer.wind /= stretch;           // which moves what is stretched
     const NoisePtr noise = make_noise_of(layer, recipe);
     return stretched(on_voxels(layer, noise, plan_.frame, look_up), stretch);
   }
