@@ -63,7 +63,7 @@ VolumeObject make_volume_object(py::handle recipe, std::optional<std::pair<int, 
   const VolumePart part = part_of(shard);
   VolumeObject made;
   run(call, [&](Progress& told) {
-    const VolumePlan plan = plan_volume(read, part);
+    const VolumePlan plan = plan_volume(read, part, &told);
     if (max_memory) require_memory(read, plan, *max_memory);
     made.volume = make_volume(read, plan, kCreator, &told);
     made.recipe = with_digests(read, plan);
@@ -75,8 +75,8 @@ VolumeObject read_volume_object(py::handle path, std::optional<int> threads) {
   VolumeObject result;
   const std::filesystem::path file = path_of(path);
   result.file = file.string();
-  run({threads, py::none()}, [&](Progress&) {
-    result.volume.file = read_grids(file);
+  run({threads, py::none()}, [&](Progress& told) {
+    result.volume.file = read_grids(file, &told);
     for (const auto& grid : result.volume.file->grids) {
       if (!result.recipe) result.recipe = stored_recipe(*grid, result.file);
     }

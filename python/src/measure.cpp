@@ -19,7 +19,7 @@ namespace {
 py::object describe_object(py::handle recipe, const py::kwargs& keywords) {
   const VolumeRecipe read = volume_recipe_of(recipe, keywords);
   Json json;
-  run({std::nullopt, py::none()}, [&](Progress&) { json = describe_volume(read); });
+  run({std::nullopt, py::none()}, [&](Progress& told) { json = describe_volume(read, {.progress = &told}); });
   return object_of(json);
 }
 
@@ -50,7 +50,8 @@ py::object analyze_any(const py::object& what, const std::optional<std::string>&
   }
   const std::filesystem::path path = path_of(what);
   GridObject of{nullptr, path.string()};
-  run({threads, py::none()}, [&](Progress&) { of.grid = read_float_grid(path, grid.value_or("")); });
+  run({threads, py::none()},
+      [&](Progress& told) { of.grid = read_float_grid(path, grid.value_or(""), &told); });
   return analyze_grid(of, call);
 }
 

@@ -88,7 +88,7 @@ py::array slice_object(py::handle recipe, const SliceArguments& arguments, const
   run(call, [&](Progress& told) {
     place_plane(view, slice);
     const std::vector<SliceField> fields =
-        of.grid ? make_grid_slices(slice, of.grid) : make_slice_fields(slice);
+        of.grid ? make_grid_slices(slice, of.grid) : make_slice_fields(slice, &told);
     if (fields.front().bounds) fit_plane(view, *fields.front().bounds, slice.plane);
     std::vector<DenseField<2>> channels;
     for (const SliceField& field : fields)

@@ -54,7 +54,7 @@ KernelFields ParameterFields::kernel() const {
   refuse();
 }
 
-std::vector<SliceField> make_grid_slices(const SliceRecipe&) {
+std::vector<SliceField> make_grid_slices(const SliceRecipe&, Progress*) {
   refuse();
 }
 

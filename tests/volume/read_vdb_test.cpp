@@ -7,7 +7,12 @@
 
 #include <gtest/gtest.h>
 #include <openvdb/io/File.h>
+#include <openvdb/tools/LevelSetSphere.h>
 
+#include "solidnoise/volume/describe_volume.h"
+#include "solidnoise/volume/make_volume.h"
+#include "solidnoise/volume/slice/slice_field.h"
+#include "solidnoise/volume/vdb/nvdb_write.h"
 #include "solidnoise/volume/vdb/vdb_read.h"
 #include "solidnoise/volume/vdb/vdb_write.h"
 #include "support/message_of.h"
@@ -28,6 +33,55 @@ TEST(ReadVdb, RefusesVoxelsWhoseDistanceHasNoIndex) {
                                      says([&] { read_vdb_summary(path); })}) {
     EXPECT_TRUE(contains(message, path.string() + ": ")) << message;
     EXPECT_TRUE(contains(message, "voxels of index -1073741824 to 1073741824")) << message;
+  }
+}
+
+// Asks to stop at the nth question.
+class Stop final : public Progress {
+ public:
+  explicit Stop(int at) : left_(at) {}
+  void advance(std::uint64_t, std::uint64_t) override {}
+  bool cancelled() override { return --left_ <= 0; }
+
+ private:
+  int left_;
+};
+
+TEST(ReadVdb, StopsWhereItIsAskedTo) {
+  const TemporaryFolder folder;
+  const openvdb::FloatGrid::Ptr grid = openvdb::tools::createLevelSetSphere<openvdb::FloatGrid>(
+      60.0f, openvdb::Vec3f(0.0f), 1.0f, openvdb::LEVEL_SET_HALF_WIDTH);
+  write_vdb(folder / "a.vdb", {grid}, {});
+  write_nvdb(folder / "a.nvdb", {grid}, {});
+  for (const char* const name : {"a.vdb", "a.nvdb"}) {
+    const GridFile file{.file = folder.file(name)};
+    VolumeRecipe shape;
+    shape.shape = file;
+    VolumeRecipe on;
+    on.modification.emplace();
+    on.modification->on = file;
+    VolumeRecipe boundary;
+    boundary.output = {Output::curl};
+    boundary.boundary = file;
+    VolumeRecipe parameter;
+    parameter.parameters.magnitude.emplace();
+    parameter.parameters.magnitude->source = file;
+    SliceRecipe slice;
+    slice.file = file.file;
+    for (const int question : {1, 3}) {
+      const auto stops = [&](const auto& read) {
+        Stop stop(question);
+        EXPECT_THROW(read(&stop), Cancelled) << name << question;
+      };
+      stops([&](Progress* stop) { read_grids(file.file, stop); });
+      stops([&](Progress* stop) { read_grid(file.file, {}, stop); });
+      stops([&](Progress* stop) { read_float_grid(file.file, {}, stop); });
+      stops([&](Progress* stop) { make_slice_fields(slice, stop); });
+      for (const VolumeRecipe& recipe : {shape, on, boundary, parameter}) {
+        stops([&](Progress* stop) { plan_volume(recipe, {}, stop); });
+        stops([&](Progress* stop) { describe_volume(recipe, {.progress = stop}); });
+      }
+    }
   }
 }
 

@@ -161,7 +161,7 @@ Json describe_outputs(const VolumeRecipe& recipe, const VolumePlan& plan) {
 }  // namespace
 
 Json describe_volume(const VolumeRecipe& recipe, const DescribeOptions& options) {
-  const VolumePlan plan = plan_volume(recipe, options.part);
+  const VolumePlan plan = plan_volume(recipe, options.part, options.progress);
   const Vec<3>& voxel = plan.frame.voxel_size();
   const double largest = std::max({voxel.x, voxel.y, voxel.z});
   Json json = Json::object();

@@ -13,6 +13,7 @@ struct DescribeOptions {
   VolumePart part{};
   double memory = 0.0;  // bytes that may be taken; 0: any number
   Target target = Target::file;
+  Progress* progress = nullptr;
 };
 Json describe_volume(const VolumeRecipe& recipe, const DescribeOptions& options = {});
 

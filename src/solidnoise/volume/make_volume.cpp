@@ -27,11 +27,11 @@ namespace solidnoise {
 namespace {
 
 // Takes place and voxels of the grid that is modified.
-void plan_modification(const VolumeRecipe& recipe, VolumePlan& plan) {
+void plan_modification(const VolumeRecipe& recipe, VolumePlan& plan, Progress* progress) {
   if (!plan.part.whole()) {
     throw std::invalid_argument("a grid that exists is worked on as a whole; leave out region and shard");
   }
-  ModificationPlan modification = plan_modification(recipe);
+  ModificationPlan modification = plan_modification(recipe, progress);
   const openvdb::FloatGrid& grid = modification.grid();
   plan.voxels = grid.evalActiveVoxelBoundingBox();
   const openvdb::Vec3d size = grid.transform().voxelSize(plan.voxels.getCenter());
@@ -42,10 +42,10 @@ void plan_modification(const VolumeRecipe& recipe, VolumePlan& plan) {
 }
 
 // Reads the surface that a velocity is to stay off, if there is one.
-VolumePlan::GridBoundary plan_boundary(const VolumeRecipe& recipe) {
+VolumePlan::GridBoundary plan_boundary(const VolumeRecipe& recipe, Progress* progress) {
   VolumePlan::GridBoundary plan{recipe.boundary, nullptr};
   if (!plan.boundary) return plan;
-  const openvdb::FloatGrid::Ptr surface = read_float_grid(*plan.boundary, "--boundary");
+  const openvdb::FloatGrid::Ptr surface = read_float_grid(*plan.boundary, "--boundary", progress);
   try {
     require_level_set(*surface);
   } catch (const std::invalid_argument& error) {
@@ -57,23 +57,23 @@ VolumePlan::GridBoundary plan_boundary(const VolumeRecipe& recipe) {
 }
 
 // All of the plan but the parameters.
-VolumePlan plan_voxels(const VolumeRecipe& recipe, const VolumePart& part) {
+VolumePlan plan_voxels(const VolumeRecipe& recipe, const VolumePart& part, Progress* progress) {
   VolumePlan plan;
   plan.part = part;
   plan.box = recipe.box;
   plan.shape = recipe.shape;
   if (recipe.modification) {
-    plan_modification(recipe, plan);
+    plan_modification(recipe, plan, progress);
     return plan;
   }
   int channels = 0;
   for (const VolumeRecipe& grid : recipes_of_grids(recipe)) {
-    plan.boundaries.push_back(plan_boundary(grid));
+    plan.boundaries.push_back(plan_boundary(grid, progress));
     const std::vector<int> components = components_of(grid.output);
     channels += std::accumulate(components.begin(), components.end(), 0);
   }
   if (auto* shape = std::get_if<GridShape>(&plan.shape)) {
-    plan.grid = read_grid(*shape, "--shape");
+    plan.grid = read_grid(*shape, "--shape", progress);
     plan.frame = GridFrame(plan.grid->transform());
     plan.voxels = plan.grid->evalActiveVoxelBoundingBox();
     plan.box = plan.frame.bounds(plan.voxels);
@@ -104,10 +104,10 @@ VolumePlan plan_voxels(const VolumeRecipe& recipe, const VolumePart& part) {
 
 }  // namespace
 
-VolumePlan plan_volume(const VolumeRecipe& recipe, const VolumePart& part) {
+VolumePlan plan_volume(const VolumeRecipe& recipe, const VolumePart& part, Progress* progress) {
   recipe.validate();
   part.validate();
-  VolumePlan plan = plan_voxels(recipe, part);
+  VolumePlan plan = plan_voxels(recipe, part, progress);
   const auto add_memory = [&](std::uint64_t bytes) {
     plan.memory += bytes;
     plan.mask_memory += bytes;
@@ -116,7 +116,7 @@ VolumePlan plan_volume(const VolumeRecipe& recipe, const VolumePart& part) {
     if (boundary.distance) add_memory(boundary.distance->memory());
   }
   if (!recipe.parameters.any()) return plan;
-  plan.parameters = std::make_shared<ParameterFields>(recipe.parameters);
+  plan.parameters = std::make_shared<ParameterFields>(recipe.parameters, progress);
   plan.parameters->require_overlap(plan.modification ? world_bounds(plan.modification->grid()) : plan.box);
   add_memory(plan.parameters->memory());
   return plan;

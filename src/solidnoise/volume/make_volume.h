@@ -45,8 +45,9 @@ struct VolumePlan {
 };
 
 // Validates the recipe and reads the files that its shape and parameters name. Throws std::invalid_argument
-// (options) and std::runtime_error (files, also one that is not the file that the recipe's digest is of).
-VolumePlan plan_volume(const VolumeRecipe& recipe, const VolumePart& part = {});
+// (options), std::runtime_error (files, also one that is not the file that the recipe's digest is of),
+// Cancelled.
+VolumePlan plan_volume(const VolumeRecipe& recipe, const VolumePart& part = {}, Progress* progress = nullptr);
 
 // The recipe with the digests of the files that the plan has read.
 VolumeRecipe with_digests(const VolumeRecipe& recipe, const VolumePlan& plan);

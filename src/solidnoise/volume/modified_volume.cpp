@@ -43,12 +43,12 @@ openvdb::FloatGrid::Ptr make_grid(const VolumeRecipe& recipe, const Modification
 
 }  // namespace
 
-ModificationPlan plan_modification(const VolumeRecipe& recipe) {
+ModificationPlan plan_modification(const VolumeRecipe& recipe, Progress* progress) {
   if (recipe.modification->displace && !is_raw(recipe)) {
     throw std::invalid_argument(
         "displace takes the noise itself: give --raw, or a recipe whose shaping is raw");
   }
-  ModificationPlan plan = plan_modification(*recipe.modification);
+  ModificationPlan plan = plan_modification(*recipe.modification, progress);
   if (!plan.on_lattice() && !is_raw(recipe)) {
     throw std::invalid_argument(
         "noise is looked up point by point at rest positions, and where a grid's transform is rotated, "

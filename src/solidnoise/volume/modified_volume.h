@@ -12,7 +12,7 @@ namespace solidnoise {
 
 // Reads what a recipe modifies, as plan_modification, and refuses what it cannot be modified with: shaped
 // noise where there are only points (std::invalid_argument).
-ModificationPlan plan_modification(const VolumeRecipe& recipe);
+ModificationPlan plan_modification(const VolumeRecipe& recipe, Progress* progress = nullptr);
 
 // Voxels that are made, about.
 double estimate_voxels(const VolumeRecipe& recipe, const ModificationPlan& plan);

@@ -145,22 +145,22 @@ std::uint64_t ModificationPlan::memory(double largest, double made_voxels) const
   return bytes + kCopies * estimate_memory(grid());
 }
 
-ModificationPlan plan_modification(const Modification& modification) {
+ModificationPlan plan_modification(const Modification& modification, Progress* progress) {
   modification.validate();
   if (modification.on.file.empty()) {
     throw std::invalid_argument("on is missing; it must name the grid to work on, FILE.vdb or FILE.vdb:GRID");
   }
   ModificationPlan plan;
   plan.modification = modification;
-  plan.file = read_grids_around(plan.modification.on, "--on", plan.target);
+  plan.file = read_grids_around(plan.modification.on, "--on", plan.target, progress);
   require_suitable(plan.modification, plan.grid());
   if (auto& mask = plan.modification.mask) {
-    plan.mask = read_grid(*mask, "--mask");
+    plan.mask = read_grid(*mask, "--mask", progress);
     make_mask(plan);
     require_overlap(*mask, *plan.mask, plan.grid());
   }
   if (auto& rest = plan.modification.rest) {
-    plan.rest = read_grid(*rest, "--rest");
+    plan.rest = read_grid(*rest, "--rest", progress);
     make_rest(plan);
     require_overlap(*rest, *plan.rest, plan.grid());
   }

@@ -40,7 +40,7 @@ struct ModificationPlan {
 // Reads the files. Throws std::runtime_error naming the file: also for a grid that does not exist (those that
 // do are listed), one of a type or class that cannot be used so, values that are not finite, a mask that lies
 // elsewhere; std::invalid_argument for options.
-ModificationPlan plan_modification(const Modification& modification);
+ModificationPlan plan_modification(const Modification& modification, Progress* progress = nullptr);
 
 // Noise at the grid's active voxels, as it is combined with their values.
 FilledGrid make_modifying_noise(const ModificationPlan& plan, const Field<3>& field, Progress* progress);

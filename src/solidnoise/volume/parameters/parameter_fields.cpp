@@ -18,8 +18,8 @@ namespace {
 using openvdb::Coord;
 using openvdb::Vec3SGrid;
 
-Vec3SGrid::ConstPtr read_directions(GridFile& source, const std::string& flag) {
-  const openvdb::GridBase::Ptr grid = read_vector_grid(source, flag);
+Vec3SGrid::ConstPtr read_directions(GridFile& source, const std::string& flag, Progress* progress) {
+  const openvdb::GridBase::Ptr grid = read_vector_grid(source, flag, progress);
   const std::string name = fmt::format("{}: grid '{}'", source.file, grid->getName());
   if (grid->activeVoxelCount() == 0) throw std::runtime_error(name + " has no active voxels");
   as_file_error([&] { require_finite_values(*grid, name); });
@@ -28,8 +28,8 @@ Vec3SGrid::ConstPtr read_directions(GridFile& source, const std::string& flag) {
 
 }  // namespace
 
-DirectionField::DirectionField(GridFile& source, const std::string& flag)
-    : grid_(read_directions(source, flag)),
+DirectionField::DirectionField(GridFile& source, const std::string& flag, Progress* progress)
+    : grid_(read_directions(source, flag, progress)),
       name_(fmt::format("{}: grid '{}'", source.file, grid_->getName())) {}
 
 void DirectionField::evaluate(const Points<3>& points, const Samples<3>& samples) const {
@@ -78,15 +78,15 @@ void require_overlap_of(const openvdb::GridBase& grid, const std::string& name, 
 
 }  // namespace
 
-ParameterFields::ParameterFields(const ParameterGrids& grids) : grids_(grids) {
-  const auto read = [](std::optional<ParameterGrid>& source, const char* flag, const AllowedValues& range) {
-    return source ? std::make_shared<ScalarField>(*source, flag, range) : nullptr;
+ParameterFields::ParameterFields(const ParameterGrids& grids, Progress* progress) : grids_(grids) {
+  const auto read = [=](std::optional<ParameterGrid>& source, const char* flag, const AllowedValues& range) {
+    return source ? std::make_shared<ScalarField>(*source, flag, range, progress) : nullptr;
   };
   frequency_ = read(grids_.frequency, "--frequency-grid", kFrequencyRange);
   bandwidth_ = read(grids_.bandwidth, "--bandwidth-grid", kBandwidthRange);
   magnitude_ = read(grids_.magnitude, "--magnitude-grid", kMagnitudeRange);
   if (auto& source = grids_.direction)
-    direction_ = std::make_shared<DirectionField>(*source, "--direction-grid");
+    direction_ = std::make_shared<DirectionField>(*source, "--direction-grid", progress);
 }
 
 KernelFields ParameterFields::kernel() const {

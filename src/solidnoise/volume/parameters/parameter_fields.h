@@ -21,7 +21,7 @@ class DirectionField final : public PointwiseField {
   // Reads the grid and notes its digest in `source`; `flag` is what messages advise to give. Throws
   // std::runtime_error naming the file: it cannot be read, has no such grid of vectors, no active voxels, or
   // values that are not finite.
-  DirectionField(GridFile& source, const std::string& flag);
+  DirectionField(GridFile& source, const std::string& flag, Progress* progress = nullptr);
 
   int channels() const override { return 3; }
 
@@ -41,7 +41,7 @@ class DirectionField final : public PointwiseField {
 class ParameterFields {
  public:
   // Throws std::runtime_error as the fields do.
-  explicit ParameterFields(const ParameterGrids& grids);
+  explicit ParameterFields(const ParameterGrids& grids, Progress* progress = nullptr);
 
   const ParameterGrids& grids() const { return grids_; }  // with the digests of their files
   std::uint64_t memory() const;                           // bytes

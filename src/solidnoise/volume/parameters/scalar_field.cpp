@@ -72,8 +72,9 @@ class ScalarField::Sampler {
   std::array<double, 8> values_{};
 };
 
-ScalarField::ScalarField(ParameterGrid& source, const std::string& flag, const AllowedValues& range)
-    : grid_(read_float_grid(source.source, flag)),
+ScalarField::ScalarField(ParameterGrid& source, const std::string& flag, const AllowedValues& range,
+                         Progress* progress)
+    : grid_(read_float_grid(source.source, flag, progress)),
       map_(source.map),
       by_ratio_(range.without_lowest),
       octaves_(map_ && by_ratio_ ? std::log2(map_->at_high / map_->at_low) : 0.0),

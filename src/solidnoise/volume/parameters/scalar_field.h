@@ -43,7 +43,8 @@ class ScalarField final : public PointwiseField {
   // Reads the grid and notes its digest in `source`; `flag` is what messages advise to give. Throws
   // std::runtime_error naming the file: it cannot be read, has no such grid, no active voxels, or active
   // values that are not in the range (how many and where the first is).
-  ScalarField(ParameterGrid& source, const std::string& flag, const AllowedValues& range);
+  ScalarField(ParameterGrid& source, const std::string& flag, const AllowedValues& range,
+              Progress* progress = nullptr);
 
   // Throws std::runtime_error naming the file and the first position whose value is not allowed.
   void evaluate(const Points<3>& points, const Samples<3>& samples) const override;

@@ -76,8 +76,8 @@ std::vector<SliceField> make_grid_fields(const SliceRecipe& slice, const typenam
 
 }  // namespace
 
-std::vector<SliceField> make_grid_slices(const SliceRecipe& slice) {
-  return make_grid_slices(slice, read_float_or_vector_grid(slice.file, slice.grid));
+std::vector<SliceField> make_grid_slices(const SliceRecipe& slice, Progress* progress) {
+  return make_grid_slices(slice, read_float_or_vector_grid(slice.file, slice.grid, progress));
 }
 
 std::vector<SliceField> make_grid_slices(const SliceRecipe& slice, const openvdb::GridBase::ConstPtr& grid) {

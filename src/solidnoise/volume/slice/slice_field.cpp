@@ -178,8 +178,8 @@ double period_along(const Vec<3>& direction, const NoiseRecipe& noise) {
   return 0.0;
 }
 
-std::vector<SliceField> make_slice_fields(const SliceRecipe& slice) {
-  if (!slice.file.empty()) return make_grid_slices(slice);
+std::vector<SliceField> make_slice_fields(const SliceRecipe& slice, Progress* progress) {
+  if (!slice.file.empty()) return make_grid_slices(slice, progress);
   const VolumeRecipe recipe = at_resolution(slice.recipe, Vec<3>(slice.plane.pixel));
   if (!slice.color) return {make_noise_field(slice, recipe)};
   std::vector<SliceField> channels;

@@ -77,6 +77,6 @@ struct SliceField {
 // and y, and is constant along the other axes. Noises that the pixels hold with room to spare are evaluated
 // at fewer places and interpolated, within the recipe's error (interpolate()); not on a line. Throws
 // std::runtime_error (files) and std::invalid_argument.
-std::vector<SliceField> make_slice_fields(const SliceRecipe& slice);
+std::vector<SliceField> make_slice_fields(const SliceRecipe& slice, Progress* progress = nullptr);
 
 }  // namespace solidnoise

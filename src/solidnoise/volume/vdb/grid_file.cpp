@@ -66,31 +66,35 @@ GridFile grid_in_memory(openvdb::GridBase::ConstPtr grid) {
   return source;
 }
 
-openvdb::GridBase::Ptr read_grid(GridFile& source, const std::string& flag) {
+openvdb::GridBase::Ptr read_grid(GridFile& source, const std::string& flag, Progress* progress) {
   if (source.memory) return copy_memory(source, "any", true);
-  return read_noted(source, flag, [](const auto& file, const auto& grid) { return read_grid(file, grid); });
+  return read_noted(source, flag,
+                    [=](const auto& file, const auto& grid) { return read_grid(file, grid, progress); });
 }
 
-openvdb::FloatGrid::Ptr read_float_grid(GridFile& source, const std::string& flag) {
+openvdb::FloatGrid::Ptr read_float_grid(GridFile& source, const std::string& flag, Progress* progress) {
   if (source.memory) {
     return openvdb::gridPtrCast<openvdb::FloatGrid>(copy_memory(source, "float", has_floats(*source.memory)));
   }
-  return read_noted(source, flag,
-                    [](const auto& file, const auto& grid) { return read_float_grid(file, grid); });
+  return read_noted(source, flag, [=](const auto& file, const auto& grid) {
+    return read_float_grid(file, grid, progress);
+  });
 }
 
-openvdb::GridBase::Ptr read_vector_grid(GridFile& source, const std::string& flag) {
+openvdb::GridBase::Ptr read_vector_grid(GridFile& source, const std::string& flag, Progress* progress) {
   if (source.memory) {
     return copy_memory(source, "vec3s or vec3d", has_vectors(*source.memory));
   }
-  return read_noted(source, flag,
-                    [](const auto& file, const auto& grid) { return read_vector_grid(file, grid); });
+  return read_noted(source, flag, [=](const auto& file, const auto& grid) {
+    return read_vector_grid(file, grid, progress);
+  });
 }
 
-VdbFile read_grids_around(GridFile& source, const std::string& flag, std::size_t& target) {
+VdbFile read_grids_around(GridFile& source, const std::string& flag, std::size_t& target,
+                          Progress* progress) {
   target = 0;
   if (source.memory) return {{}, {copy_memory(source, "float", has_floats(*source.memory))}};
-  VdbFile file = read_grids(source.file);
+  VdbFile file = read_grids(source.file, progress);
   target = find_float_grid(source.file, file, source.grid);
   note_digest(source.file, flag, source.digest);
   return file;

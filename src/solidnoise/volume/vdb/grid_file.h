@@ -50,11 +50,14 @@ void note_digest(const std::string& file, const std::string& flag, std::string& 
 
 // Reads the grid and notes the file's digest, as note_digest. A grid of another type, or any if `name` is
 // empty and none of the type is there, is refused. Throws std::runtime_error naming the path, and, if there
-// is no such grid, listing those that exist.
-openvdb::GridBase::Ptr read_grid(GridFile& source, const std::string& flag);
-openvdb::FloatGrid::Ptr read_float_grid(GridFile& source, const std::string& flag);
-openvdb::GridBase::Ptr read_vector_grid(GridFile& source, const std::string& flag);  // vec3s or vec3d
+// is no such grid, listing those that exist; Cancelled.
+openvdb::GridBase::Ptr read_grid(GridFile& source, const std::string& flag, Progress* progress = nullptr);
+openvdb::FloatGrid::Ptr read_float_grid(GridFile& source, const std::string& flag,
+                                        Progress* progress = nullptr);
+openvdb::GridBase::Ptr read_vector_grid(GridFile& source, const std::string& flag,
+                                        Progress* progress = nullptr);  // vec3s or vec3d
 // All of the file's, of which the grid of floats that is meant has the index `target`.
-VdbFile read_grids_around(GridFile& source, const std::string& flag, std::size_t& target);
+VdbFile read_grids_around(GridFile& source, const std::string& flag, std::size_t& target,
+                          Progress* progress = nullptr);
 
 }  // namespace solidnoise

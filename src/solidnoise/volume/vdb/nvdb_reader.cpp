@@ -1,7 +1,7 @@
 #include "solidnoise/volume/vdb/nvdb_reader.h"
 
 #include <cstdint>
-#include <fstream>
+#include <istream>
 #include <nanovdb/util/IO.h>
 #include <nanovdb/util/NanoToOpenVDB.h>
 #include <stdexcept>
@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "solidnoise/volume/vdb/cancellable_file.h"
 #include "solidnoise/volume/vdb/nvdb_check.h"
 
 namespace solidnoise {
@@ -42,9 +43,10 @@ openvdb::GridBase::Ptr convert(const nanovdb::HostBuffer& bytes, nanovdb::GridTy
 
 }  // namespace
 
-NvdbReader::NvdbReader(const std::filesystem::path& path) {
+NvdbReader::NvdbReader(const std::filesystem::path& path, Progress* progress) {
   openvdb::initialize();
-  std::ifstream stream(path, std::ios::binary);
+  CancellableFile file(path, progress);
+  std::istream stream(&file);
   stream.exceptions(std::ios::failbit | std::ios::badbit);
   std::uint64_t left = std::filesystem::file_size(path);
   const auto read = [&](void* target, std::uint64_t bytes) {
@@ -71,6 +73,7 @@ NvdbReader::NvdbReader(const std::filesystem::path& path) {
       if (grid.gridSize > left || grid.gridSize == 0) throw std::runtime_error("it ends too early");
       auto bytes = nanovdb::HostBuffer::create(grid.gridSize);
       read(bytes.data(), grid.gridSize);
+      throw_if_cancelled(progress);
       grids_.push_back(convert(bytes, grid.gridType));
     }
   }

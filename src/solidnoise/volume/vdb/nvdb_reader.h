@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "solidnoise/core/progress.h"
 #include "solidnoise/volume/vdb/grid_source.h"
 
 namespace solidnoise {
@@ -10,7 +11,8 @@ namespace solidnoise {
 // whole, and of vectors, as OpenVDB grids. How values were stored is their metadata "stored_as".
 class NvdbReader final : public GridSource {
  public:
-  explicit NvdbReader(const std::filesystem::path& path);
+  // Where `progress`, which may be null, asks to stop, throws Cancelled.
+  explicit NvdbReader(const std::filesystem::path& path, Progress* progress = nullptr);
 
   const openvdb::MetaMap& metadata() const override { return metadata_; }
   std::size_t grid_count() const override { return grids_.size(); }

@@ -50,6 +50,8 @@ template <typename Read>
 auto guarded(const std::filesystem::path& path, const Read& read) {
   try {
     return read();
+  } catch (const Cancelled&) {
+    throw;
   } catch (const std::bad_alloc&) {
     throw std::runtime_error(fmt::format("{}: is damaged, or too large for the memory", path.string()));
   } catch (const std::ios_base::failure&) {
@@ -105,12 +107,12 @@ std::filesystem::path standard_input() {
 }
 
 // Opens a .vdb, or a .nvdb, that has grids.
-std::unique_ptr<GridSource> open_vdb(const std::filesystem::path& path) {
+std::unique_ptr<GridSource> open_vdb(const std::filesystem::path& path, Progress* progress = nullptr) {
   const std::filesystem::path file = path == "-" ? standard_input() : path;
   require_readable(file);
   auto reader = guarded(path, [&]() -> std::unique_ptr<GridSource> {
-    if (path.extension() == ".nvdb") return std::make_unique<NvdbReader>(file);
-    return std::make_unique<VdbReader>(file);
+    if (path.extension() == ".nvdb") return std::make_unique<NvdbReader>(file, progress);
+    return std::make_unique<VdbReader>(file, progress);
   });
   if (reader->grid_count() == 0) throw std::runtime_error(fmt::format("{}: holds no grids", path.string()));
   return reader;
@@ -178,8 +180,8 @@ constexpr char kGridOfFloats[] = "grid of floats";
 // in messages what was looked for.
 template <typename Suits>
 openvdb::GridBase::Ptr read_matching(const std::filesystem::path& path, const std::string& name,
-                                     const char* kind, const Suits& suits) {
-  const std::unique_ptr<GridSource> reader = open_vdb(path);
+                                     const char* kind, const Suits& suits, Progress* progress) {
+  const std::unique_ptr<GridSource> reader = open_vdb(path, progress);
   std::vector<std::string> others;
   for (std::size_t i = 0; i < reader->grid_count(); ++i) {
     const openvdb::GridBase::Ptr header = guarded(path, [&] { return reader->read_header(i); });
@@ -220,25 +222,32 @@ double memory_of(const GridSummary& grid) {
   return std::max(static_cast<double>(bytes), sizeof(float) * static_cast<double>(grid.active_voxels));
 }
 
-openvdb::GridBase::Ptr read_grid(const std::filesystem::path& path, const std::string& name) {
-  return read_matching(path, name, "grid", [](const openvdb::GridBase&) { return true; });
+openvdb::GridBase::Ptr read_grid(const std::filesystem::path& path, const std::string& name,
+                                 Progress* progress) {
+  return read_matching(
+      path, name, "grid", [](const openvdb::GridBase&) { return true; }, progress);
 }
 
-openvdb::FloatGrid::Ptr read_float_grid(const std::filesystem::path& path, const std::string& name) {
-  return openvdb::gridPtrCast<openvdb::FloatGrid>(read_matching(path, name, kGridOfFloats, has_floats));
+openvdb::FloatGrid::Ptr read_float_grid(const std::filesystem::path& path, const std::string& name,
+                                        Progress* progress) {
+  return openvdb::gridPtrCast<openvdb::FloatGrid>(
+      read_matching(path, name, kGridOfFloats, has_floats, progress));
 }
 
-openvdb::GridBase::Ptr read_vector_grid(const std::filesystem::path& path, const std::string& name) {
-  return read_matching(path, name, "grid of vectors", has_vectors);
+openvdb::GridBase::Ptr read_vector_grid(const std::filesystem::path& path, const std::string& name,
+                                        Progress* progress) {
+  return read_matching(path, name, "grid of vectors", has_vectors, progress);
 }
 
-openvdb::GridBase::Ptr read_float_or_vector_grid(const std::filesystem::path& path, const std::string& name) {
-  return read_matching(path, name, "grid of floats or vectors",
-                       [](const openvdb::GridBase& grid) { return has_floats(grid) || has_vectors(grid); });
+openvdb::GridBase::Ptr read_float_or_vector_grid(const std::filesystem::path& path, const std::string& name,
+                                                 Progress* progress) {
+  return read_matching(
+      path, name, "grid of floats or vectors",
+      [](const openvdb::GridBase& grid) { return has_floats(grid) || has_vectors(grid); }, progress);
 }
 
-VdbFile read_grids(const std::filesystem::path& path) {
-  const std::unique_ptr<GridSource> reader = open_vdb(path);
+VdbFile read_grids(const std::filesystem::path& path, Progress* progress) {
+  const std::unique_ptr<GridSource> reader = open_vdb(path, progress);
   VdbFile file = guarded(path, [&] { return VdbFile{reader->metadata(), reader->read_grids()}; });
   for (const openvdb::GridBase::Ptr& grid : file.grids) {
     guarded(path, [&] { return require_near(grid); });

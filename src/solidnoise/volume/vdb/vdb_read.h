@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "solidnoise/core/progress.h"
 #include "solidnoise/core/vec.h"
 #include "solidnoise/volume/vdb/openvdb.h"
 
@@ -45,18 +46,21 @@ double memory_of(const GridSummary& grid);
 
 // All of the grid of this name, or, if `name` is empty, of the first one. Throws std::runtime_error listing
 // the names that exist if there is none.
-openvdb::GridBase::Ptr read_grid(const std::filesystem::path& path, const std::string& name = {});
+openvdb::GridBase::Ptr read_grid(const std::filesystem::path& path, const std::string& name = {},
+                                 Progress* progress = nullptr);
 
 // The same for a grid of floats (stored as half or not); `name` empty: the first grid of floats. Throws
 // std::runtime_error also if the named grid is of another type.
-openvdb::FloatGrid::Ptr read_float_grid(const std::filesystem::path& path, const std::string& name = {});
+openvdb::FloatGrid::Ptr read_float_grid(const std::filesystem::path& path, const std::string& name = {},
+                                        Progress* progress = nullptr);
 
 // The same for a grid of vectors, vec3s or vec3d.
-openvdb::GridBase::Ptr read_vector_grid(const std::filesystem::path& path, const std::string& name = {});
+openvdb::GridBase::Ptr read_vector_grid(const std::filesystem::path& path, const std::string& name = {},
+                                        Progress* progress = nullptr);
 
 // The same for a grid of either.
 openvdb::GridBase::Ptr read_float_or_vector_grid(const std::filesystem::path& path,
-                                                 const std::string& name = {});
+                                                 const std::string& name = {}, Progress* progress = nullptr);
 
 // All grids of a file, in its order, and the file's own metadata. Grids that share a tree in the file share
 // it here. What the file says of a grid's place in it (bounds, sizes, compression) is left out: the next file
@@ -65,7 +69,7 @@ struct VdbFile {
   openvdb::MetaMap metadata;
   openvdb::GridPtrVec grids;  // at least one
 };
-VdbFile read_grids(const std::filesystem::path& path);
+VdbFile read_grids(const std::filesystem::path& path, Progress* progress = nullptr);
 
 // The place among a file's grids of the one of floats with this name, or of the first if it is empty. Throws
 // std::runtime_error as read_float_grid.

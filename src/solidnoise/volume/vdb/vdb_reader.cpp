@@ -9,9 +9,10 @@
 
 namespace solidnoise {
 
-VdbReader::VdbReader(const std::filesystem::path& path) : stream_(path, std::ios::binary) {
+VdbReader::VdbReader(const std::filesystem::path& path, Progress* progress) : file_(path, progress) {
   openvdb::initialize();
   stream_.exceptions(std::ios::badbit | std::ios::failbit);
+  if (!file_.is_open()) stream_.setstate(std::ios::failbit);
   stream_.seekg(0, std::ios::end);
   size_ = stream_.tellg();
   stream_.seekg(0);

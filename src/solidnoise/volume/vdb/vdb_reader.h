@@ -2,13 +2,14 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
+#include <istream>
 #include <string>
 #include <vector>
 
 #include <openvdb/io/GridDescriptor.h>
 #include <openvdb/io/io.h>
 
+#include "solidnoise/volume/vdb/cancellable_file.h"
 #include "solidnoise/volume/vdb/grid_source.h"
 #include "solidnoise/volume/vdb/vdb_header.h"
 #include "solidnoise/volume/vdb/vdb_structure.h"
@@ -22,7 +23,8 @@ namespace solidnoise {
 // Throws std::exception of any kind where the file is damaged.
 class VdbReader final : public openvdb::io::Archive, public GridSource {
  public:
-  explicit VdbReader(const std::filesystem::path& path);
+  // Where `progress`, which may be null, asks to stop, reading throws Cancelled.
+  explicit VdbReader(const std::filesystem::path& path, Progress* progress = nullptr);
 
   const openvdb::MetaMap& metadata() const override { return metadata_; }
   std::size_t grid_count() const override { return entries_.size(); }
@@ -72,7 +74,8 @@ class VdbReader final : public openvdb::io::Archive, public GridSource {
   std::uint32_t skim_grid_header();  // goes past it, and gives the grid's compression flags
   VdbHeaderWalk walk();
 
-  std::ifstream stream_;
+  CancellableFile file_;
+  std::istream stream_{&file_};
   std::int64_t size_ = 0;
   openvdb::io::StreamMetadata::Ptr stream_metadata_;
   openvdb::MetaMap metadata_;
