@@ -134,14 +134,14 @@ TEST(MeshnoiseFullDisk, OfTheStandardOutputIsReportedOfTextsToo) {
 TEST(MeshnoiseFaults, LeaveAllOutputsOrNone) {
   const TemporaryFolder folder;
   write_sample(folder, "in.ply", sample_torus(6));
-  std::vector<std::string> arguments{"bake",  "in.ply", "--quiet",        "--preset", "stone",
+  std::vector<std::string> arguments{"bake",  "in.ply", "--quiet",        "--preset", "raw",
                                      "--out", "x.ply",  "--write-recipe", "x.json"};
   const auto run = [&](const RunOptions& options) { return run_meshnoise(arguments, options); };
   arguments.push_back("--force");
   expect_whole_or_nothing(run, folder, {{"x.ply", "old"}, {"x.json", "old as well"}});
   arguments.pop_back();
   for (const char* name : {"x.ply", "x.json"}) std::filesystem::remove(folder / name);
-  if (SOLIDNOISE_PREVIEWS) arguments.insert(arguments.end(), {"--preview", "x.png"});
+  if (SOLIDNOISE_PREVIEWS) arguments.insert(arguments.end(), {"--preview", "x.png", "--preview-size", "32"});
   expect_whole_or_nothing(run, folder);
 }
 

@@ -122,8 +122,8 @@ TEST(FullDisk, OfARecipeOrAPreviewLeavesNothing) {
 
 TEST(VdbnoiseFaults, LeaveAllOutputsOrNone) {
   const TemporaryFolder folder;
-  std::vector<std::string> arguments{"--quiet", "--raw", "--dim",          "16",
-                                     "--out",   "x.vdb", "--write-recipe", "x.json"};
+  std::vector<std::string> arguments{"--quiet", "--preset", "smoke",          "--dim", "16",
+                                     "--out",   "x.vdb",    "--write-recipe", "x.json"};
   const auto run = [&](const RunOptions& options) { return run_vdbnoise(arguments, options); };
   arguments.push_back("--force");
   expect_whole_or_nothing(run, folder, {{"x.vdb", "old"}, {"x.json", "old as well"}});
