@@ -12,10 +12,10 @@ if command -v ccache >/dev/null; then
   export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1  # objects do not depend on the folder
 fi
 
-# One compiler per core, as long as each has 1 GB (OpenVDB's headers need most of it).
+# One compiler per core, as long as each has 2.4 GB, which two dozen files with OpenVDB's headers take.
 jobs=$(nproc)
-memory=$(awk '/^MemAvailable/ { print int($2 / 1048576) }' /proc/meminfo)
-((memory >= jobs)) || jobs=$((memory > 0 ? memory : 1))
+most=$(awk '/^MemAvailable/ { print int($2 / 1048576 / 2.4) }' /proc/meminfo)
+((most >= jobs)) || jobs=$((most > 0 ? most : 1))
 
 cmake --preset "$preset" "$@"
 targets=${targets#:}

@@ -24,7 +24,7 @@ namespace solidnoise {
 namespace {
 
 constexpr int kShortestSide = 8;
-constexpr int kLongestSide = 128;  // of the block that is analysed
+constexpr int kLongestBlock = 128;  // of the block that is analysed
 
 bool all_active(const openvdb::FloatGrid& grid, const openvdb::CoordBBox& box) {
   const auto accessor = grid.getConstAccessor();
@@ -213,7 +213,7 @@ Cost analysis_cost(const GridSummary& grid) {
   constexpr double kSecondsPerVoxel = 40e-9;
   const auto voxels = static_cast<double>(grid.active_voxels);
   double block = 1.0;
-  for (int axis = 0; axis < 3; ++axis) block *= std::min(grid.voxel_bounds.dim()[axis], kLongestSide);
+  for (int axis = 0; axis < 3; ++axis) block *= std::min(grid.voxel_bounds.dim()[axis], kLongestBlock);
   block = std::min(block, voxels);
   return {0.6 + kSecondsPerBlockVoxel * block + kSecondsPerVoxel * voxels,
           kProgramBytes + memory_of(grid) + kBytesPerBlockVoxel * block};
@@ -232,7 +232,7 @@ AnalysisSubject analysis_subject(openvdb::FloatGrid::Ptr grid, const std::string
   if (subject.recipe && holds_noise_itself(*subject.recipe)) {
     subject.noise = make_volume_noise(*subject.recipe);
   }
-  subject.block = dense_block(*subject.grid, kLongestSide);
+  subject.block = dense_block(*subject.grid, kLongestBlock);
   return subject;
 }
 

@@ -7,7 +7,7 @@
 namespace solidnoise {
 namespace {
 
-constexpr int kRounds = 60;
+constexpr int kMostRounds = 60;
 
 // The share of a component's power in each ring, by samples of its Gaussian.
 std::vector<double> shares_of(double a, const SpectrumComponent& component, const FrequencyRings& rings) {
@@ -53,7 +53,7 @@ void match_rings(GaborSpectrum& spectrum, const FrequencyRings& rings, std::size
       shares.push_back(shares_of(band.a, component, rings));
     }
   }
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kMostRounds; ++round) {
     std::vector<double> powers(targets.size());
     for (std::size_t k = 0; k < components.size(); ++k) {
       for (std::size_t r = 0; r < powers.size(); ++r) powers[r] += components[k]->variance * shares[k][r];

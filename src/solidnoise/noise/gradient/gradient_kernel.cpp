@@ -35,13 +35,13 @@ double ball_power_transform_slope(int n, int p, double f) {
 // Visits the offset of x from each point of the lattice that may lie within the kernel's radius.
 template <int Dim, typename Visit>
 void for_each_offset(const Vec<Dim>& x, double spacing, const Visit& visit) {
-  constexpr double kReach = GradientKernel<Dim>::kRadius;
+  constexpr double kSupport = GradientKernel<Dim>::kRadius;
   Vec<Dim> first;
   glm::vec<Dim, int> count;
   std::size_t total = 1;
   for (int axis = 0; axis < Dim; ++axis) {
-    first[axis] = std::ceil((x[axis] - kReach) / spacing);
-    count[axis] = static_cast<int>(std::floor((x[axis] + kReach) / spacing) - first[axis]) + 1;
+    first[axis] = std::ceil((x[axis] - kSupport) / spacing);
+    count[axis] = static_cast<int>(std::floor((x[axis] + kSupport) / spacing) - first[axis]) + 1;
     total *= static_cast<std::size_t>(count[axis]);
   }
   for (std::size_t index = 0; index < total; ++index) {

@@ -131,7 +131,7 @@ constexpr std::size_t kManyLeaves = 64 * 512;  // 64 full groups
 constexpr std::size_t kLeavesOfBlock = 10;
 
 // Leaves that share a block: a run of indices in the list of grouped leaves.
-struct Group {
+struct LeafGroup {
   std::size_t begin = 0;
   std::size_t end = 0;
 };
@@ -140,7 +140,7 @@ struct Group {
 struct GroupedLeaves {
   std::vector<const MaskLeaf*> leaves;
   std::vector<std::size_t> order;
-  std::vector<Group> groups;
+  std::vector<LeafGroup> groups;
 };
 
 GroupedLeaves group_leaves(const openvdb::MaskTree& mask) {
@@ -189,7 +189,7 @@ class Filler {
   }
 
  private:
-  void fill_group(const Group& group) {
+  void fill_group(const LeafGroup& group) {
     // Gather the leaves that need the field, and the box that they span.
     openvdb::CoordBBox box;
     std::vector<std::size_t> wanted;
