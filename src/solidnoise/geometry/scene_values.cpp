@@ -71,9 +71,9 @@ std::vector<const VertexProperty*> plain_numbers(const PolygonMesh& mesh) {
   return result;
 }
 
-std::vector<MeshNumber> plain_vectors(const PolygonMesh& mesh) {
+std::vector<SceneNumber> plain_vectors(const PolygonMesh& mesh) {
   const std::vector<const VertexProperty*> numbers = plain_numbers(mesh);
-  std::vector<MeshNumber> result;
+  std::vector<SceneNumber> result;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const std::string& name = numbers[i]->name;
     const std::string stem = name.ends_with("_x") ? name.substr(0, name.size() - 2) : std::string();

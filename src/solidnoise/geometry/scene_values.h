@@ -26,11 +26,11 @@ std::vector<Vec<3>> unit_normals(const PolygonMesh& mesh);
 std::vector<const VertexProperty*> plain_numbers(const PolygonMesh& mesh);
 
 // The same, where those of NAME_x, NAME_y and NAME_z that follow each other are one vector.
-struct MeshNumber {
+struct SceneNumber {
   std::string name;
   std::vector<const VertexProperty*> parts;  // 1, or 3 of a vector
 };
-std::vector<MeshNumber> plain_vectors(const PolygonMesh& mesh);
+std::vector<SceneNumber> plain_vectors(const PolygonMesh& mesh);
 
 // The lower and the upper corner of the box of all positions, as float32.
 struct FloatBox {

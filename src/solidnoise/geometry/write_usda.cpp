@@ -84,7 +84,7 @@ void write_primvars(PrimWriter& prim, const PolygonMesh& mesh) {
     prim.of_vertices();
   }
   std::set<std::string> names{"displayColor", "displayOpacity", "st"};
-  for (const MeshNumber& number : plain_vectors(mesh)) {
+  for (const SceneNumber& number : plain_vectors(mesh)) {
     const std::string name = usd_name(number.name);
     if (!names.insert(name).second) {
       throw std::invalid_argument(
