@@ -21,6 +21,7 @@ export const recipes = {
   periodic: { noise: { type: "gabor", frequency: 4, period: [2, 2, 2, 0] } },
   moved: { noise: { type: "gabor", frequency: 4 }, offset: [100000, -3, 0.5] },
   unit: { noise: { type: "gabor", frequency: 4 }, shaping: { type: "raw", range: "unit" } },
+  normalized: { noise: { type: "gabor", frequency: 2, period: [2, 2, 2, 0] }, shaping: { type: "raw", normalize: true } },
   exact: { noise: { type: "gabor", frequency: 3 }, exact: true },
   ridged: { noise: { type: "gabor", frequency: 3, octaves: 3 }, layers: [{ fold: "ridged", warp: { amount: 0.1 } }] },
   "two layers": {
