@@ -13,6 +13,7 @@
 #include <tbb/global_control.h>
 
 #include "solidnoise/geometry/inspect_mesh.h"
+#include "solidnoise/mesh/cut_triangle.h"
 #include "solidnoise/mesh/surface_mesh.h"
 #include "support/message_of.h"
 #include "support/surfaces.h"
@@ -246,6 +247,22 @@ TEST(Refine, RefusesWhatItCannotDo) {
             "refining takes more than 1000 vertices: the edges that are asked for are too short");
   EXPECT_EQ(message([&] { subdivide(mesh, -1); }),
             "the rounds of refining is -1; it must be between 0 and 16");
+}
+
+// Up to the last one: what is known without counting is never more.
+TEST(Refine, CountsTheFacesThatItMakes) {
+  PolygonMesh equilateral;
+  equilateral.positions = {{0, 0, 0}, {1, 0, 0}, {0.5, std::sqrt(0.75), 0}};
+  equilateral.add_face(Triangle{0, 1, 2});
+  for (const PolygonMesh& mesh : {equilateral, sphere_mesh(1.0, {.n = 6, .jitter = 0.3})}) {
+    for (const double target : {1.0, 0.25, 0.0625}) {
+      std::vector<double> targets(mesh.positions.size(), target);
+      targets.front() *= 0.5;
+      const double made = static_cast<double>(refine(mesh, targets).mesh.face_count());
+      EXPECT_EQ(refined_faces(mesh, targets, {}, made), made);
+      EXPECT_EQ(refined_faces(mesh, targets, {}, made - 1.0), std::numeric_limits<double>::infinity());
+    }
+  }
 }
 
 TEST(Refine, RefusesTooManyFacesBeforeAnyWork) {

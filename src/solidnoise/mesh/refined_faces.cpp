@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 
+#include <glm/geometric.hpp>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -68,8 +69,25 @@ class PartCount {
   double parts_ = 0.0;
 };
 
+// No fewer parts than these have: none is larger than an equilateral triangle whose sides are the longest
+// target of its corners.
+double fewest_parts(const PolygonMesh& mesh, const std::vector<double>& targets,
+                    const std::vector<Triangle>& triangles) {
+  const double kOfSquare = std::sqrt(3.0) / 4.0;
+  double parts = 0.0;
+  for (const auto& [a, b, c] : triangles) {
+    const Vec<3>& corner = mesh.positions[a];
+    const double area = 0.5 * glm::length(glm::cross(mesh.positions[b] - corner, mesh.positions[c] - corner));
+    const double side = std::max({targets[a], targets[b], targets[c]});
+    parts += std::max(1.0, area / (kOfSquare * side * side));
+  }
+  return parts;
+}
+
 double count_parts(const PolygonMesh& mesh, const std::vector<double>& targets, double most) {
   const std::vector<Triangle> triangles = triangulate(mesh);
+  // Which spares counting what is far too much.
+  if (fewest_parts(mesh, targets, triangles) > 1.001 * most) return kInfinite;
   std::atomic<std::uint64_t> faces{0};
   constexpr std::size_t kGrain = 256;
   constexpr double kMost = 1e15;  // far more than there is memory for
