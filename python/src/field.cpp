@@ -60,6 +60,8 @@ class FieldObject {
     require_no_voxels(recipe);
     const std::size_t entry = find_entry(recipe, grid);
     single_ = recipes_of_grids(recipe)[entry];
+    chosen_ = recipe;
+    if (!recipe.grids.empty()) chosen_.grids = {recipe.grids[entry]};
     run(call, [&](Progress& told) {
       plan_ = plan_volume(recipe, {}, &told);
       plan_.boundaries = {plan_.boundaries.at(entry)};
@@ -94,7 +96,7 @@ class FieldObject {
 
  private:
   FieldPtr make(const VolumePlan& plan, bool interpolated) const {
-    VolumeRecipe recipe = single_;
+    VolumeRecipe recipe = chosen_;
     if (!interpolated) recipe.exact = true;
     return make_volume_field(recipe, plan).field;
   }
@@ -102,6 +104,7 @@ class FieldObject {
   VolumeRecipe recipe_;
   std::optional<std::string> grid_;
   VolumeRecipe single_;  // the short form of the grid
+  VolumeRecipe chosen_;  // without the others
   VolumePlan plan_;
   FieldPtr at_points_;  // null where that needs voxels
   int channels_ = 1;

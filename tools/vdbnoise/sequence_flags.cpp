@@ -91,7 +91,7 @@ void check_loop_of_wind(const VolumeRecipe& recipe) {
   if (loop == 0.0 || !has_wind(recipe)) return;
   for (const VolumeRecipe& single : recipes_of_grids(recipe)) {
     for (const NoiseRecipe& noise : noises_of(single)) {
-      const Vec<4> period = std::visit([](const auto& options) { return options.period; }, noise.noise);
+      const Vec<4> period = period_of(noise);
       for (int axis = 0; axis < 3; ++axis) {
         const double way = recipe.wind[axis] * loop;
         if (way == 0.0 || (period[axis] > 0.0 && std::remainder(way, period[axis]) == 0.0)) continue;

@@ -35,7 +35,7 @@ void warn_of_aliasing(const VolumeRecipe& recipe, const VolumePlan& plan, std::o
 
 // Tiles meet where the period is a whole number of voxels. Returns whether there was a warning.
 bool warn_of_tiles(const NoiseRecipe& noise, const Vec<3>& voxel, std::ostream& stream) {
-  const Vec<4> period = std::visit([](const auto& options) { return options.period; }, noise.noise);
+  const Vec<4> period = period_of(noise);
   for (int axis = 0; axis < 3; ++axis) {
     if (period[axis] == 0.0 || whole_period(period[axis], voxel[axis]) > 0) continue;
     const double voxels = period[axis] / voxel[axis];

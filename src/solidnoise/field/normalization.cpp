@@ -29,18 +29,23 @@ Lattice<Dim> midpoints_of(const Box<Dim>& box, double highest_frequency) {
 }  // namespace
 
 template <int Dim>
-Normalization normalization_in(const Field<Dim>& field, const Box<Dim>& box, double highest_frequency,
-                               double variance) {
-  const Lattice<Dim> lattice = midpoints_of(box, highest_frequency);
+Normalization normalization_in(const Noise<Dim>& noise, const Box<Dim>& box, const Vec<4>& period) {
+  Box<Dim> region = box;
+  for (int axis = 0; axis < Dim; ++axis) {
+    if (period[axis] == 0.0) continue;
+    region.lower[axis] = 0.0;
+    region.upper[axis] = period[axis];
+  }
+  const Lattice<Dim> lattice = midpoints_of(region, noise.band().upper);
   std::vector<float> values(lattice.size());
-  field.block(lattice.bounds())->evaluate(lattice, Samples<Dim>{values, {}});
+  noise.block(lattice.bounds())->evaluate(lattice, Samples<Dim>{values, {}});
   const Moments moments = Moments::of(values);
-  const double scale = moments.sigma() > 0.0 ? std::sqrt(variance) / moments.sigma() : 1.0;
+  const double scale = moments.sigma() > 0.0 ? std::sqrt(noise.variance()) / moments.sigma() : 1.0;
   return {static_cast<float>(scale), static_cast<float>(-scale * moments.mean())};
 }
 
-template Normalization normalization_in(const Field<1>&, const Box<1>&, double, double);
-template Normalization normalization_in(const Field<2>&, const Box<2>&, double, double);
-template Normalization normalization_in(const Field<3>&, const Box<3>&, double, double);
+template Normalization normalization_in(const Noise<1>&, const Box<1>&, const Vec<4>&);
+template Normalization normalization_in(const Noise<2>&, const Box<2>&, const Vec<4>&);
+template Normalization normalization_in(const Noise<3>&, const Box<3>&, const Vec<4>&);
 
 }  // namespace solidnoise

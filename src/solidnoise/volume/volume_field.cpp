@@ -104,8 +104,7 @@ class VolumeLayers {
     }
     VolumeRecipe layer = recipe_;
     layer.noise = recipe;
-    layer.output = {Output::value};  // whatever is made of what it shapes or masks
-    layer.wind /= stretch;           // which moves what is stretched
+    layer.wind /= stretch;  // which moves what is stretched
     const NoisePtr noise = make_noise_of(layer, recipe);
     return stretched(on_voxels(layer, noise, plan_.frame, look_up), stretch);
   }
@@ -274,7 +273,7 @@ PointSpread spread_by_warp(const VolumePlan& plan, double amount) {
 
 LatticeFrame<3> voxel_lattice(const VolumeRecipe& recipe, const GridFrame& frame) {
   LatticeFrame<3> lattice{frame.origin(), frame.voxel_size()};
-  const Vec<4> period = std::visit([](const auto& options) { return options.period; }, recipe.noise.noise);
+  const Vec<4> period = period_of(recipe.noise);
   for (int axis = 0; axis < 3; ++axis) lattice.period[axis] = whole_period(period[axis], lattice.step[axis]);
   return lattice;
 }
@@ -324,15 +323,7 @@ FieldPtr make_raw_field(const VolumeRecipe& recipe) {
 Normalization normalization_of(const VolumeRecipe& recipe, const Box<3>& box) {
   const auto* const raw = std::get_if<RawShaping>(&recipe.shaping);
   if (!raw || !raw->normalize) return {};
-  Box<3> region = box;
-  const Vec<4> period = std::visit([](const auto& options) { return options.period; }, recipe.noise.noise);
-  for (int axis = 0; axis < 3; ++axis) {
-    if (period[axis] == 0.0) continue;
-    region.lower[axis] = 0.0;  // whatever the box is: tiles have the values of what they are tiles of
-    region.upper[axis] = period[axis];
-  }
-  const auto noise = make_volume_noise(recipe);
-  return normalization_in<3>(*noise, region, noise->band().upper, noise->variance());
+  return normalization_in<3>(*make_volume_noise(recipe), box, period_of(recipe.noise));
 }
 
 double highest_frequency(const VolumeRecipe& recipe, const VolumePlan& plan) {

@@ -71,6 +71,10 @@ std::uint64_t seed_of(const NoiseRecipe& recipe) {
   return std::visit([](const auto& options) { return options.seed; }, recipe.noise);
 }
 
+Vec<4> period_of(const NoiseRecipe& recipe) {
+  return std::visit([](const auto& options) { return options.period; }, recipe.noise);
+}
+
 double error_of(const NoiseRecipe& recipe) {
   return std::visit(
       [](const auto& options) {

@@ -29,6 +29,9 @@ struct NoiseRecipe {
 // Of the noise itself; octaves have seeds made from it.
 std::uint64_t seed_of(const NoiseRecipe& recipe);
 
+// World units along each axis; 0 where there is none.
+Vec<4> period_of(const NoiseRecipe& recipe);
+
 // Changes whenever any noise's values do, for the same recipe; stored in every file that is written.
 inline constexpr int kAlgorithmVersion = 9;
 

@@ -118,14 +118,8 @@ std::shared_ptr<const SliceSource> interpolated_source(const SliceRecipe& slice,
 template <int Dim>
 Normalization flat_normalization(const VolumeRecipe& recipe, const Noise<Dim>& noise) {
   if (!std::get<RawShaping>(recipe.shaping).normalize) return {};
-  const Vec<4> period = std::visit([](const auto& options) { return options.period; }, recipe.noise.noise);
-  Box<Dim> box;
-  for (int axis = 0; axis < Dim; ++axis) {
-    const bool repeats = period[axis] > 0.0;
-    box.lower[axis] = repeats ? 0.0 : recipe.box.lower[axis];
-    box.upper[axis] = repeats ? period[axis] : recipe.box.upper[axis];
-  }
-  return normalization_in<Dim>(noise, box, noise.band().upper, noise.variance());
+  return normalization_in<Dim>(noise, {Vec<Dim>(recipe.box.lower), Vec<Dim>(recipe.box.upper)},
+                               period_of(recipe.noise));
 }
 
 template <int Dim>
@@ -171,7 +165,7 @@ SliceField make_noise_field(const SliceRecipe& slice, const VolumeRecipe& recipe
 }  // namespace
 
 double period_along(const Vec<3>& direction, const NoiseRecipe& noise) {
-  const Vec<4> period = std::visit([](const auto& options) { return options.period; }, noise.noise);
+  const Vec<4> period = period_of(noise);
   for (int axis = 0; axis < 3; ++axis) {
     if (std::abs(direction[axis]) == 1.0) return period[axis];
   }
