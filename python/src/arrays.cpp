@@ -95,11 +95,15 @@ std::vector<double> axes_of(py::handle object, const std::string& name, std::siz
   return numbers;
 }
 
-std::vector<double> numbers_of(py::handle object, const std::string& name) {
+template <typename Number>
+std::vector<Number> numbers_of(py::handle object, const std::string& name) {
   const py::array array = as_floats(object, name);
-  const auto dense = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(array);
+  const auto dense = py::array_t<Number, py::array::c_style | py::array::forcecast>::ensure(array);
   return {dense.data(), dense.data() + dense.size()};
 }
+
+template std::vector<double> numbers_of<double>(py::handle, const std::string&);
+template std::vector<float> numbers_of<float>(py::handle, const std::string&);
 
 std::vector<Vec<3>> vectors_of(py::handle object, const std::string& name) {
   const Rows rows(object, name, 3);

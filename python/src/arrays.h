@@ -50,8 +50,12 @@ class Rows {
   std::size_t count_ = 1;
 };
 
-// The same of single numbers: an array of any shape, read in its order.
-std::vector<double> numbers_of(py::handle object, const std::string& name);
+// The same of single numbers: an array of any shape, read in its order. Number: double or float.
+template <typename Number = double>
+std::vector<Number> numbers_of(py::handle object, const std::string& name);
+
+extern template std::vector<double> numbers_of<double>(py::handle, const std::string&);
+extern template std::vector<float> numbers_of<float>(py::handle, const std::string&);
 
 // What NumPy makes of an object. Throws std::invalid_argument, by name, for lists that are no array.
 py::array array_in(py::handle object, const std::string& name);

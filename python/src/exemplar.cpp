@@ -68,7 +68,7 @@ py::array sheet(const ExemplarModel& model, const py::object& picture, const std
   const Picture source = picture_of_object(picture, "picture");
   Image image;
   run(call, [&](Progress& told) {
-    Exemplar<2> exemplar = source.read(reading);
+    Exemplar<2> exemplar = source.read(reading, &told);
     if (model.channels.size() == 1) make_grey(exemplar);
     image = draw_exemplar_sheet(exemplar, model, {.title = title, .caption = caption, .seed = seed}, &told);
   });

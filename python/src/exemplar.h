@@ -20,8 +20,10 @@ struct Picture {
   std::string name;
   std::optional<Image> image;  // none: the file of the name
 
-  Exemplar<2> read(const ExemplarReading& reading) const {
-    return image ? exemplar_of_image(*image, reading, name) : read_exemplar(name, reading);
+  // What takes time is what comes after.
+  Exemplar<2> read(const ExemplarReading& reading, Progress* progress) const {
+    PartialProgress start(progress, 0.0, 0.0);
+    return image ? exemplar_of_image(*image, reading, name) : read_exemplar(name, reading, &start);
   }
   bool has_linear_light() const { return !image && holds_linear_light(name); }
 };

@@ -19,35 +19,12 @@
 #include "solidnoise/analysis/exemplar/solid_spectrum.h"
 #include "solidnoise/core/check.h"
 #include "solidnoise/recipe/field_json.h"
+#include "volume.h"
 
 namespace solidnoise::python {
-namespace {
-
-// What a stored number of an integer type is 1 at.
-double full_scale(const py::dtype& type) {
-  if (type.kind() != 'u') return 1.0;
-  return type.itemsize() == 1 ? 255.0 : 65535.0;
-}
-
-Image image_of(const py::array& array, const std::string& name) {
-  if (array.ndim() != 2 && array.ndim() != 3) {
-    throw std::invalid_argument(name + " must have the shape (rows, columns) or (rows, columns, channels)");
-  }
-  const std::vector<double> numbers = numbers_of(array, name);
-  // As OpenImageIO does it: the same picture from a file has the same values.
-  const float scale = static_cast<float>(1.0 / full_scale(array.dtype()));
-  Image image(static_cast<int>(array.shape(1)), static_cast<int>(array.shape(0)),
-              array.ndim() == 3 ? static_cast<int>(array.shape(2)) : 1);
-  std::transform(numbers.begin(), numbers.end(), image.pixels.begin(),
-                 [&](double number) { return static_cast<float>(number) * scale; });
-  return image;
-}
-
-}  // namespace
-
 Picture picture_of_object(py::handle object, const std::string& name) {
   if (is_path(object)) return {path_of(object).string(), std::nullopt};
-  return {name, image_of(array_in(object, name), name)};
+  return {name, image_of_array(object, name)};
 }
 
 namespace {
@@ -97,7 +74,7 @@ ExemplarModel fit(const py::object& object, const FitKind& kind, const Call& cal
     std::vector<Exemplar<2>> exemplars;
     std::vector<bool> linear;
     for (const Picture& picture : pictures) {
-      exemplars.push_back(picture.read(reading));
+      exemplars.push_back(picture.read(reading, &told));
       linear.push_back(picture.has_linear_light());
     }
     options.raw_values = chooses_values ? choose_values(exemplars, linear).raw_values : reading.raw_values;

@@ -100,21 +100,29 @@ py::array slice_object(py::handle recipe, const SliceArguments& arguments, const
 }
 
 void write_picture(py::handle path, py::handle pixels, bool force) {
-  const py::array array = array_in(pixels, "pixels");
-  if (array.ndim() != 2 && array.ndim() != 3) {
-    throw std::invalid_argument("pixels must have the shape (rows, columns) or (rows, columns, channels)");
-  }
-  Image image(static_cast<int>(array.shape(1)), static_cast<int>(array.shape(0)),
-              array.ndim() == 3 ? static_cast<int>(array.shape(2)) : 1);
-  std::ranges::transform(numbers_of(array, "pixels"), image.pixels.begin(),
-                         [](double number) { return static_cast<float>(number); });
+  const Image image = image_of_array(pixels, "pixels");
   const std::filesystem::path target = path_of(path);
-  run({std::nullopt, py::none()}, [&](Progress&) {
-    write_image(target, image, {.existing = force ? Existing::replace : Existing::refuse});
+  run({std::nullopt, py::none()}, [&](Progress& told) {
+    write_image(target, image, {.existing = force ? Existing::replace : Existing::refuse, .progress = &told});
   });
 }
 
 }  // namespace
+
+Image image_of_array(py::handle object, const std::string& name) {
+  const py::array array = array_in(object, name);
+  if (array.ndim() != 2 && array.ndim() != 3) {
+    throw std::invalid_argument(name + " must have the shape (rows, columns) or (rows, columns, channels)");
+  }
+  Image image(static_cast<int>(array.shape(1)), static_cast<int>(array.shape(0)),
+              array.ndim() == 3 ? static_cast<int>(array.shape(2)) : 1);
+  image.pixels = numbers_of<float>(array, name);
+  if (array.dtype().kind() != 'u') return image;
+  // As OpenImageIO does it: the same picture from a file has the same values.
+  const float scale = static_cast<float>(1.0 / (array.itemsize() == 1 ? 255.0 : 65535.0));
+  for (float& value : image.pixels) value *= scale;
+  return image;
+}
 
 py::array array_of_image(Image&& image) {
   std::vector<py::ssize_t> shape{image.height, image.width};
@@ -162,7 +170,7 @@ Returns an array (rows, columns), or (rows, columns, 3), of float32, row 0 at th
 --
 
 Writes an array (rows, columns) or (rows, columns, channels) as a picture: .png, .jpg and .tif take 0 to 1, sRGB-encoded; .exr any
-values. All or nothing. Raises OSError, FileExistsError.)");
+values. Of uint8 and uint16 the largest number is 1. All or nothing. Raises OSError, FileExistsError.)");
 }
 
 }  // namespace solidnoise::python

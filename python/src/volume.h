@@ -51,6 +51,10 @@ void refuse_empty(PyHeapTypeObject* type);
 // (rows, columns) or (rows, columns, channels).
 py::array array_of_image(Image&& image);
 
+// The same back; the largest number of an unsigned type is 1, as in files. Throws std::invalid_argument that
+// begins with `name` for other shapes, py::type_error for what holds no numbers.
+Image image_of_array(py::handle object, const std::string& name);
+
 // Grids, volumes, fields, and the functions that make and measure them: all of the below.
 void add_volume(py::module_& module);
 void add_grid(py::module_& module);

@@ -7,6 +7,7 @@ import subprocess
 import sys
 import textwrap
 from collections.abc import Callable
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -59,6 +60,19 @@ def test_interruption_ends_a_texture() -> None:
             print("interrupted")
     """)
     assert found.stdout == "interrupted\n" and found.returncode == 0, found.stderr
+
+
+def test_interruption_ends_the_writing_of_a_picture_and_leaves_none(tmp_path: Path) -> None:
+    found = run(f"""
+        import os, pathlib, signal, threading, numpy as np, solidnoise
+        pixels = np.random.default_rng(1).random((8000, 8000), dtype=np.float32)
+        threading.Timer(1.0, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
+        try:
+            solidnoise.write_image("{tmp_path}/x.png", pixels)  # eight seconds
+        except KeyboardInterrupt:
+            print("interrupted", os.listdir("{tmp_path}"))
+    """)
+    assert found.stdout == "interrupted []\n" and found.returncode == 0, found.stderr
 
 
 def test_interruption_ends_the_fit_of_a_solid_and_curvature() -> None:

@@ -143,6 +143,14 @@ def test_slices_are_those_of_the_noise(tmp_path: Path) -> None:
         np.testing.assert_array_equal(solidnoise.slice(of, resolution=32), by_file)
 
 
+def test_pictures_of_bytes_are_written_as_they_are(tmp_path: Path) -> None:
+    pixels = np.arange(256).reshape(16, 16)
+    solidnoise.write_image(tmp_path / "x.png", pixels / 255.0)
+    for integers in (pixels.astype(np.uint8), (257 * pixels).astype(np.uint16)):
+        solidnoise.write_image(tmp_path / "y.png", integers, force=True)
+        assert (tmp_path / "y.png").read_bytes() == (tmp_path / "x.png").read_bytes()
+
+
 def test_pictures_are_written(tmp_path: Path) -> None:
     picture = solidnoise.make_volume(solidnoise.preset("cumulus"), dim=24).preview()
     assert picture.shape == (480, 480, 3) and 0.0 <= picture.min() < picture.max() <= 1.0

@@ -1,6 +1,7 @@
 #include "solidnoise/analysis/exemplar/exemplar.h"
 
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
@@ -152,17 +153,23 @@ TEST(FitExemplar, ToleratesChannelsWithoutAnything) {
   EXPECT_LT(fit.model.channels[2].variance(), 1e-10 * fit.model.channels[0].variance());
 }
 
-struct StoppedAtOnce final : Progress {
+struct StopsAfter final : Progress {
+  explicit StopsAfter(int questions) : left(questions) {}
   void advance(std::uint64_t, std::uint64_t) override {}
-  bool cancelled() override { return true; }
+  bool cancelled() override { return left-- <= 0; }
+  std::atomic<int> left;
 };
 
 TEST(FitExemplar, KeepsWhatItHasWhenItIsStopped) {
-  StoppedAtOnce stop;
-  const ExemplarFit<2> fit =
-      fit_exemplar<2>(std::vector{exemplar_of_image(random_image(32, 32, 3), {}, "it")}, {}, &stop);
+  const std::vector exemplars{exemplar_of_image(random_image(32, 32, 3), {}, "it")};
+  StopsAfter measured(3);  // as often as the picture is gone through
+  const ExemplarFit<2> fit = fit_exemplar<2>(exemplars, {}, &measured);
   EXPECT_TRUE(fit.interrupted);
   EXPECT_NO_THROW(fit.model.validate());
+  for (const int questions : {0, 1, 2}) {
+    StopsAfter measuring(questions);
+    EXPECT_THROW(fit_exemplar<2>(exemplars, {}, &measuring), Cancelled) << questions;
+  }
 }
 
 DenseField<2> low_pass_field(std::uint64_t seed) {

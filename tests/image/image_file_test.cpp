@@ -170,6 +170,35 @@ TEST_F(ImageFile, AWriteThatIsCutShortIsReportedAndLeavesTheOldFile) {
   EXPECT_EQ(folder_.count(), 1u);
 }
 
+// Asks to stop once it has been asked so often.
+class StopsAt final : public Progress {
+ public:
+  explicit StopsAt(int question) : question_(question) {}
+  void advance(std::uint64_t, std::uint64_t) override {}
+  bool cancelled() override { return ++asked_ >= question_; }
+
+ private:
+  int question_;
+  int asked_ = 0;
+};
+
+TEST_F(ImageFile, StopsWhereACallerAsksTo) {
+  const Image image = random_image(300, 300, 3);
+  for (const std::string name : {"a.png", "a.jpg", "a.tif", "a.exr"}) {
+    StopsAt first(1);
+    EXPECT_THROW(write_image(folder_ / name, image, {.progress = &first}), Cancelled) << name;
+    EXPECT_EQ(folder_.count(), 0u);
+    write_image(folder_ / name, image);
+    for (int question : {1, 2}) {
+      StopsAt later(question);
+      EXPECT_THROW(read_image(folder_ / name, &later), Cancelled) << name;
+    }
+    StopsAt never(1000);
+    EXPECT_EQ(read_image(folder_ / name, &never).pixels, read_image(folder_ / name).pixels);
+    fs::remove(folder_ / name);
+  }
+}
+
 TEST_F(ImageFile, AMissingFolderIsNamed) {
   const fs::path path = folder_ / "none" / "a.png";
   const std::string message = message_of([&] { write_image(path, random_image(2, 2, 1)); });

@@ -107,7 +107,7 @@ TEST_F(UntrustedPicture, IsGivenRoomForItsDepth) {
   int depth = 0;
   std::array<char, 100> text{};
   SolidnoiseImageError error{text.data(), text.size()};
-  EXPECT_NE(image_module().decode("dds", bytes.data(), bytes.size(), refuse, &depth, &error), 0);
+  EXPECT_NE(image_module().decode("dds", bytes.data(), bytes.size(), refuse, nullptr, &depth, &error), 0);
   EXPECT_EQ(depth, 16) << text.data();
 }
 

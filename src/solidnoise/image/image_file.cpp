@@ -122,9 +122,27 @@ constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 30;
 
 // A picture that is being read, and why it is refused.
 struct Reading {
-  Image image;
-  std::string refusal;
+  Progress* progress;
+  bool stopped = false;
+  Image image{};
+  std::string refusal{};
 };
+
+// The bytes of a picture that is being written.
+struct Writing {
+  Progress* progress;
+  bool stopped = false;
+  std::string bytes{};
+};
+
+template <typename Work>
+bool told(void* context, float done) {
+  constexpr std::uint64_t kUnits = 1'000'000;
+  Work& work = *static_cast<Work*>(context);
+  if (work.progress == nullptr) return false;
+  work.progress->advance(static_cast<std::uint64_t>(static_cast<double>(done) * kUnits), kUnits);
+  return work.stopped = work.progress->cancelled();
+}
 
 float* allocate_image(void* context, int width, int height, int depth, int channels) {
   Reading& reading = *static_cast<Reading*>(context);
@@ -143,13 +161,16 @@ float* allocate_image(void* context, int width, int height, int depth, int chann
 }
 
 // Throws std::runtime_error that says what is wrong, but not with which file.
-Image decode(std::string_view bytes) {
+Image decode(std::string_view bytes, Progress* progress) {
   const char* const format = format_of(bytes);
   check_picture(format, bytes);
-  Reading reading;
+  Reading reading{progress};
   std::array<char, 1024> text{};
   SolidnoiseImageError error{text.data(), text.size()};
-  if (image_module().decode(format, bytes.data(), bytes.size(), allocate_image, &reading, &error) != 0) {
+  const int status = image_module().decode(format, bytes.data(), bytes.size(), allocate_image, told<Reading>,
+                                           &reading, &error);
+  if (reading.stopped) throw Cancelled();
+  if (status != 0) {
     throw std::runtime_error(reading.refusal.empty() ? text.data() : reading.refusal);
   }
   return std::move(reading.image);
@@ -162,29 +183,36 @@ void write_image(const fs::path& path, const Image& image, const ImageFileOption
   const SampleType type = choose_type(path, format, options.sample_type);
   require_complete(path, image);
   const ImageModule& module = image_module();
-  write_output(path, {.existing = options.existing, .group = options.group}, [&](std::ostream& stream) {
-    const auto take = [](void* context, const char* bytes, std::size_t count) {
-      static_cast<std::string*>(context)->assign(bytes, count);
-    };
-    std::string bytes;
-    std::array<char, 1024> text{};
-    SolidnoiseImageError error{text.data(), text.size()};
-    const SolidnoiseImagePicture picture{image.width, image.height, image.channels, image.pixels.data()};
-    const char* const color_space = options.color_space == ColorSpace::srgb ? "sRGB" : "Linear";
-    if (module.encode(format.name, &picture, module_type(type), color_space, take, &bytes, &error) != 0) {
-      throw std::runtime_error(fmt::format("cannot write {}: {}", path.string(), explain(text.data())));
-    }
-    stream << bytes;
-  });
+  write_output(
+      path, {.existing = options.existing, .progress = options.progress, .group = options.group},
+      [&](std::ostream& stream) {
+        const auto take = [](void* context, const char* bytes, std::size_t count) {
+          static_cast<Writing*>(context)->bytes.assign(bytes, count);
+        };
+        Writing writing{options.progress};
+        std::array<char, 1024> text{};
+        SolidnoiseImageError error{text.data(), text.size()};
+        const SolidnoiseImagePicture picture{image.width, image.height, image.channels, image.pixels.data()};
+        const char* const color_space = options.color_space == ColorSpace::srgb ? "sRGB" : "Linear";
+        const int status = module.encode(format.name, &picture, module_type(type), color_space, take,
+                                         told<Writing>, &writing, &error);
+        if (writing.stopped) throw Cancelled();
+        if (status != 0) {
+          throw std::runtime_error(fmt::format("cannot write {}: {}", path.string(), explain(text.data())));
+        }
+        stream << writing.bytes;
+      });
 }
 
-Image read_image(const fs::path& path) {
-  return read_image(read_file(path, kMostBytes), path.string());
+Image read_image(const fs::path& path, Progress* progress) {
+  return read_image(read_file(path, kMostBytes), path.string(), progress);
 }
 
-Image read_image(std::string_view bytes, const std::string& name) {
+Image read_image(std::string_view bytes, const std::string& name, Progress* progress) {
   try {
-    return decode(bytes);
+    return decode(bytes, progress);
+  } catch (const Cancelled&) {
+    throw;
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(fmt::format("cannot read {}: {}", name, explain(error.what())));
   }

@@ -6,6 +6,7 @@
 
 #include "solidnoise/core/image.h"
 #include "solidnoise/core/output_file.h"
+#include "solidnoise/core/progress.h"
 
 namespace solidnoise {
 
@@ -22,12 +23,14 @@ struct ImageFileOptions {
   ColorSpace color_space = ColorSpace::srgb;
   Existing existing = Existing::refuse;
   OutputGroup* group = nullptr;  // with which the file appears
+  Progress* progress = nullptr;
 };
 
 // Writes a .png (8 or 16 bits), .jpg (8), .tif (8, 16, float32) or .exr (float16, float32) file, by the
 // extension, all or nothing, as write_output does. Integer types clamp to [0, 1]. Throws
 // std::invalid_argument if the extension, the type or the picture is at fault; std::runtime_error if the
-// image module is not installed, OutputExists, and what else write_output throws.
+// image module is not installed, OutputExists, what else write_output throws, and Cancelled where `progress`
+// asks to stop, which is asked some times a second.
 //
 // OpenImageIO, which does the work, is loaded by the first call of either function: linking this library
 // costs nothing at start. The module is looked for at $SOLIDNOISE_IMAGE_MODULE, relative to the program or
@@ -37,10 +40,11 @@ void write_image(const std::filesystem::path& path, const Image& image, const Im
 // Reads a PNG, JPEG, TIFF, OpenEXR or Radiance HDR file, told by what it begins with, whatever its name:
 // first image, all channels, integers scaled to [0, 1], pixels as they are stored. Files may come from
 // anybody: a damaged one, one with depth, with a side of more than 2^20 pixels or of more than 2^28
-// values (width x height x channels) is refused, by std::runtime_error that names the path.
-Image read_image(const std::filesystem::path& path);
+// values (width x height x channels) is refused, by std::runtime_error that names the path. Throws Cancelled
+// where `progress` asks to stop.
+Image read_image(const std::filesystem::path& path, Progress* progress = nullptr);
 
 // The same from a file's bytes; `name` stands for the path in messages.
-Image read_image(std::string_view bytes, const std::string& name);
+Image read_image(std::string_view bytes, const std::string& name, Progress* progress = nullptr);
 
 }  // namespace solidnoise

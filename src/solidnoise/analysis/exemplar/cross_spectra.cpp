@@ -21,7 +21,7 @@ constexpr int kPatchOfLarge = 256;
 }  // namespace
 
 template <int Dim>
-CrossSpectra<Dim> cross_spectra(std::span<const Exemplar<Dim>> exemplars, int patch) {
+CrossSpectra<Dim> cross_spectra(std::span<const Exemplar<Dim>> exemplars, int patch, Progress* progress) {
   if (exemplars.empty()) throw std::invalid_argument("there is no exemplar");
   if (patch != 0 && patch < kSmallestPatch) {
     throw std::invalid_argument(
@@ -53,7 +53,7 @@ CrossSpectra<Dim> cross_spectra(std::span<const Exemplar<Dim>> exemplars, int pa
   result.mean.assign(channels, 0.0);
   result.covariance.assign(channels * channels, 0.0);
   result.cross.assign(channels * channels, {});
-  for_each_patch(exemplars, result.count, [&](const std::vector<DenseField<Dim>>& fields) {
+  for_each_patch(exemplars, result.count, progress, [&](const std::vector<DenseField<Dim>>& fields) {
     ++result.patches;
     for (std::size_t i = 0; i < channels; ++i) {
       for (const float value : fields[i].values) result.mean[i] += value;
@@ -64,7 +64,7 @@ CrossSpectra<Dim> cross_spectra(std::span<const Exemplar<Dim>> exemplars, int pa
 
   const std::vector<int> counts(&result.count[0], &result.count[0] + Dim);
   for (std::vector<Complex>& values : result.cross) values.assign(static_cast<std::size_t>(size), 0.0);
-  for_each_patch(exemplars, result.count, [&](std::vector<DenseField<Dim>>& fields) {
+  for_each_patch(exemplars, result.count, progress, [&](std::vector<DenseField<Dim>>& fields) {
     std::vector<std::vector<Complex>> transforms;
     for (std::size_t i = 0; i < channels; ++i) {
       for (float& value : fields[i].values) value -= static_cast<float>(result.mean[i]);
@@ -130,7 +130,7 @@ double CrossSpectra<Dim>::variance(std::span<const double> direction) const {
 
 template struct CrossSpectra<2>;
 template struct CrossSpectra<3>;
-template CrossSpectra<2> cross_spectra<2>(std::span<const Exemplar<2>>, int);
-template CrossSpectra<3> cross_spectra<3>(std::span<const Exemplar<3>>, int);
+template CrossSpectra<2> cross_spectra<2>(std::span<const Exemplar<2>>, int, Progress*);
+template CrossSpectra<3> cross_spectra<3>(std::span<const Exemplar<3>>, int, Progress*);
 
 }  // namespace solidnoise

@@ -7,6 +7,7 @@
 
 #include "solidnoise/analysis/exemplar/exemplar.h"
 #include "solidnoise/analysis/periodogram.h"
+#include "solidnoise/core/progress.h"
 #include "solidnoise/core/vec.h"
 
 namespace solidnoise {
@@ -36,13 +37,15 @@ struct CrossSpectra {
 // `patch` samples along each axis (0: as large as the smallest exemplar, but of pictures 256 where that is
 // above 384, which holds what is texture in them, and many patches scatter less), cut down to a fast_count;
 // patches of an exemplar that is larger overlap by half at most. Patches keep their own periodic components;
-// the mean of all samples is taken away. Throws std::invalid_argument for exemplars that do not agree.
+// the mean of all samples is taken away. Throws std::invalid_argument for exemplars that do not agree,
+// Cancelled.
 template <int Dim>
-CrossSpectra<Dim> cross_spectra(std::span<const Exemplar<Dim>> exemplars, int patch = 0);
+CrossSpectra<Dim> cross_spectra(std::span<const Exemplar<Dim>> exemplars, int patch = 0,
+                                Progress* progress = nullptr);
 
 extern template struct CrossSpectra<2>;
 extern template struct CrossSpectra<3>;
-extern template CrossSpectra<2> cross_spectra<2>(std::span<const Exemplar<2>>, int);
-extern template CrossSpectra<3> cross_spectra<3>(std::span<const Exemplar<3>>, int);
+extern template CrossSpectra<2> cross_spectra<2>(std::span<const Exemplar<2>>, int, Progress*);
+extern template CrossSpectra<3> cross_spectra<3>(std::span<const Exemplar<3>>, int, Progress*);
 
 }  // namespace solidnoise

@@ -107,10 +107,11 @@ Exemplar<2> exemplar_of_image(const Image& image, const ExemplarReading& reading
   return result;
 }
 
-Exemplar<2> read_exemplar(const std::filesystem::path& path, const ExemplarReading& reading) {
+Exemplar<2> read_exemplar(const std::filesystem::path& path, const ExemplarReading& reading,
+                          Progress* progress) {
   ExemplarReading as_stored = reading;
   if (holds_linear_light(path)) as_stored.raw_values = true;
-  const Image image = read_image(path);
+  const Image image = read_image(path, progress);
   try {
     return exemplar_of_image(image, as_stored, path.string());
   } catch (const std::invalid_argument& error) {

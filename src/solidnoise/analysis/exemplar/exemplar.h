@@ -7,6 +7,7 @@
 
 #include "solidnoise/analysis/dense_field.h"
 #include "solidnoise/core/image.h"
+#include "solidnoise/core/progress.h"
 
 namespace solidnoise {
 
@@ -35,8 +36,10 @@ struct ExemplarReading {
 Exemplar<2> exemplar_of_image(const Image& image, const ExemplarReading& reading, const std::string& name);
 
 // The same from a file that OpenImageIO reads: 8 and 16 bits are sRGB-encoded, .exr, .hdr, .pfm and .rgbe
-// files are linear light already. Throws std::runtime_error naming the path.
-Exemplar<2> read_exemplar(const std::filesystem::path& path, const ExemplarReading& reading = {});
+// files are linear light already. Throws std::runtime_error naming the path, and Cancelled where `progress`
+// asks to stop.
+Exemplar<2> read_exemplar(const std::filesystem::path& path, const ExemplarReading& reading = {},
+                          Progress* progress = nullptr);
 
 // Whether a file holds linear light already, by its name.
 bool holds_linear_light(const std::filesystem::path& path);

@@ -5,6 +5,7 @@
 
 #include "solidnoise/analysis/dense_field.h"
 #include "solidnoise/analysis/exemplar/exemplar.h"
+#include "solidnoise/core/progress.h"
 
 namespace solidnoise {
 
@@ -25,12 +26,14 @@ template <int Dim>
 DenseField<Dim> cut_patch(const DenseField<Dim>& field, const glm::vec<Dim, int>& origin,
                           const glm::vec<Dim, int>& count);
 
-// Calls visit(patch of each channel) for all patches of all exemplars.
+// Calls visit(patch of each channel) for all patches of all exemplars. Throws Cancelled where `progress`,
+// which may be null, asks to stop.
 template <int Dim, typename Visit>
 void for_each_patch(std::span<const Exemplar<Dim>> exemplars, const glm::vec<Dim, int>& count,
-                    const Visit& visit) {
+                    Progress* progress, const Visit& visit) {
   for (const Exemplar<Dim>& exemplar : exemplars) {
     for (const glm::vec<Dim, int>& origin : patch_origins(exemplar, count)) {
+      throw_if_cancelled(progress);
       std::vector<DenseField<Dim>> patch;
       for (const DenseField<Dim>& channel : exemplar.channels)
         patch.push_back(cut_patch(channel, origin, count));

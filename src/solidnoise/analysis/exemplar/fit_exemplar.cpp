@@ -75,7 +75,7 @@ template <int Dim>
 ExemplarFit<Dim> fit_exemplar(std::span<const Exemplar<Dim>> exemplars, const ExemplarFitOptions& options,
                               Progress* progress) {
   options.validate();
-  const CrossSpectra<Dim> spectra = cross_spectra(exemplars, options.patch);
+  const CrossSpectra<Dim> spectra = cross_spectra(exemplars, options.patch, progress);
   ExemplarFit<Dim> result;
   result.count = spectra.count;
   result.patches = spectra.patches;
@@ -89,7 +89,7 @@ ExemplarFit<Dim> fit_exemplar(std::span<const Exemplar<Dim>> exemplars, const Ex
   FrequencyRings rings;
   const bool matches_rings = Dim == 2 && options.spectrum.fill;
   if constexpr (Dim == 2) {
-    if (matches_rings) rings = frequency_rings(exemplars, channels);
+    if (matches_rings) rings = frequency_rings(exemplars, channels, progress);
   }
   const double strongest = *std::max_element(channels.variances.begin(), channels.variances.end());
   result.channels.resize(channels.axes.size());

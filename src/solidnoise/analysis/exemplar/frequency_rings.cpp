@@ -45,7 +45,8 @@ std::size_t FrequencyRings::ring_of(Vec<2> frequency) const {
   return std::min(static_cast<std::size_t>(glm::length(frequency) / width), count() - 1);
 }
 
-FrequencyRings frequency_rings(std::span<const Exemplar<2>> exemplars, const ExemplarChannels& channels) {
+FrequencyRings frequency_rings(std::span<const Exemplar<2>> exemplars, const ExemplarChannels& channels,
+                               Progress* progress) {
   PowerSpectrum<2> block;  // for its frequencies
   block.step = exemplars.front().shape().step;
   block.count = glm::ivec2(kLargestBlock);
@@ -69,7 +70,7 @@ FrequencyRings frequency_rings(std::span<const Exemplar<2>> exemplars, const Exe
   const double size = static_cast<double>(block.count.x) * block.count.y;
   const double energy = size * energy_of(block.count.x) * energy_of(block.count.y);
   int blocks = 0;
-  for_each_patch(exemplars, block.count, [&](const std::vector<DenseField<2>>& fields) {
+  for_each_patch(exemplars, block.count, progress, [&](const std::vector<DenseField<2>>& fields) {
     ++blocks;
     std::vector<std::vector<Complex>> transforms;
     for (std::size_t i = 0; i < colors; ++i) {

@@ -6,6 +6,7 @@
 
 #include "solidnoise/analysis/exemplar/exemplar.h"
 #include "solidnoise/analysis/exemplar/exemplar_channels.h"
+#include "solidnoise/core/progress.h"
 #include "solidnoise/core/vec.h"
 
 namespace solidnoise {
@@ -25,7 +26,8 @@ struct FrequencyRings {
   std::size_t ring_of(Vec<2> frequency) const;
 };
 
-// Of exemplars that agree with each other, as cross_spectra() asks.
-FrequencyRings frequency_rings(std::span<const Exemplar<2>> exemplars, const ExemplarChannels& channels);
+// Of exemplars that agree with each other, as cross_spectra() asks. Throws Cancelled.
+FrequencyRings frequency_rings(std::span<const Exemplar<2>> exemplars, const ExemplarChannels& channels,
+                               Progress* progress = nullptr);
 
 }  // namespace solidnoise

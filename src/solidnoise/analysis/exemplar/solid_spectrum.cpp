@@ -220,7 +220,7 @@ SolidFit fit_solid_spectrum(const PowerSpectrum<2>& periodogram, double variance
 
 SolidExemplarFit fit_solid_exemplar(std::span<const Exemplar<2>> exemplars, ColorAxes axes, double kappa,
                                     int patch, Progress* progress) {
-  const CrossSpectra<2> spectra = cross_spectra(exemplars, patch);
+  const CrossSpectra<2> spectra = cross_spectra(exemplars, patch, progress);
   const ExemplarChannels channels = exemplar_channels(spectra, axes);
   SolidExemplarFit result;
   result.count = spectra.count;

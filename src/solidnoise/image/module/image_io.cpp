@@ -1,6 +1,7 @@
 #include "solidnoise/image/module/image_io.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <exception>
@@ -77,7 +78,8 @@ void set_proxy(OIIO::ImageSpec& spec, OIIO::Filesystem::IOProxy* proxy) {
 }
 
 int encode(const char* format, const SolidnoiseImagePicture& picture, int sample_type,
-           const char* color_space, SolidnoiseImageTake* take, void* context, SolidnoiseImageError* error) {
+           const char* color_space, SolidnoiseImageTake* take, SolidnoiseImageProgress* progress,
+           void* context, SolidnoiseImageError* error) {
   const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(format);
   if (!output) return fail(error, OIIO::geterror());
   OIIO::ImageSpec spec(picture.width, picture.height, picture.channels, stored_type(sample_type));
@@ -87,14 +89,23 @@ int encode(const char* format, const SolidnoiseImagePicture& picture, int sample
   MemoryFile file;
   set_proxy(spec, &file);
   if (!output->open(format, spec)) return fail(error, output->geterror());
-  if (!output->write_image(OIIO::TypeDesc::FLOAT, picture.pixels)) return fail(error, output->geterror());
+  constexpr int kRows = 128;  // between questions whether to go on
+  const auto row = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.channels);
+  for (int y = 0; y < picture.height; y += kRows) {
+    if (progress != nullptr && progress(context, static_cast<float>(y) / static_cast<float>(picture.height)))
+      return 0;
+    const float* const rows = picture.pixels + row * static_cast<std::size_t>(y);
+    const int end = std::min(y + kRows, picture.height);
+    if (!output->write_scanlines(y, end, 0, OIIO::TypeDesc::FLOAT, rows))
+      return fail(error, output->geterror());
+  }
   if (!output->close()) return fail(error, output->geterror());
   take(context, file.bytes().data(), file.bytes().size());
   return 0;
 }
 
 int decode(const char* format, const char* bytes, std::size_t count, SolidnoiseImageAllocate* allocate,
-           void* context, SolidnoiseImageError* error) {
+           SolidnoiseImageProgress* progress, void* context, SolidnoiseImageError* error) {
   const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(format);
   if (!input) return fail(error, OIIO::geterror());
   OIIO::Filesystem::IOMemReader proxy(bytes, count);
@@ -110,7 +121,9 @@ int decode(const char* format, const char* bytes, std::size_t count, SolidnoiseI
     return fail(error, "its tiles are " + std::to_string(spec.tile_width) + " x " +
                            std::to_string(spec.tile_height) + " pixels; they must be smaller");
   }
-  const bool done = input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, pixels);
+  const bool done =
+      input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, pixels, OIIO::AutoStride,
+                        OIIO::AutoStride, OIIO::AutoStride, progress, context);
   // The JPEG reader goes on after the end of the file, in grey, and leaves a message.
   if (!done || input->has_error()) return fail(error, input->geterror());
   return 0;
@@ -152,19 +165,20 @@ int draw(float* pixels, int width, int height, const SolidnoiseImageMark& mark, 
 }  // namespace
 
 int solidnoise_image_encode(const char* format, const SolidnoiseImagePicture* picture, int sample_type,
-                            const char* color_space, SolidnoiseImageTake* take, void* context,
-                            SolidnoiseImageError* error) {
+                            const char* color_space, SolidnoiseImageTake* take,
+                            SolidnoiseImageProgress* progress, void* context, SolidnoiseImageError* error) {
   try {
-    return encode(format, *picture, sample_type, color_space, take, context, error);
+    return encode(format, *picture, sample_type, color_space, take, progress, context, error);
   } catch (const std::exception& exception) {
     return fail(error, exception.what());
   }
 }
 
 int solidnoise_image_decode(const char* format, const char* bytes, size_t count,
-                            SolidnoiseImageAllocate* allocate, void* context, SolidnoiseImageError* error) {
+                            SolidnoiseImageAllocate* allocate, SolidnoiseImageProgress* progress,
+                            void* context, SolidnoiseImageError* error) {
   try {
-    return decode(format, bytes, count, allocate, context, error);
+    return decode(format, bytes, count, allocate, progress, context, error);
   } catch (const std::exception& exception) {
     return fail(error, exception.what());
   }

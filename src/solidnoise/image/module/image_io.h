@@ -26,19 +26,23 @@ struct SolidnoiseImageError {
   size_t capacity;
 };
 
+// Told the fraction of the picture that is read or written; true to stop: what there is then is not whole.
+typedef bool SolidnoiseImageProgress(void* context, float done);
+
 // `format` is OpenImageIO's name of the kind of file, `color_space` "sRGB" or "Linear". Gives the file's
 // bytes to `take`, once.
 typedef void SolidnoiseImageTake(void* context, const char* bytes, size_t count);
 typedef int SolidnoiseImageEncode(const char* format, const SolidnoiseImagePicture* picture, int sample_type,
-                                  const char* color_space, SolidnoiseImageTake* take, void* context,
+                                  const char* color_space, SolidnoiseImageTake* take,
+                                  SolidnoiseImageProgress* progress, void* context,
                                   SolidnoiseImageError* error);
 
 // Calls `allocate` once, before any pixel is decoded, with what the file's bytes say of its size; it returns
 // room for width * height * depth * channels floats, or null.
 typedef float* SolidnoiseImageAllocate(void* context, int width, int height, int depth, int channels);
 typedef int SolidnoiseImageDecode(const char* format, const char* bytes, size_t count,
-                                  SolidnoiseImageAllocate* allocate, void* context,
-                                  SolidnoiseImageError* error);
+                                  SolidnoiseImageAllocate* allocate, SolidnoiseImageProgress* progress,
+                                  void* context, SolidnoiseImageError* error);
 
 enum { kSolidnoiseImageText = 1, kSolidnoiseImageLine = 2, kSolidnoiseImageBox = 3 };
 enum { kSolidnoiseImageLeft = 0, kSolidnoiseImageCentre = 1, kSolidnoiseImageRight = 2 };
