@@ -8,11 +8,13 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
 
 #include "common/run_tool.h"
 #include "noisefit/commands.h"
 #include "noisefit/fit_flags.h"
 #include "solidnoise/analysis/exemplar/describe_fit.h"
+#include "solidnoise/analysis/exemplar/exemplar_patches.h"
 #include "solidnoise/analysis/exemplar/exemplar_sheet.h"
 #include "solidnoise/analysis/exemplar/prepare_exemplars.h"
 #include "solidnoise/analysis/exemplar/solid_spectrum.h"
@@ -70,14 +72,17 @@ void declare_flags(FlagSet& flags, FitCommand& command) {
   flags.version(kNoisefit);
 }
 
+// Pixels along each side of what is tested for structure, in the middle of a picture: enough for any texture.
+constexpr int kLargestTested = 1024;
+
 void require_fit_cost(const FitCommand& command, const std::vector<Exemplar<2>>& exemplars) {
   constexpr double kBytesPerPixel = 24.0;  // in colour, of a picture and the exemplar that is made of it
   FitSize size = fit_size(exemplars, command);
   size.held = kPictureProgramBytes;
   for (const Exemplar<2>& exemplar : exemplars) {
-    const auto pixels = static_cast<double>(exemplar.shape().size());
-    size.held += kBytesPerPixel * pixels;
-    if (!command.quiet) size.tested = std::max(size.tested, pixels);
+    size.held += kBytesPerPixel * static_cast<double>(exemplar.shape().size());
+    const glm::ivec2 tested = glm::min(exemplar.shape().count, kLargestTested);
+    if (!command.quiet) size.tested = std::max(size.tested, static_cast<double>(tested.x) * tested.y);
   }
   require_fit_cost(command, size);
 }
@@ -92,7 +97,10 @@ std::string describe_choice(const ValueChoice& choice) {
 
 void warn_of_structure(const std::vector<Exemplar<2>>& exemplars, const std::vector<std::string>& names) {
   for (std::size_t i = 0; i < exemplars.size(); ++i) {
-    Exemplar<2> grey = exemplars[i];
+    const glm::ivec2 count = glm::min(exemplars[i].shape().count, kLargestTested);
+    Exemplar<2> grey;
+    for (const DenseField<2>& channel : exemplars[i].channels)
+      grey.channels.push_back(cut_patch(channel, (channel.count - count) / 2, count));
     make_grey(grey);
     for (const std::string& warning : test_gaussianity(grey.channels.front()).warnings) {
       std::cerr << fmt::format("noisefit: warning: {}: {}\n", names[i], warning);
