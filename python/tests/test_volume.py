@@ -146,8 +146,8 @@ def test_slices_are_those_of_the_noise(tmp_path: Path) -> None:
 def test_pictures_of_bytes_are_written_as_they_are(tmp_path: Path) -> None:
     pixels = np.arange(256).reshape(16, 16)
     solidnoise.write_image(tmp_path / "x.png", pixels / 255.0)
-    for integers in (pixels.astype(np.uint8), (257 * pixels).astype(np.uint16)):
-        solidnoise.write_image(tmp_path / "y.png", integers, force=True)
+    for kind, scale in (("uint8", 1), ("uint16", 257)):
+        solidnoise.write_image(tmp_path / "y.png", (scale * pixels).astype(kind), force=True)
         assert (tmp_path / "y.png").read_bytes() == (tmp_path / "x.png").read_bytes()
 
 

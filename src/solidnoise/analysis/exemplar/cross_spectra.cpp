@@ -18,6 +18,35 @@ using Complex = std::complex<double>;
 constexpr int kLargestWhole = 384;  // pixels of a picture that is one patch
 constexpr int kPatchOfLarge = 256;
 
+// Means and covariances of all samples, whatever patches hold of them.
+template <int Dim>
+void measure_samples(std::span<const Exemplar<Dim>> exemplars, CrossSpectra<Dim>& result) {
+  const auto channels = static_cast<std::size_t>(result.channels);
+  double samples = 0.0;
+  for (const Exemplar<Dim>& exemplar : exemplars) samples += static_cast<double>(exemplar.shape().size());
+  const auto add = [&](double& total, const auto& term) {
+    for (const Exemplar<Dim>& exemplar : exemplars) {
+      double sum = 0.0;
+      for (std::size_t p = 0; p < exemplar.shape().size(); ++p) sum += term(exemplar, p);
+      total += sum / samples;
+    }
+  };
+  result.mean.assign(channels, 0.0);
+  result.covariance.assign(channels * channels, 0.0);
+  for (std::size_t i = 0; i < channels; ++i) {
+    add(result.mean[i],
+        [i](const Exemplar<Dim>& exemplar, std::size_t p) { return exemplar.channels[i].values[p]; });
+  }
+  for (std::size_t i = 0; i < channels; ++i) {
+    for (std::size_t j = 0; j < channels; ++j) {
+      add(result.covariance[i * channels + j], [&, i, j](const Exemplar<Dim>& exemplar, std::size_t p) {
+        return (exemplar.channels[i].values[p] - result.mean[i]) *
+               (exemplar.channels[j].values[p] - result.mean[j]);
+      });
+    }
+  }
+}
+
 }  // namespace
 
 template <int Dim>
@@ -48,20 +77,12 @@ CrossSpectra<Dim> cross_spectra(std::span<const Exemplar<Dim>> exemplars, int pa
     result.count[axis] = fast_count(result.count[axis]);
   }
 
-  // Means and covariances of the samples.
+  measure_samples(exemplars, result);
   const auto channels = static_cast<std::size_t>(result.channels);
-  result.mean.assign(channels, 0.0);
-  result.covariance.assign(channels * channels, 0.0);
   result.cross.assign(channels * channels, {});
-  for_each_patch(exemplars, result.count, progress, [&](const std::vector<DenseField<Dim>>& fields) {
-    ++result.patches;
-    for (std::size_t i = 0; i < channels; ++i) {
-      for (const float value : fields[i].values) result.mean[i] += value;
-    }
-  });
+  for (const Exemplar<Dim>& exemplar : exemplars)
+    result.patches += static_cast<int>(patch_origins(exemplar, result.count).size());
   const auto size = static_cast<double>(ArrayShape<Dim>{result.count}.size());
-  for (double& mean : result.mean) mean /= size * result.patches;
-
   const std::vector<int> counts(&result.count[0], &result.count[0] + Dim);
   for (std::vector<Complex>& values : result.cross) values.assign(static_cast<std::size_t>(size), 0.0);
   for_each_patch(exemplars, result.count, progress, [&](std::vector<DenseField<Dim>>& fields) {
@@ -74,11 +95,6 @@ CrossSpectra<Dim> cross_spectra(std::span<const Exemplar<Dim>> exemplars, int pa
     }
     for (std::size_t i = 0; i < channels; ++i) {
       for (std::size_t j = 0; j < channels; ++j) {
-        double sum = 0.0;
-        for (std::size_t p = 0; p < fields[i].values.size(); ++p) {
-          sum += static_cast<double>(fields[i].values[p]) * fields[j].values[p];
-        }
-        result.covariance[i * channels + j] += sum / (size * result.patches);
         std::vector<Complex>& cross = result.cross[i * channels + j];
         for (std::size_t k = 0; k < cross.size(); ++k) {
           cross[k] += std::conj(transforms[i][k]) * transforms[j][k] / (size * result.patches);

@@ -37,8 +37,8 @@ struct CrossSpectra {
 // `patch` samples along each axis (0: as large as the smallest exemplar, but of pictures 256 where that is
 // above 384, which holds what is texture in them, and many patches scatter less), cut down to a fast_count;
 // patches of an exemplar that is larger overlap by half at most. Patches keep their own periodic components;
-// the mean of all samples is taken away. Throws std::invalid_argument for exemplars that do not agree,
-// Cancelled.
+// the mean of all samples, in patches or not, is taken away. Throws std::invalid_argument for exemplars that
+// do not agree, Cancelled.
 template <int Dim>
 CrossSpectra<Dim> cross_spectra(std::span<const Exemplar<Dim>> exemplars, int patch = 0,
                                 Progress* progress = nullptr);

@@ -95,7 +95,9 @@ ExemplarFit<Dim> fit_exemplar(std::span<const Exemplar<Dim>> exemplars, const Ex
   result.channels.resize(channels.axes.size());
   SharedProgress shared(progress, result.channels.size());
   tbb::parallel_for(std::size_t(0), result.channels.size(), [&](std::size_t k) {
-    const PowerSpectrum<Dim>& periodogram = periodograms[k];
+    // Of colours that differ by a slope alone, which periodic components are without, nothing may be left.
+    const PowerSpectrum<Dim> periodogram =
+        periodograms[k].variance() > 0.0 ? periodograms[k] : spectra.spectrum(channels.directions[k]);
     if (channels.is_empty(k) || !(periodogram.variance() > 0.0)) {
       result.channels[k].spectrum = channels.empty_spectrum(Dim, periodogram.step[0]);
       return;
