@@ -22,6 +22,7 @@
 #include "volume.h"
 
 namespace solidnoise::python {
+
 Picture picture_of_object(py::handle object, const std::string& name) {
   if (is_path(object)) return {path_of(object).string(), std::nullopt};
   return {name, image_of_array(object, name)};
