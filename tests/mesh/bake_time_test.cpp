@@ -53,10 +53,11 @@ struct Case {
   int dims;
   bool varies = false;
 };
-constexpr Case kCases[] = {{SurfaceNoiseKind::surface, 3},     {SurfaceNoiseKind::surface, 3, true},
-                           {SurfaceNoiseKind::oriented, 3},    {SurfaceNoiseKind::solid, 3},
-                           {SurfaceNoiseKind::solid, 3, true}, {SurfaceNoiseKind::solid, 4},
-                           {SurfaceNoiseKind::solid, 4, true}, {SurfaceNoiseKind::kensler_solid, 4},
+constexpr Case kCases[] = {{SurfaceNoiseKind::surface, 3},       {SurfaceNoiseKind::surface, 3, true},
+                           {SurfaceNoiseKind::oriented, 3},      {SurfaceNoiseKind::solid, 3},
+                           {SurfaceNoiseKind::solid, 3, true},   {SurfaceNoiseKind::solid, 4},
+                           {SurfaceNoiseKind::solid, 4, true},   {SurfaceNoiseKind::kensler, 3},
+                           {SurfaceNoiseKind::kensler, 3, true}, {SurfaceNoiseKind::kensler_solid, 4},
                            {SurfaceNoiseKind::spectrum, 3}};
 
 // Of one that loops, where it can.
@@ -130,6 +131,14 @@ TEST(BakeTime, OfSolidNoiseIsTheFrameThatVolumesHave) {
   EXPECT_EQ(globe.bake(recipe), expected);
 }
 
+TEST(BakeTime, KenslersNoiseIsTheOneThatStandsStillAtTime0) {
+  const Globe globe(500);
+  const Case kensler{SurfaceNoiseKind::kensler, 3};
+  SurfaceNoiseRecipe still = recipe_of(kensler, 0.0);
+  still.evolve = still.loop = 0.0;
+  EXPECT_EQ(globe.bake(recipe_of(kensler, 0.0)), globe.bake(still));
+}
+
 TEST(BakeTime, RefusesWhatHasNoEffect) {
   const auto refusal = [](const auto& change) {
     SurfaceNoiseRecipe recipe;
@@ -139,7 +148,7 @@ TEST(BakeTime, RefusesWhatHasNoEffect) {
   EXPECT_EQ(refusal([](auto& recipe) { recipe.dims = 4; }),
             "dims is 4; it applies to solid and kensler-solid noise, others evolve");
   EXPECT_TRUE(refusal([](auto& recipe) {
-                recipe.kind = SurfaceNoiseKind::kensler;
+                recipe.kind = SurfaceNoiseKind::kensler_solid;
                 recipe.evolve = 0.5;
               }).starts_with("evolve is 0.5"));
   EXPECT_TRUE(refusal([](auto& recipe) { recipe.loop = 2.0; }).starts_with("loop is 2"));

@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 
 #include "common/outputs.h"
-#include "solidnoise/noise/gabor/evolution.h"
+#include "solidnoise/noise/evolution.h"
 #include "solidnoise/noise/interpolation/lattice_frame.h"
 #include "solidnoise/volume/volume_field.h"
 

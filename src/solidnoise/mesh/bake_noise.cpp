@@ -43,9 +43,9 @@ void SurfaceNoiseRecipe::validate() const {
   if (dims == 4 && evolve > 0.0) {
     throw std::invalid_argument("dims is 4; it must be 3 where the noise evolves");
   }
-  if (evolve > 0.0 && !is_gabor(kind)) {
-    throw std::invalid_argument(fmt::format(
-        "evolve is {}; it must be 0 for noise without impulses; kensler-solid may have dims 4", evolve));
+  if (evolve > 0.0 && kind == SurfaceNoiseKind::kensler_solid) {
+    throw std::invalid_argument(
+        fmt::format("evolve is {}; it must be 0 for kensler-solid noise, which may have dims 4", evolve));
   }
   evolution().validate();
 }

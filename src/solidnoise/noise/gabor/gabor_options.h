@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "solidnoise/core/vec.h"
-#include "solidnoise/noise/gabor/evolution.h"
+#include "solidnoise/noise/evolution.h"
 #include "solidnoise/noise/kernel/impulse_statistics.h"
 
 namespace solidnoise {

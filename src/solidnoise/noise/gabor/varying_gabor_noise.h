@@ -7,7 +7,7 @@
 #include "solidnoise/core/field.h"
 #include "solidnoise/core/points.h"
 #include "solidnoise/core/vec.h"
-#include "solidnoise/noise/gabor/evolution.h"
+#include "solidnoise/noise/evolution.h"
 #include "solidnoise/noise/kernel/impulse_statistics.h"
 #include "solidnoise/noise/kernel/kernel_family.h"
 #include "solidnoise/noise/point/point_convolution.h"

@@ -3,16 +3,20 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
+#include <optional>
 
 #include <glm/geometric.hpp>
 
 #include "solidnoise/core/check.h"
+#include "solidnoise/core/random.h"
 #include "solidnoise/noise/point/surface_sum.h"
 
 namespace solidnoise {
 
 void ProjectedGradientOptions::validate() const {
   require("frequency", frequency, kFrequencies, "cycles per world unit");
+  evolution.validate();
 }
 
 namespace {
@@ -39,6 +43,32 @@ std::array<CellAxis, 3> make_axes(const ProjectedGradientOptions& options, doubl
   return axes;
 }
 
+// What turns the gradients of lattice points.
+class TurningGradients {
+ public:
+  // Precondition: options.evolution.moves(), valid.
+  explicit TurningGradients(const ProjectedGradientOptions& options)
+      : turns_(options.evolution), key_(derive_seed(options.seed, kTurningStream)) {}
+
+  Vec<3> turned(const Vec<3>& gradient, const Index<3>& cell) const {
+    using std::numbers::pi;
+    const std::uint64_t mark = hash_cell<3>(cell, key_);
+    const double angle = 2.0 * pi * turns_.at(mark);
+    // Towards a direction across the gradient.
+    const double place = 2.0 * pi * RandomStream(mark).next_unit();
+    const Vec<3> away = std::abs(gradient.x) < 0.5 ? Vec<3>(1.0, 0.0, 0.0) : Vec<3>(0.0, 1.0, 0.0);
+    const Vec<3> first = glm::normalize(glm::cross(gradient, away));
+    const Vec<3> across = std::cos(place) * first + std::sin(place) * glm::cross(gradient, first);
+    return std::cos(angle) * gradient + std::sin(angle) * across;
+  }
+
+ private:
+  static constexpr std::uint64_t kTurningStream = 100;  // of the seed, besides those of the lattice
+
+  ImpulseTurns turns_;
+  std::uint64_t key_;
+};
+
 // The lattice points as a source of sum_on_surface().
 class LatticePoints {
  public:
@@ -50,13 +80,8 @@ class LatticePoints {
     kernel_.window = noise.options().window;
     kernel_.root = static_cast<float>(kernel.c2() / kernel.c1());
     // Offsets are in cells, of 2 / radius_ lattice units.
-    const double scale = kernel.c1() / std::sqrt(noise.lattice_variance()) * 2.0 / radius_;
-    for (std::size_t i = 0; i < kGradients; ++i) {
-      for (int axis = 0; axis < 3; ++axis) {
-        gradients_[i][static_cast<std::size_t>(axis)] =
-            static_cast<float>(scale * lattice.gradients()[i][axis]);
-      }
-    }
+    scale_ = kernel.c1() / std::sqrt(noise.lattice_variance()) * 2.0 / radius_;
+    if (noise.options().evolution.moves()) turning_.emplace(noise.options());
   }
 
   const CellAxis& axis() const { return axis_; }
@@ -66,12 +91,13 @@ class LatticePoints {
 
   void append(const Index<3>& anchor, const Index<3>& cell, const ImpulseReach<3>&,
               ImpulseList& points) const {
-    const auto& gradient = gradients_[lattice_.gradient_index(anchor + cell)];
+    Vec<3> gradient = lattice_.gradients()[lattice_.gradient_index(anchor + cell)];
+    if (turning_) gradient = turning_->turned(gradient, anchor + cell);
     const std::size_t end = points.size();
     points.reserve(end + 1);
     for (int axis = 0; axis < 3; ++axis) {
       points.position(axis)[end] = static_cast<float>(cell[axis]);
-      points.attribute(kGradientX + axis)[end] = gradient[static_cast<std::size_t>(axis)];
+      points.attribute(kGradientX + axis)[end] = static_cast<float>(scale_ * gradient[axis]);
     }
     points.set_size(end + 1);
   }
@@ -85,7 +111,8 @@ class LatticePoints {
   CellAxis axis_;
   float radius_;  // in cells: 2, and the window 1; or, with half resolution, both 1
   ProjectedKernel kernel_;
-  std::array<std::array<float, 3>, kGradients> gradients_;
+  double scale_ = 1.0;  // of gradients
+  std::optional<TurningGradients> turning_;
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "solidnoise/noise/evolution.h"
 #include "solidnoise/noise/gradient/gradient_kernel.h"
 #include "solidnoise/noise/gradient/gradient_lattice.h"
 #include "solidnoise/noise/gradient/gradient_noise_options.h"
@@ -27,6 +28,7 @@ struct ProjectedGradientOptions {
   Window window = Window::hermite;
   Hash hash = Hash::xor_tables;
   std::uint64_t seed = 0;
+  Evolution evolution{};  // at time 0 the noise is the one that stands still
 
   // Throws std::invalid_argument naming the field, its value and what is allowed.
   void validate() const;

@@ -10,10 +10,12 @@ namespace solidnoise {
 // The most turns per unit of time, and per loop.
 inline constexpr double kMostTurns = 1e6;
 
-// How the impulses of a Gabor noise turn as time passes, each at a rate of its own:
+// How the impulses of a noise turn as time passes, each at a rate of its own:
 //   isotropic kernels:  the weight is W_i sqrt(2) cos(2 pi (a_i + rate_i t)), a_i uniform on [0, 1),
-//   oriented kernels:   the phase is phase_i + 2 pi rate_i t.
-// At every moment weights and phases are distributed as at any other and independent of each other, so that
+//   oriented kernels:   the phase is phase_i + 2 pi rate_i t,
+//   gradients:          G_i cos(2 pi rate_i t) + H_i sin(2 pi rate_i t), H_i uniform on the circle across
+//   G_i.
+// At every moment all of these are distributed as at any other and independent of each other, so that
 // each frame is a stationary noise with exactly the spectrum of the noise that stands still, at its cost;
 // nothing moves from place to place. (A frame of a 4D noise has another spectrum: slice().)
 //

@@ -1,4 +1,4 @@
-#include "solidnoise/noise/gabor/evolution.h"
+#include "solidnoise/noise/evolution.h"
 
 #include <algorithm>
 #include <cmath>
