@@ -11,8 +11,8 @@
 #include "solidnoise/core/progress.h"
 #include "solidnoise/core/vec.h"
 #include "solidnoise/field/layer.h"
-#include "solidnoise/noise/fractal_noise.h"
 #include "solidnoise/noise/evolution.h"
+#include "solidnoise/noise/fractal_noise.h"
 #include "solidnoise/noise/gabor/gabor_spectrum.h"
 #include "solidnoise/noise/kernel/impulse_statistics.h"
 

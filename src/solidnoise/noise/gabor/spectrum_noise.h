@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <memory>
 
-#include "solidnoise/noise/fractal_noise.h"
 #include "solidnoise/noise/evolution.h"
+#include "solidnoise/noise/fractal_noise.h"
 #include "solidnoise/noise/gabor/gabor_spectrum.h"
 #include "solidnoise/noise/kernel/impulse_statistics.h"
 #include "solidnoise/noise/noise.h"
