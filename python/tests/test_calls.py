@@ -64,7 +64,7 @@ def test_interruption_ends_a_texture() -> None:
 
 def test_interruption_ends_the_writing_of_a_picture_and_leaves_none(tmp_path: Path) -> None:
     found = run(f"""
-        import os, pathlib, signal, threading, numpy as np, solidnoise
+        import os, signal, threading, numpy as np, solidnoise
         pixels = np.random.default_rng(1).random((8000, 8000), dtype=np.float32)
         threading.Timer(1.0, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
         try:

@@ -94,8 +94,7 @@ constexpr auto fields_of(std::type_identity<SurfaceNoiseRecipe>) {
           .written_if(changes),
       field("evolve", &Recipe::evolve, between(0.0, kMostTurns), "turns per unit of time",
             "All but kensler-solid: impulses, or gradients, turn at rates of this standard deviation; each "
-            "frame "
-            "has the noise's spectrum")
+            "frame has the noise's spectrum")
           .written_if(changes),
       field("loop", &Recipe::loop, at_least(0.0), "units of time; 0 for none",
             "Of a noise that changes: the time after which it repeats")
