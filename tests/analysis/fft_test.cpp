@@ -8,7 +8,9 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <tbb/task_arena.h>
 
+#include "solidnoise/analysis/exemplar/even_transform.h"
 #include "solidnoise/core/random.h"
 
 namespace solidnoise::fft_test {
@@ -100,6 +102,23 @@ TEST(Fft, KeepsTheEnergy) {
     transformed += std::norm(value);
 
   EXPECT_NEAR(transformed / static_cast<double>(real.size()), energy, 1e-12 * energy);
+}
+
+// KissFFT's plans have memory of their own for factors above 5, which threads must not share.
+TEST(EvenTransform, IsTheSameFromAnyThreads) {
+  for (const Counts3& counts : {Counts3{42, 42, 42}, Counts3{154, 1, 154}, Counts3{45, 50, 48}}) {
+    const EvenTransform transform(counts);
+    const std::vector<double> power = random_values(element_count(half_counts(counts, HalfAxis::last)));
+    std::vector<double> lags(element_count(half_counts(counts, HalfAxis::first)));
+    std::vector<double> alone(lags.size());
+    tbb::task_arena(1).execute([&] { transform.to_lags(power, alone); });
+    tbb::task_arena(4).execute([&] {
+      for (int i = 0; i < 40; ++i) {
+        transform.to_lags(power, lags);
+        ASSERT_EQ(lags, alone) << counts[0];
+      }
+    });
+  }
 }
 
 TEST(Fft, RefusesCountsThatDoNotFit) {

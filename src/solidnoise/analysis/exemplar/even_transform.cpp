@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 #include <kissfft/kissfft.hh>
-#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 namespace solidnoise {
@@ -21,6 +21,9 @@ using Plan = kissfft<double>;
 constexpr std::size_t kLines = 8;
 // Transforms below this many elements are not worth sharing among threads.
 constexpr std::size_t kParallelElements = 1 << 14;
+
+// A plan, for each thread its own: where a length has factors above 5 it writes to itself.
+using ThreadPlans = tbb::enumerable_thread_specific<Plan>;
 
 // All lines along one axis of an array: the elements `index % inner + index / inner * inner * length`, with
 // `inner` apart.
@@ -56,9 +59,11 @@ void for_line_blocks(const Lines& lines, const Body& body) {
 
 // Real lines into the first half of their coefficients. With z = a + i b, A_k = (Z_k + conj Z_-k) / 2 and
 // B_k = (Z_k - conj Z_-k) / 2i.
-void real_to_half(const Plan& plan, const Lines& in, const Lines& out, const double* values,
+void real_to_half(const Plan& of_all, const Lines& in, const Lines& out, const double* values,
                   Complex* coefficients) {
+  ThreadPlans plans(of_all);
   for_line_blocks(in, [&](std::size_t first_line, std::size_t lines) {
+    const Plan& plan = plans.local();
     const std::size_t n = in.length;
     std::vector<Complex> gathered(kLines / 2 * n);
     std::vector<Complex> transformed(kLines / 2 * n);
@@ -87,9 +92,11 @@ void real_to_half(const Plan& plan, const Lines& in, const Lines& out, const dou
 
 // Lines with X_-k = conj X_k, of which one half is given, into real lines: of Z = A + i B the transform has
 // A's in its real part and B's in its imaginary part.
-void half_to_real(const Plan& plan, const Lines& in, const Lines& out, const Complex* coefficients,
+void half_to_real(const Plan& of_all, const Lines& in, const Lines& out, const Complex* coefficients,
                   double* values) {
+  ThreadPlans plans(of_all);
   for_line_blocks(out, [&](std::size_t first_line, std::size_t lines) {
+    const Plan& plan = plans.local();
     const std::size_t n = out.length;
     std::vector<Complex> gathered(n);
     std::vector<Complex> transformed(n);
@@ -114,9 +121,11 @@ void half_to_real(const Plan& plan, const Lines& in, const Lines& out, const Com
   });
 }
 
-void transform_lines(const Plan& plan, const Lines& lines, Complex* data) {
+void transform_lines(const Plan& of_all, const Lines& lines, Complex* data) {
   if (lines.length == 1) return;
+  ThreadPlans plans(of_all);
   for_line_blocks(lines, [&](std::size_t first_line, std::size_t count) {
+    const Plan& plan = plans.local();
     std::vector<Complex> gathered(lines.length);
     std::vector<Complex> transformed(lines.length);
     for (std::size_t line = 0; line < count; ++line) {
