@@ -4,14 +4,17 @@
 #include <cmath>
 #include <csignal>
 #include <cstdlib>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <string>
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <fmt/chrono.h>
 #include <gtest/gtest.h>
 
 #include "solidnoise/core/random.h"
@@ -106,6 +109,16 @@ TEST_F(ImageFile, TiffKeeps16Bits) {
   const Image image = random_image(20, 30, 3);
   write_image(folder_ / "a.tif", image);
   EXPECT_LE(largest_difference(read_image(folder_ / "a.tif"), image), 0.5f / 65535.0f + 1e-6f);
+}
+
+TEST_F(ImageFile, SaysNothingOfWhenItWasWritten) {
+  for (const std::string name : {"a.exr", "a.tif", "a.png", "a.jpg"}) {
+    write_image(folder_ / name, random_image(4, 4, 3));
+    std::ifstream file(folder_ / name, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    EXPECT_EQ(bytes.find(fmt::format("{:%Y:%m:%d}", fmt::localtime(std::time(nullptr)))), std::string::npos)
+        << name;
+  }
 }
 
 TEST_F(ImageFile, RowZeroIsAtTheTop) {

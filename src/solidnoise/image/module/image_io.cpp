@@ -80,13 +80,14 @@ void set_proxy(OIIO::ImageSpec& spec, OIIO::Filesystem::IOProxy* proxy) {
 int encode(const char* format, const SolidnoiseImagePicture& picture, int sample_type,
            const char* color_space, SolidnoiseImageTake* take, SolidnoiseImageProgress* progress,
            void* context, SolidnoiseImageError* error) {
+  MemoryFile file;  // outlives what writes to it, at its end, too
   const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(format);
   if (!output) return fail(error, OIIO::geterror());
   OIIO::ImageSpec spec(picture.width, picture.height, picture.channels, stored_type(sample_type));
   spec.attribute("oiio:ColorSpace", color_space);
-  spec.attribute("CompressionQuality", 95);  // JPEG alone uses it
-  spec.attribute("tiff:write_exif", 0);      // which would be written over the rest, in memory
-  MemoryFile file;
+  spec.attribute("CompressionQuality", 95);           // JPEG alone uses it
+  spec.attribute("DateTime", "1970:01:01 00:00:00");  // else that of writing: files would differ
+  spec.attribute("tiff:write_exif", 0);               // which would be written over the rest, in memory
   set_proxy(spec, &file);
   if (!output->open(format, spec)) return fail(error, output->geterror());
   constexpr int kRows = 128;  // between questions whether to go on
@@ -106,9 +107,9 @@ int encode(const char* format, const SolidnoiseImagePicture& picture, int sample
 
 int decode(const char* format, const char* bytes, std::size_t count, SolidnoiseImageAllocate* allocate,
            SolidnoiseImageProgress* progress, void* context, SolidnoiseImageError* error) {
+  OIIO::Filesystem::IOMemReader proxy(bytes, count);
   const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(format);
   if (!input) return fail(error, OIIO::geterror());
-  OIIO::Filesystem::IOMemReader proxy(bytes, count);
   OIIO::ImageSpec wishes;
   set_proxy(wishes, &proxy);
   OIIO::ImageSpec spec;
