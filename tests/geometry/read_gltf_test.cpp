@@ -59,6 +59,30 @@ TEST(ReadGltf, PutsMeshesWhereTheirFirstNodesDo) {
   EXPECT_TRUE(has(reading.notes[1], "meshes[0] is that of 2 nodes")) << reading.notes[1];
 }
 
+// glTF 2.0, 3.7.4: where the determinant of a node's transform is negative, triangles are wound the other
+// way.
+TEST(ReadGltf, KeepsFacesOutsideOutWhereANodeMirrorsThem) {
+  json scene = json::parse(gltf_scene());
+  scene["nodes"][1]["scale"] = {-2, 2, 2};
+  const PolygonMesh mesh = read_mesh(scene.dump(), MeshFormat::gltf, "scene").mesh;
+  EXPECT_EQ(mesh.positions[1], Vec<3>(-2, 0, 5));
+  EXPECT_EQ(mesh.corners, (std::vector<std::uint32_t>{0, 2, 1, 0, 3, 2}));
+}
+
+TEST(ReadGltf, KeepsTheTextureCoordinatesOfEachPrimitive) {
+  json scene = json::parse(gltf_scene());
+  json& primitives = scene["meshes"][0]["primitives"];
+  primitives.push_back(primitives[0]);
+  primitives[0]["attributes"].erase("TEXCOORD_0");
+  const PolygonMesh mesh = read_mesh(scene.dump(), MeshFormat::gltf, "scene").mesh;
+  ASSERT_EQ(mesh.positions.size(), 8u);
+  EXPECT_EQ(mesh.property("s")->values[5], 1.0);
+  EXPECT_FALSE(mesh.property("s")->values[1] == 1.0);
+  EXPECT_EQ(
+      read_mesh(rewritten(scene.dump(), MeshFormat::gltf, mesh), MeshFormat::glb, "scene").mesh.positions,
+      mesh.positions);
+}
+
 TEST(ReadGltf, ReadsWhatWeWrite) {
   PolygonMesh mesh = awkward_mesh();
   mesh.add_face(std::array{0u, 1u, 2u});

@@ -58,6 +58,10 @@ TEST(ReadObj, CountsNegativeIndicesBackFromTheLastVertexSoFar) {
 TEST(ReadObj, JoinsLinesThatEndWithABackslash) {
   const MeshReading reading = read("v 0 0 0\nv 1 \\\n0 0\nv 0 1 0\nf 1 2 \\\r\n3\n");
   EXPECT_EQ(reading.mesh.face_count(), 1u);
+  // Comments end with their line, whatever its last character.
+  const MeshReading commented = read("# C:\\models\\\nv 0 0 0\nv 1 0 0 # \\\nv 0 1 \\\n0 # \\\nf 1 2 3\n");
+  EXPECT_EQ(commented.mesh.positions.size(), 3u);
+  EXPECT_EQ(commented.mesh.face_count(), 1u);
   // The line that is named is the last of those joined.
   EXPECT_EQ(refusal("v 0 \\\n0 \\\nx\n"), "mesh.obj:3: vertex 1: 'x' is not a finite number");
 }

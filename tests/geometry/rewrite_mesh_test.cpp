@@ -25,7 +25,7 @@ std::string rewritten(const std::string& bytes, MeshFormat format) {
 }
 
 TEST(RewriteObj, ChangesTheLinesOfVerticesAlone) {
-  const std::string head = "# made elsewhere\nmtllib a.mtl\no body\n";
+  const std::string head = "# made elsewhere \\\nmtllib a.mtl\no body\n";
   const std::string tail =
       "vt 0 0\nvt 1 0\nvt 1 1\nvn 0 0 1\ng arm hand\nusemtl skin\ns 1\nf 1/1/1 2/2/1 \\\n 3/3/1\n# inside\nl "
       "1 2\n"

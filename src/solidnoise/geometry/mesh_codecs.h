@@ -20,6 +20,11 @@ MeshReading read_stl(std::string_view bytes, const std::string& name);
 MeshReading read_om(std::string_view bytes, const std::string& name);
 MeshReading read_gltf(std::string_view bytes, MeshFormat format, const std::string& name);
 
+// Whether a line of an .obj goes on in the next: a backslash at its end that is not in a comment.
+inline bool continues_obj_line(std::string_view line) {
+  return line.ends_with('\\') && line.find('#') == std::string_view::npos;
+}
+
 // One writer per format, for write_mesh, which has checked the properties.
 void write_ply(std::ostream& stream, const PolygonMesh& mesh, const MeshWriteOptions& options);
 void write_obj(std::ostream& stream, const PolygonMesh& mesh, const MeshWriteOptions& options);

@@ -11,7 +11,9 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
 
 #include "solidnoise/core/input_file.h"
 #include "solidnoise/core/printable.h"
@@ -223,7 +225,9 @@ class GltfReader {
   }
 
   std::size_t block_of(int mesh, const tinygltf::Primitive& primitive, int accessor) {
-    const auto [found, is_new] = known_.try_emplace({mesh, accessor}, result_.blocks.size());
+    const auto texture = primitive.attributes.find("TEXCOORD_0");
+    const int places = texture == primitive.attributes.end() ? -1 : texture->second;
+    const auto [found, is_new] = known_.try_emplace({mesh, accessor, places}, result_.blocks.size());
     if (!is_new) return found->second;
     auto& positions = result_.reading.mesh.positions;
     const Numbers numbers(model_, accessor, name_);
@@ -238,8 +242,7 @@ class GltfReader {
         refuse_gltf(name_, fmt::format("accessors[{}]: position {} is not finite", accessor, v));
       positions.push_back(place);
     }
-    const auto texture = primitive.attributes.find("TEXCOORD_0");
-    texture_.emplace_back(texture == primitive.attributes.end() ? -1 : texture->second);
+    texture_.push_back(places);
     return found->second;
   }
 
@@ -257,7 +260,11 @@ class GltfReader {
       }
       return static_cast<std::uint32_t>(block.first + vertex);
     };
+    // A transform that mirrors turns faces inside out, unless they are wound the other way round.
+    const glm::dmat3 linear(placements_[static_cast<std::size_t>(block.mesh)].transform);
+    const bool is_mirrored = glm::determinant(linear) < 0.0;
     const auto face = [&](std::size_t a, std::size_t b, std::size_t c) {
+      if (is_mirrored) std::swap(b, c);
       result_.reading.mesh.add_face(Triangle{corner(a), corner(b), corner(c)});
     };
     const bool is_list = primitive.mode == TINYGLTF_MODE_TRIANGLES;
@@ -338,8 +345,8 @@ class GltfReader {
   const std::string& name_;
   tinygltf::Model model_;
   std::vector<Placement> placements_;
-  std::map<std::pair<int, int>, std::size_t> known_;
-  std::vector<int> texture_;  // accessor of each block; -1: none
+  std::map<std::array<int, 3>, std::size_t> known_;  // blocks of a mesh, its positions and its places
+  std::vector<int> texture_;                         // accessor of each block; -1: none
   std::size_t others_ = 0;
   GltfMesh result_;
 };

@@ -56,7 +56,7 @@ class ObjReader {
   bool next_statement() {
     if (!lines_.next()) return false;
     statement_ = lines_.line();
-    if (statement_.ends_with('\\')) join_lines();
+    if (continues_obj_line(statement_)) join_lines();
     const std::size_t comment = statement_.find('#');
     if (comment == std::string_view::npos) return true;
     if (reading_.mesh.positions.empty()) {
@@ -69,7 +69,7 @@ class ObjReader {
   void join_lines() {
     joined_.clear();
     std::string_view part = statement_;
-    while (part.ends_with('\\')) {
+    while (continues_obj_line(part)) {
       part.remove_suffix(1);
       joined_ += part;
       joined_ += ' ';

@@ -25,7 +25,7 @@ std::string_view take_statement(std::string_view& rest) {
     end = std::min(rest.find('\n', line), rest.size() - 1) + 1;
     std::string_view text = rest.substr(line, end - line);
     while (text.ends_with('\n') || text.ends_with('\r')) text.remove_suffix(1);
-    if (!text.ends_with('\\')) break;
+    if (!continues_obj_line(text)) break;
   }
   const std::string_view statement = rest.substr(0, end);
   rest.remove_prefix(end);
