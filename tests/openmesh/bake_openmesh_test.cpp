@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -68,7 +69,8 @@ TYPED_TEST(OfOpenMesh, GetsTheColorsAndNumbersThatAPolygonMeshGets) {
   BakeRecipe recipe;
   recipe.noise.kind = SurfaceNoiseKind::oriented;
   recipe.frequency = ParameterRange{2.0, 6.0};
-  const std::vector<std::string> keep{"frequency", "direction"};
+  recipe.properties["height"] = {.use = "value", .ramp = {{-1.0, 0.0}, {2.0, 1.0}}};
+  const std::vector<std::string> keep{"frequency", "direction", "gradient"};
   const BakedMesh expected = bake(plan_bake(polygon_mesh(mesh), recipe), recipe, keep);
 
   const Moments moments = bake(mesh, recipe, keep);
@@ -76,13 +78,19 @@ TYPED_TEST(OfOpenMesh, GetsTheColorsAndNumbersThatAPolygonMeshGets) {
   const auto noise = values_of<float>(mesh, "noise");
   const auto frequency = values_of<float>(mesh, "frequency");
   const auto direction = values_of<OpenMesh::Vec3f>(mesh, "direction");
+  const auto height = values_of<float>(mesh, "height");
+  const auto gradient = values_of<OpenMesh::Vec3f>(mesh, "gradient");
   ASSERT_EQ(noise.size(), expected.colors.size());
+  ASSERT_EQ(height.size(), noise.size());
+  ASSERT_EQ(gradient.size(), noise.size());
   ASSERT_EQ(frequency.size(), noise.size());
   ASSERT_EQ(direction.size(), noise.size());
   ASSERT_TRUE(mesh.has_vertex_colors());
   for (std::size_t v = 0; v < noise.size(); ++v) {
     EXPECT_EQ(noise[v], expected.mesh.property("noise")->values[v]);
     EXPECT_EQ(frequency[v], static_cast<float>(expected.mesh.property("frequency")->values[v]));
+    EXPECT_EQ(height[v], static_cast<float>(expected.mesh.property("height")->values[v]));
+    EXPECT_EQ(gradient[v][2], static_cast<float>(expected.mesh.property("gradient_z")->values[v]));
     EXPECT_EQ(direction[v][1], static_cast<float>(expected.mesh.property("direction_y")->values[v]));
     const auto color = OpenMesh::color_cast<OpenMesh::Vec4f>(OpenMesh::color_cast<OpenMesh::Vec3uc>(
         OpenMesh::color_cast<OpenMesh::Vec4f>(mesh.color(OpenMesh::VertexHandle(static_cast<int>(v))))));
@@ -108,11 +116,18 @@ TYPED_TEST(OfOpenMesh, StaysWhatItIsBesides) {
   mesh.request_vertex_status();
   mesh.request_edge_status();
   mesh.request_face_status();
-  mesh.delete_vertex(OpenMesh::VertexHandle(3), false);
-  const std::size_t faces = polygon_mesh(mesh).face_count();
-  EXPECT_LT(faces, mesh.n_faces()) << "what is deleted is left out";
+  const OpenMesh::VertexHandle deleted(3);
+  const double far = std::numeric_limits<float>::infinity();
+  mesh.delete_vertex(deleted, false);
+  mesh.set_point(deleted, typename TypeParam::Point(OpenMesh::Vec3d(far, far, far)));
+  const PolygonMesh rest = polygon_mesh(mesh);
+  EXPECT_LT(rest.face_count(), mesh.n_faces()) << "what is deleted is left out";
+  EXPECT_EQ(rest.positions.size() + 1, mesh.n_vertices());
   const auto before = mesh;
-  bake(mesh, {});
+  const BakedMesh expected = bake(plan_bake(rest, {}), {}, {});
+  EXPECT_EQ(bake(mesh, {}).sigma(), expected.moments.sigma());
+  const auto noise = values_of<float>(mesh, "noise");
+  EXPECT_TRUE(std::ranges::equal(noise, expected.mesh.property("noise")->values));
   ASSERT_EQ(mesh.n_vertices(), before.n_vertices());
   ASSERT_EQ(mesh.n_faces(), before.n_faces());
   for (const auto vertex : mesh.vertices()) EXPECT_EQ(mesh.point(vertex), before.point(vertex));

@@ -31,13 +31,15 @@ concept OpenMeshMesh = std::derived_from<Mesh, OpenMesh::BaseKernel> && requires
 };
 
 // Bakes a recipe: sets the vertices' colours, which are requested where there are none, the property `noise`
-// (float), and those that `keep` names (float; `direction`: Vec3f), see keepable_names(). A recipe that
-// displaces moves the points, and sets vertex normals where the mesh has them; what is baked after that is
-// baked at the new points. Returns the moments of the noise.
+// (float), those of the recipe, such as `height`, and those that `keep` names (float; `direction`, `gradient`
+// and `curl`: Vec3f), see keepable_names(). A recipe that displaces moves the points, and sets vertex normals
+// where the mesh has them; what is baked after that is baked at the new points. Returns the moments of the
+// noise.
 //
 // A frequency that the recipe leaves open suits the mesh: give one if what is baked shall stay the same when
 // the mesh is refined. Throws std::invalid_argument: a recipe that refines, for which OpenMesh has
-// subdividers; what plan_bake() and bake() throw. Cancelled.
+// subdividers; a property to be set that is there with values of another type; what plan_bake() and bake()
+// throw. Cancelled.
 template <OpenMeshMesh Mesh>
 Moments bake(Mesh& mesh, const BakeRecipe& recipe, const std::vector<std::string>& keep = {},
              Progress* progress = nullptr);
@@ -64,7 +66,7 @@ template <OpenMeshMesh Mesh>
 void bake_noise(Mesh& mesh, const SurfaceNoiseRecipe& recipe, const MeshNoiseParameters& parameters = {},
                 Progress* progress = nullptr);
 
-// The vertices, by their handles, and the faces that are not deleted.
+// The vertices and the faces that are not deleted, in their order.
 template <OpenMeshMesh Mesh>
 PolygonMesh polygon_mesh(const Mesh& mesh);
 
@@ -74,28 +76,27 @@ BakedMesh bake_in_place(PolygonMesh mesh, const BakeRecipe& recipe, const std::v
 
 namespace openmesh {
 
-// Sets a vertex property; `value` gives that of each vertex.
+// Sets a vertex property; `value` gives that of each vertex that is not deleted, counted from 0.
 template <typename Value, typename Mesh, typename Function>
 void set_property(Mesh& mesh, const std::string& name, const Function& value) {
   OpenMesh::VPropHandleT<Value> handle;
   if (!mesh.get_property_handle(handle, name)) {
+    if (mesh._get_vprop(name))
+      throw std::invalid_argument("the mesh has a vertex property " + name + " of another type");
     mesh.add_property(handle, name);
     mesh.property(handle).set_persistent(true);
   }
-  for (std::size_t v = 0; v < mesh.n_vertices(); ++v) {
-    mesh.property(handle, OpenMesh::VertexHandle(static_cast<int>(v))) = value(v);
-  }
+  std::size_t number = 0;
+  for (const auto vertex : mesh.vertices()) mesh.property(handle, vertex) = value(number++);
 }
 
-// Calls `take` with the values of the vertex property of this name, if it is of the type. Returns whether it
-// is.
+// Calls `take` with the values of the vertex property of this name, of vertices that are not deleted, if it
+// is of the type. Returns whether it is.
 template <typename Value, typename Mesh, typename Function>
 bool take_property(const Mesh& mesh, const std::string& name, const Function& take) {
   OpenMesh::VPropHandleT<Value> handle;
   if (!mesh.get_property_handle(handle, name)) return false;
-  for (std::size_t v = 0; v < mesh.n_vertices(); ++v) {
-    take(mesh.property(handle, OpenMesh::VertexHandle(static_cast<int>(v))));
-  }
+  for (const auto vertex : mesh.vertices()) take(mesh.property(handle, vertex));
   return true;
 }
 
@@ -135,14 +136,17 @@ template <OpenMeshMesh Mesh>
 PolygonMesh polygon_mesh(const Mesh& mesh) {
   PolygonMesh result;
   result.positions.reserve(mesh.n_vertices());
-  for (std::size_t v = 0; v < mesh.n_vertices(); ++v) {
-    const auto& point = mesh.point(OpenMesh::VertexHandle(static_cast<int>(v)));
+  std::vector<std::uint32_t> numbers(mesh.n_vertices());
+  for (const auto vertex : mesh.vertices()) {
+    numbers[static_cast<std::size_t>(vertex.idx())] = static_cast<std::uint32_t>(result.positions.size());
+    const auto& point = mesh.point(vertex);
     result.positions.push_back({point[0], point[1], point[2]});
   }
   std::vector<std::uint32_t> corners;
   for (const auto face : mesh.faces()) {
     corners.clear();
-    for (const auto vertex : mesh.fv_range(face)) corners.push_back(static_cast<std::uint32_t>(vertex.idx()));
+    for (const auto vertex : mesh.fv_range(face))
+      corners.push_back(numbers[static_cast<std::size_t>(vertex.idx())]);
     result.add_face(corners);
   }
   return result;
@@ -159,29 +163,30 @@ Moments bake(Mesh& mesh, const BakeRecipe& recipe, const std::vector<std::string
   const auto values = [&](const std::string& name) -> const std::vector<double>& {
     return baked.mesh.property(name)->values;
   };
-  const auto set_floats = [&](const std::string& name) {
-    const std::vector<double>& numbers = values(name);
-    openmesh::set_property<float>(mesh, name, [&](std::size_t v) { return static_cast<float>(numbers[v]); });
-  };
-  set_floats("noise");
-  for (const std::string& name : keep) {
-    if (name != "direction") {
-      set_floats(name);
-      continue;
+  const auto set = [&](const std::string& name) {
+    if (baked.mesh.property(name)) {
+      const std::vector<double>& numbers = values(name);
+      openmesh::set_property<float>(mesh, name,
+                                    [&](std::size_t v) { return static_cast<float>(numbers[v]); });
+      return;
     }
-    const auto& x = values("direction_x");
-    const auto& y = values("direction_y");
-    const auto& z = values("direction_z");
+    const auto& x = values(name + "_x");
+    const auto& y = values(name + "_y");
+    const auto& z = values(name + "_z");
     openmesh::set_property<OpenMesh::Vec3f>(
         mesh, name, [&](std::size_t v) { return OpenMesh::Vec3f(OpenMesh::Vec3d(x[v], y[v], z[v])); });
-  }
+  };
+  set("noise");
+  for (const auto& [name, layer] : recipe.properties) set(name);
+  for (const std::string& name : keep) set(name);
 
   const auto& red = values("red");
   const auto& green = values("green");
   const auto& blue = values("blue");
   if (!mesh.has_vertex_colors()) mesh.request_vertex_colors();
-  for (std::size_t v = 0; v < mesh.n_vertices(); ++v) {
-    const OpenMesh::VertexHandle vertex(static_cast<int>(v));
+  std::size_t number = 0;
+  for (const auto vertex : mesh.vertices()) {
+    const std::size_t v = number++;
     const OpenMesh::Vec3uc color(OpenMesh::Vec3d(red[v], green[v], blue[v]));
     mesh.set_color(vertex, OpenMesh::color_cast<typename Mesh::Color>(color));
     if (recipe.displace == 0.0) continue;
