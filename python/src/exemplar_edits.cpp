@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <pybind11/stl.h>
@@ -131,6 +132,11 @@ void add_edits(ModelClass& of) {
       "copy_from",
       [](const ExemplarModel& model, const ExemplarModel& other, std::optional<std::string> group,
          std::optional<int> channel) {
+        const auto has_it = [&](const GaborSpectrum& spectrum) { return has_group(spectrum, *group); };
+        if (group && std::none_of(other.channels.begin(), other.channels.end(), has_it)) {
+          throw std::invalid_argument(fmt::format("group is {}; of the other model it must be one of {}",
+                                                  *group, fmt::join(groups_of(other), ", ")));
+        }
         return edited(model, {group, channel}, true, [&](GaborSpectrum& spectrum, std::size_t k) {
           if (k >= other.channels.size() || (group && !has_group(other.channels[k], *group))) return;
           copy_group(spectrum, other.channels[k], group);

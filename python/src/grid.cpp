@@ -45,9 +45,17 @@ void copy_dense(const Grid& grid, const openvdb::CoordBBox& box, Number* memory,
   }
 }
 
+constexpr std::int64_t kMostVoxels = 1 << 20;  // along an axis
+
 openvdb::CoordBBox box_of(const py::object& bounds) {
   try {
     const auto corners = bounds.cast<std::pair<std::array<int, 3>, std::array<int, 3>>>();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::int64_t voxels = std::int64_t{corners.second[axis]} - corners.first[axis] + 1;
+      if (voxels > kMostVoxels)
+        throw std::invalid_argument(
+            fmt::format("bounds are of {} voxels along an axis; it must be {} at most", voxels, kMostVoxels));
+    }
     return {openvdb::Coord(corners.first.data()), openvdb::Coord(corners.second.data())};
   } catch (const py::cast_error&) {
     throw py::type_error("bounds must be two tuples of 3 ints, the first and the last voxel");

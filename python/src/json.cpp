@@ -27,7 +27,10 @@ Json json_of_integer(py::handle object) {
   int overflow = 0;
   const long long number = PyLong_AsLongLongAndOverflow(object.ptr(), &overflow);
   if (overflow == 0) return static_cast<std::int64_t>(number);
-  return object.cast<double>();  // beyond what either holds
+  const double beyond = PyLong_AsDouble(object.ptr());  // what either holds
+  if (!PyErr_Occurred()) return beyond;
+  PyErr_Clear();
+  throw py::value_error("a number of a recipe is too large for any");
 }
 
 // The model of an exemplar as recipes have it, where it is what noisefit writes, or the path of a file of

@@ -1,8 +1,10 @@
 #include "mesh.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <pybind11/stl.h>
+#include <ranges>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -34,6 +36,10 @@ std::uint32_t vertex_of(std::int64_t index, std::size_t face, std::size_t vertic
 }
 
 void add_face(PolygonMesh& mesh, const std::int64_t* corners, std::size_t count) {
+  if (count < 3) {
+    throw std::invalid_argument(
+        fmt::format("faces[{}] has {} corners; it must have 3 at least", mesh.face_count(), count));
+  }
   std::vector<std::uint32_t> face;
   for (std::size_t i = 0; i < count; ++i) {
     face.push_back(vertex_of(corners[i], mesh.face_count(), mesh.positions.size()));
@@ -64,7 +70,9 @@ void add_faces(PolygonMesh& mesh, py::handle faces) {
   if (rows.ndim() != 2)
     throw std::invalid_argument("faces must have the shape (faces, corners), or be a list of faces");
   const auto corners = static_cast<std::size_t>(rows.shape(1));
-  for (py::ssize_t i = 0; i < rows.shape(0); ++i) add_face(mesh, rows.data(i, 0), corners);
+  const std::int64_t* const first = rows.data();
+  for (std::size_t i = 0; i < static_cast<std::size_t>(rows.shape(0)); ++i)
+    add_face(mesh, first + i * corners, corners);
 }
 
 PolygonMesh mesh_of(py::handle vertices, py::handle faces, const py::dict& attributes) {
@@ -74,6 +82,7 @@ PolygonMesh mesh_of(py::handle vertices, py::handle faces, const py::dict& attri
   if (mesh.positions.empty()) throw std::invalid_argument("vertices is empty; there must be one at least");
   add_faces(mesh, faces);
   for (const auto& [name, values] : attributes) {
+    if (!py::isinstance<py::str>(name)) throw py::type_error("the names of attributes must be texts");
     VertexProperty property{name.cast<std::string>(), ScalarType::float64,
                             numbers_of(values, name.cast<std::string>())};
     if (property.values.size() != mesh.positions.size()) {
@@ -90,7 +99,9 @@ PolygonMesh mesh_of(py::handle vertices, py::handle faces, const py::dict& attri
 py::object faces_of(const PolygonMesh& mesh) {
   const std::size_t count = mesh.face_count();
   const std::size_t corners = count == 0 ? 3 : mesh.face(0).size();
-  if (mesh.corners.size() != count * corners) {
+  const auto is_like_the_first = [&](std::size_t i) { return mesh.face(i).size() == corners; };
+  const auto numbers = std::views::iota(std::size_t{0}, count);
+  if (!std::all_of(numbers.begin(), numbers.end(), is_like_the_first)) {
     py::list faces;
     for (std::size_t i = 0; i < count; ++i) {
       const auto face = mesh.face(i);

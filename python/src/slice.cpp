@@ -55,25 +55,45 @@ struct SliceArguments {
   bool color;
 };
 
+bool has_grids(const std::filesystem::path& path) {
+  return path.extension() == ".vdb" || path.extension() == ".nvdb";
+}
+
+// What would be given for nothing.
+void refuse_idle(const SliceRecipe& slice, bool is_grid, const SliceArguments& arguments,
+                 const py::kwargs& keywords) {
+  const auto refuse = [](const std::string& name, const char* where) {
+    throw std::invalid_argument(fmt::format("{} has no effect where {} is sliced", name, where));
+  };
+  const bool is_noise = slice.file.empty();
+  if (is_noise && arguments.component) refuse("component", "a noise");
+  if (arguments.grid && (is_noise || is_grid)) refuse("grid", is_noise ? "a noise" : "a Grid");
+  if (is_noise) return;
+  if (arguments.color) refuse("color", "a grid");
+  for (const auto& [key, value] : keywords) refuse(key.cast<std::string>(), "a grid");
+}
+
 py::array slice_object(py::handle recipe, const SliceArguments& arguments, const Call& call,
                        const py::kwargs& keywords) {
   constexpr int kMostPixels = 16384;
   SliceRecipe slice;
   const GridObject of = grid_in(recipe, arguments.grid);
+  slice.color = arguments.color;
   if (of.grid) {
     slice.file = of.file.empty() ? "the volume" : of.file;
-  } else if (is_path(recipe) && path_of(recipe).extension() == ".vdb") {
+  } else if (is_path(recipe) && has_grids(path_of(recipe))) {
     slice.file = path_of(recipe).string();
     slice.grid = arguments.grid.value_or("");
   } else {
     slice.recipe = volume_recipe_of(recipe, keywords);
-    if (!std::holds_alternative<RawShaping>(slice.recipe.shaping) || !slice.recipe.grids.empty()) {
-      throw std::invalid_argument(
-          "the recipe shapes its noise, or has several grids; slice the volume that it makes");
+    if (slice.recipe.output == std::vector{Output::color}) {
+      slice.recipe.output = {Output::value};
+      slice.color = true;
     }
+    require_sliceable(slice.recipe);
   }
+  refuse_idle(slice, py::isinstance<GridObject>(recipe), arguments, keywords);
   if (arguments.component) slice.component = component_of(*arguments.component);
-  slice.color = arguments.color;
   const std::vector<double> sides = numbers_of(arguments.resolution, "resolution");
   if (sides.empty() || sides.size() > 2)
     throw std::invalid_argument("resolution must be columns, or columns and rows");
@@ -150,7 +170,7 @@ void add_pictures(py::module_& module) {
 
 The values on a plane, at the centres of square pixels.
 
-recipe : as of make_volume(), of raw noise; or a Volume, a Grid, or the path of a .vdb
+recipe : as of make_volume(), of raw noise; or a Volume, a Grid, or the path of a .vdb or .nvdb
     Whose noise, or whose grid, is sliced.
 origin : 3 floats, world units
     The middle; left out, 0, or the middle of the grid.

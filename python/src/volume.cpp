@@ -173,7 +173,8 @@ The grids as a list of those of the module pyopenvdb, copied. Raises ImportError
          R"(preview(self, *, threads=None, progress=None)
 --
 
-A picture of the volume, as vdbnoise --preview makes it: an array (480, 480, 3) of float32, sRGB-encoded, 0 to 1, row 0 at the top.)");
+A picture of the volume, as vdbnoise --preview makes it: an array (rows, columns, 3) of float32, sRGB-encoded, 0 to 1, row 0 at the
+top; of clouds and surfaces (480, 480, 3), where slices show more as those are.)");
   of.def("__repr__", [](const VolumeObject& volume) { return represent(volume); });
 }
 

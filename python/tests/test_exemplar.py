@@ -107,6 +107,7 @@ def test_edits_return_other_models(model: solidnoise.ExemplarModel) -> None:
     assert model.recipe == before
     refused: list[tuple[Callable[[], object], str]] = [
         (lambda: model.remove("bricks"), "group is bricks; it must be one of"),
+        (lambda: model.copy_from(model, group="bricks"), "group is bricks; of the other model it must be one of"),
         (lambda: model.scale(-1), "factor|scale"),
         (lambda: model.rotate(9, channel=3), "channel is 3; it must be between 0 and 0"),
     ]

@@ -88,6 +88,12 @@ def test_arrays_of_a_bake() -> None:
     np.testing.assert_array_equal(refined["vertices"][:count], VERTICES)
 
 
+def test_faces_of_mixed_sizes_stay_what_they_are() -> None:
+    vertices = np.random.default_rng(1).uniform(-1, 1, (8, 3))
+    mixed = [[0, 1, 2, 3], [1, 4, 2], [0, 3, 7, 6, 5]]  # as many corners as three quads have
+    assert [list(face) for face in solidnoise.bake(vertices, mixed)["faces"]] == mixed
+
+
 def test_ranges_follow_an_attribute() -> None:
     height = VERTICES[:, 1]
     baked = solidnoise.bake(VERTICES, FACES, frequency=(4, 16), by={"attribute": "paint", "percentiles": [0, 100]},
@@ -122,6 +128,10 @@ def test_surface_noise_has_parameters_of_each_vertex() -> None:
 REFUSED: list[tuple[Callable[[], object], type[Exception], str]] = [
     (lambda: solidnoise.bake(VERTICES, [[0, 1, 99999]]), ValueError, r"faces\[0\] has the vertex 99999; it must be between 0 and"),
     (lambda: solidnoise.bake(VERTICES, [[0, 1, -1]]), ValueError, r"faces\[0\] has the vertex -1"),
+    (lambda: solidnoise.bake(VERTICES, [[0, 1]]), ValueError, r"faces\[0\] has 2 corners; it must have 3 at least"),
+    (lambda: solidnoise.bake(VERTICES, np.zeros((2, 0), int)), ValueError, r"faces\[0\] has 0 corners"),
+    (lambda: solidnoise.bake(VERTICES, FACES, attributes={5: VERTICES[:, 0]}), TypeError, "names of attributes must be texts"),  # type: ignore[dict-item]
+    (lambda: solidnoise.bake(VERTICES, FACES, seed=10**400), ValueError, "too large"),
     (lambda: solidnoise.bake(VERTICES, np.zeros((2, 3))), TypeError, "faces must be whole numbers"),
     (lambda: solidnoise.bake(VERTICES, np.zeros(3, int)), ValueError, "faces must have the shape"),
     (lambda: solidnoise.bake(VERTICES[:, :2], FACES), ValueError, "vertices has the shape"),

@@ -143,6 +143,22 @@ def test_slices_are_those_of_the_noise(tmp_path: Path) -> None:
         np.testing.assert_array_equal(solidnoise.slice(of, resolution=32), by_file)
 
 
+@pytest.mark.parametrize("given, message", [
+    ({"of": "volume", "noise": {"seed": 7}}, "noise has no effect where a grid is sliced"),
+    ({"of": "grid", "grid": "density"}, "grid has no effect where a Grid is sliced"),
+    ({"of": "volume", "color": True}, "color has no effect where a grid is sliced"),
+    ({"of": "recipe", "component": "x"}, "component has no effect where a noise is sliced"),
+    ({"of": "recipe", "grid": "density"}, "grid has no effect where a noise is sliced"),
+    ({"of": "recipe", "output": ["curl"]}, "the recipe is of more than a noise; slice the volume"),
+    ({"of": "recipe", "shaping": {"type": "cloud"}}, "the recipe shapes its noise; slice the volume"),
+])
+def test_slices_take_nothing_that_would_have_no_effect(given: dict[str, Any], message: str) -> None:
+    volume = solidnoise.make_volume(dim=8)
+    sources: dict[str, Any] = {"volume": volume, "grid": next(iter(volume.grids.values())), "recipe": None}
+    with pytest.raises(ValueError, match=message):
+        solidnoise.slice(sources[given.pop("of")], resolution=8, **given)
+
+
 def test_pictures_of_bytes_are_written_as_they_are(tmp_path: Path) -> None:
     pixels = np.arange(256).reshape(16, 16)
     solidnoise.write_image(tmp_path / "x.png", pixels / 255.0)
@@ -153,7 +169,9 @@ def test_pictures_of_bytes_are_written_as_they_are(tmp_path: Path) -> None:
 
 def test_pictures_are_written(tmp_path: Path) -> None:
     picture = solidnoise.make_volume(solidnoise.preset("cumulus"), dim=24).preview()
-    assert picture.shape == (480, 480, 3) and 0.0 <= picture.min() < picture.max() <= 1.0
+    assert picture.shape == (480, 480, 3)
+    assert solidnoise.make_volume(dim=8, output=["curl"]).preview().shape[2] == 3
+    assert 0.0 <= picture.min() < picture.max() <= 1.0
     solidnoise.write_image(tmp_path / "cloud.png", picture)
     assert (tmp_path / "cloud.png").stat().st_size > 1000
     with pytest.raises(FileExistsError):
@@ -172,6 +190,7 @@ REFUSED: list[tuple[Callable[[], object], type[Exception], str]] = [
     (lambda: solidnoise.make_volume(dim=8).write("x.vdb", fps=-1), ValueError, "fps is -1; it must be greater than 0"),
     (lambda: solidnoise.make_volume(dim=8).write("x.nvdb", frame=1), ValueError, "a .nvdb has no place for them"),
     (lambda: solidnoise.make_volume(dim=8).write(3), TypeError, "a path cannot be a int"),  # type: ignore[arg-type]
+    (lambda: solidnoise.make_volume(dim=8).to_numpy(bounds=((-(2**31), 0, 0), (2**31 - 1, 0, 0))), ValueError, "bounds are of 4294967296 voxels"),
     (lambda: solidnoise.analyze(3), TypeError, "what is a int; it must be a Grid, a Volume or the path"),  # type: ignore[arg-type]
     (lambda: solidnoise.make_volume(dim=8).grids["density"].to_numpy("x"), TypeError, "bounds must be two tuples"),  # type: ignore[arg-type]
     (lambda: solidnoise.make_volume(dim=8).grids["density"].to_numpy(((0, 0), (1, 1))), TypeError, "bounds must be"),  # type: ignore[arg-type]

@@ -175,21 +175,16 @@ void check_file(const FlagSet& flags, const SliceOptions& options,
 
 void check_recipe(const SliceOptions& options) {
   const VolumeRecipe& recipe = options.recipe;
-  if (!recipe.grids.empty() || !recipe.fields.empty()) {
-    throw UsageError("the recipe makes several grids, or has named fields; slice the volume that it makes");
-  }
-  if (!std::holds_alternative<RawShaping>(recipe.shaping)) {
+  if (recipe.grids.empty() && !std::holds_alternative<RawShaping>(recipe.shaping)) {
     throw UsageError(
         "the recipe shapes its noise; give --raw too to see the noise itself, or slice the volume that it "
         "makes");
   }
+  require_sliceable(recipe);
   if (options.color && !options.ramp.empty()) throw UsageError("--ramp has no effect on colours");
   if (options.color && !recipe.layers.empty()) throw UsageError("--color has no effect on layers");
   if (options.values && options.color && exemplar_of_colors(recipe)) {
     throw UsageError("--values has no effect on the colours of an exemplar");
-  }
-  if (!is_scalar(recipe) || recipe.modification || recipe.parameters.any()) {
-    throw UsageError("the recipe is of more than a noise; slice the volume that it makes");
   }
   VolumeRecipe checked = recipe;
   if (recipe.dims < 3) {

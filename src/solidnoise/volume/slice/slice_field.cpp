@@ -7,6 +7,8 @@
 #include <variant>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "solidnoise/field/pointwise_field.h"
 #include "solidnoise/field/shaping.h"
 #include "solidnoise/noise/error_budget.h"
@@ -172,8 +174,18 @@ double period_along(const Vec<3>& direction, const NoiseRecipe& noise) {
   return 0.0;
 }
 
+void require_sliceable(const VolumeRecipe& recipe) {
+  const char* const more =
+      !recipe.grids.empty() || !recipe.fields.empty()       ? "makes several grids, or has named fields"
+      : !std::holds_alternative<RawShaping>(recipe.shaping) ? "shapes its noise"
+      : !is_scalar(recipe) || recipe.modification || recipe.parameters.any() ? "is of more than a noise"
+                                                                             : nullptr;
+  if (more) throw std::invalid_argument(fmt::format("the recipe {}; slice the volume that it makes", more));
+}
+
 std::vector<SliceField> make_slice_fields(const SliceRecipe& slice, Progress* progress) {
   if (!slice.file.empty()) return make_grid_slices(slice, progress);
+  require_sliceable(slice.recipe);
   const VolumeRecipe recipe = at_resolution(slice.recipe, Vec<3>(slice.plane.pixel));
   if (!slice.color) return {make_noise_field(slice, recipe)};
   std::vector<SliceField> channels;

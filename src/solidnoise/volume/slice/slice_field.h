@@ -72,11 +72,15 @@ struct SliceField {
   std::optional<Box<3>> bounds{};  // of a grid's active voxels
 };
 
+// Throws std::invalid_argument where a recipe is of more than a noise or its layers: only the volume that it
+// makes can be sliced.
+void require_sliceable(const VolumeRecipe& recipe);
+
 // The fields that are sliced, one for each channel of the picture: a grid of floats, or of vectors,
 // interpolated between its voxels, or a noise. One of a single dimension varies along x, one of two along x
 // and y, and is constant along the other axes. Noises that the pixels hold with room to spare are evaluated
 // at fewer places and interpolated, within the recipe's error (interpolate()); not on a line. Throws
-// std::runtime_error (files) and std::invalid_argument.
+// std::runtime_error (files) and std::invalid_argument, as require_sliceable() does.
 std::vector<SliceField> make_slice_fields(const SliceRecipe& slice, Progress* progress = nullptr);
 
 }  // namespace solidnoise
