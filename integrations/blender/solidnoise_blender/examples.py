@@ -16,10 +16,11 @@ def picture(path: str, name: str, width: float) -> tuple:
         if not all(image.size):
             raise Refused(f"the image {name} has no pixels")
         is_linear = image.is_float or image.colorspace_settings.name in ("Non-Color", "Raw", "Linear")
-        return _pixels(image), {"raw_values": is_linear, "pixel_size": width / image.size[0] if width else 1.0}
+        pixels = _pixels(image)
+        return _encoded(pixels) if is_linear else pixels, {"pixel_size": width / image.size[0]} if width else {}
     if not path:
         raise Refused("no picture is chosen; it must be a file, or an image of the scene")
-    return bpy.path.abspath(path), {"pixel_size": width / _columns(bpy.path.abspath(path)) if width else 1.0}
+    return bpy.path.abspath(path), {"pixel_size": width / _columns(bpy.path.abspath(path))} if width else {}
 
 
 def _pixels(image) -> np.ndarray:
@@ -28,6 +29,11 @@ def _pixels(image) -> np.ndarray:
     image.pixels.foreach_get(pixels)
     pixels = pixels.reshape(image.size[1], image.size[0], image.channels)[::-1]
     return np.ascontiguousarray(pixels[..., :3] if image.channels >= 3 else pixels[..., 0])
+
+
+def _encoded(linear: np.ndarray) -> np.ndarray:
+    """Linear light as the sRGB that pictures are."""
+    return np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * np.maximum(linear, 0.0) ** (1 / 2.4) - 0.055).astype(np.float32)
 
 
 def _columns(path: str) -> int:
@@ -49,6 +55,6 @@ def recipe(source: tuple, options: dict, tell) -> dict:
     result = {"solidnoise": 2, "description": f"By example, {model.components} components",
               "surface": {"noise": "spectrum", "exemplar": model.recipe["exemplar"], "seed": options["seed"]},
               "ramp": "exemplar", "up": options["up"]}
-    if reading["pixel_size"] != 1.0:
+    if "pixel_size" in reading:
         result["frequency"] = model.principal_frequency
     return result

@@ -126,7 +126,8 @@ def modify(context, obj, chosen, source: str, sources: list) -> None:
 
     def failed(_) -> None:
         found = bpy.data.objects.get(name)
-        found.data.filepath, found.data[files.SOURCES], found[volumes.RECIPE] = before
+        if found is not None:
+            found.data.filepath, found.data[files.SOURCES], found[volumes.RECIPE] = before
 
     volume[files.SOURCES] = "\n".join([*sources, source])
     obj[volumes.RECIPE] = json.dumps(recipe)

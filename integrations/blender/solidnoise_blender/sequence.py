@@ -57,16 +57,19 @@ def moments(recipe: dict):
 
 def making(make: Callable, folder: str, frames: Sequence[int], fps: float) -> Callable:
     """Work that makes the files of all frames, or none: of a frame's number, its time, and what it tells of its progress, `make` makes the
-    volume."""
+    volume. A folder that is there is what it was until all are made."""
 
     def work(tell) -> None:
+        begun = f"{folder}.{os.getpid()}"
         try:
-            os.makedirs(folder, exist_ok=True)
+            os.makedirs(begun, exist_ok=True)
             for place, frame in enumerate(frames):
                 volume = make(frame, (frame - frames[0]) / fps, lambda part: tell((place + part) / len(frames)))
-                volume.write(frame_path(folder, frame), force=True, frame=frame, fps=fps)
-        except BaseException:
+                volume.write(frame_path(begun, frame), force=True, frame=frame, fps=fps)
             shutil.rmtree(folder, ignore_errors=True)
+            os.rename(begun, folder)
+        except BaseException:
+            shutil.rmtree(begun, ignore_errors=True)
             raise
 
     return work

@@ -79,18 +79,25 @@ def stop_all() -> None:
         bpy.app.timers.unregister(_attend)
 
 
+def _settle(job: Job) -> None:
+    if job.error is None:
+        job.done(job.result)
+    elif job.wanted():
+        job.failed(job.error)
+        if not isinstance(job.error, Stopped):
+            tell(str(job.error))
+
+
 def _attend() -> Optional[float]:
     for job in list(jobs):
         job.stops = job.stops or not job.wanted()
         if not job.is_over():
             continue
         jobs.remove(job)
-        if job.error is None:
-            job.done(job.result)
-        elif job.wanted():
-            job.failed(job.error)
-            if not isinstance(job.error, Stopped):
-                tell(str(job.error))
+        try:
+            _settle(job)
+        except Exception as error:  # of the one job: the timer is all jobs'
+            tell(str(error))
     redraw()
     return _BETWEEN if jobs else None
 

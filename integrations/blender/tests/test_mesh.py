@@ -150,6 +150,24 @@ def test_noise_by_example_of_a_file_and_of_an_image_has_the_pictures_colours(tor
     assert np.abs(values(torus.data, "solidnoise")[:, :3].mean(0) - expected["colors"].mean(0)).max() < 1 / 255
 
 
+def test_an_image_in_linear_light_has_the_colours_of_the_same_in_srgb(torus) -> None:
+    image = bpy.data.images.load(MOSS)
+    pixels = np.array(image.pixels[:], np.float32)
+    linear = bpy.data.images.new("linear", *image.size, float_buffer=True)
+    linear.pixels[:] = np.where(pixels <= 0.04045, pixels / 12.92, ((pixels + 0.055) / 1.055) ** 2.4).tolist()
+    means = []
+    for name in (image.name, linear.name):
+        bpy.ops.object.solidnoise_example(image=name)
+        means.append(values(torus.data, "solidnoise")[:, :3].mean(0))
+    np.testing.assert_allclose(means[1], means[0], atol=1e-3)
+
+
+def test_a_photograph_of_a_unit_a_pixel_has_its_true_size(torus) -> None:
+    image = bpy.data.images.load(MOSS)
+    bpy.ops.object.solidnoise_example(image=image.name, width=image.size[0])
+    assert json.loads(torus["solidnoise_recipe"])["frequency"] > 0.0
+
+
 def test_undo_and_redo_with_other_values(torus) -> None:
     bpy.ops.object.solidnoise_bake("EXEC_DEFAULT", True, preset="rust", surface_seed=1)
     first = values(torus.data, "noise")

@@ -8,6 +8,7 @@ import bpy
 import numpy as np
 import pytest
 import solidnoise
+from solidnoise_blender import sequence, worker
 
 FRAMES = range(11, 15)
 
@@ -82,6 +83,36 @@ def test_saved_and_opened_again_it_is_a_sequence_and_can_be_a_single_volume(smok
     bpy.context.view_layer.objects.active = smoke
     bpy.ops.object.solidnoise_volume_remake()
     assert not smoke.data.is_sequence and smoke.data.grids.load()
+
+
+def test_one_that_is_there_stays_where_making_it_again_is_stopped(smoke) -> None:
+    bpy.ops.object.solidnoise_sequence()
+    folder = folder_of(smoke)
+    before = {path: path.read_bytes() for path in folder.iterdir()}
+
+    def stop(fraction: float) -> None:
+        if fraction > 0.5:
+            raise worker.Stopped
+
+    work = sequence.making(sequence.moments(json.loads(smoke["solidnoise_recipe"])), str(folder), FRAMES, 2)
+    with pytest.raises(worker.Stopped):
+        work(stop)
+    assert {path: path.read_bytes() for path in folder.iterdir()} == before
+    assert [path for path in folder.parent.iterdir() if path.name.startswith(folder.name)] == [folder]
+    work(lambda fraction: None)
+    assert {path: path.read_bytes() for path in folder.iterdir()} == before
+
+
+def test_a_job_that_fails_as_it_ends_leaves_the_others_to_go_on() -> None:
+    def fail(_) -> None:
+        raise KeyError("gone")
+
+    ended = []
+    for done in (fail, ended.append):
+        job = worker.Job(str(done), lambda tell: 7, done=done)
+        job.is_over(None)
+        worker.go_on(job)
+    assert worker._attend() is None and ended == [7]
 
 
 def test_what_cannot_be_is_refused_and_leaves_nothing(smoke) -> None:
