@@ -111,6 +111,12 @@ TEST(MeshTopology, CountsVerticesAtEqualPositionsAsOne) {
     soup.triangles.push_back({first, first + 1, first + 2});
   }
   EXPECT_NO_THROW(require_closed(soup));
+  // Nor are those that rounding puts apart.
+  for (std::size_t i = 0; i < soup.positions.size(); ++i)
+    soup.positions[i].x += 1e-8 * std::sin(7.0 * static_cast<double>(i));
+  EXPECT_NO_THROW(require_closed(soup));
+  soup.positions[3].x += 1e-3;
+  EXPECT_THROW(require_closed(soup), std::invalid_argument);
 }
 
 TEST(MeshTopology, RefusesMeshesWithoutAnInside) {

@@ -1,4 +1,4 @@
-#include "solidnoise/mesh/same_places.h"
+#include "solidnoise/geometry/same_places.h"
 
 #include <algorithm>
 #include <array>

@@ -12,7 +12,7 @@
 #include <tbb/parallel_for.h>
 
 #include "solidnoise/core/bounds.h"
-#include "solidnoise/mesh/same_places.h"
+#include "solidnoise/geometry/same_places.h"
 
 namespace solidnoise {
 namespace {
@@ -120,20 +120,17 @@ void SurfaceMesh::join_points(const std::vector<std::uint32_t>& first) {
   });
 }
 
-// Angles in single precision close a circle but for 1.7e-7 of its radius, 2^-23.5 of its diameter.
 std::vector<double> SurfaceMesh::seam_gaps() const {
-  constexpr double kOfSize = 0x1p-22;
-  constexpr double kOfEdges = 0x1p-10;
   const Box<3> box = bounds_of<3>(positions_);
   const Vec<3> sides = box.upper - box.lower;
-  const double widest = kOfSize * std::max({sides.x, sides.y, sides.z});
+  const double widest = std::max({sides.x, sides.y, sides.z});
   std::vector<double> gaps(point_count());
   tbb::parallel_for(std::size_t{0}, point_count(), [&](std::size_t point) {
     if (!on_boundary(point)) return;
     double longest = 0.0;
     for (const std::uint32_t other : neighbours(point))
       longest = std::max(longest, glm::distance(positions_[other], positions_[point]));
-    gaps[point] = std::min(widest, kOfEdges * longest);
+    gaps[point] = seam_gap(widest, longest);
   });
   return gaps;
 }

@@ -4,11 +4,13 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 #include <stdexcept>
-#include <tuple>
+#include <vector>
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include "solidnoise/geometry/same_places.h"
 
 namespace solidnoise {
 namespace {
@@ -31,30 +33,8 @@ void require_usable_arrays(const TriangleMesh& mesh) {
   }
 }
 
-// For each vertex, the first one of those at its position.
-std::vector<std::uint32_t> weld(const std::vector<Vec<3>>& positions) {
-  std::vector<std::uint32_t> order(positions.size());
-  std::iota(order.begin(), order.end(), 0u);
-  const auto key = [&](std::uint32_t v) {
-    return std::make_tuple(positions[v].x, positions[v].y, positions[v].z, v);
-  };
-  // A position that no face uses may be not-a-number, which has no place in an order.
-  std::erase_if(order, [&](std::uint32_t v) {
-    return std::isnan(positions[v].x) || std::isnan(positions[v].y) || std::isnan(positions[v].z);
-  });
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
-
-  std::vector<std::uint32_t> first(positions.size());
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool same = i > 0 && positions[order[i]] == positions[order[i - 1]];
-    first[order[i]] = same ? first[order[i - 1]] : order[i];
-  }
-  return first;
-}
-
 // Every triangle's edges, smaller vertex first, sorted.
-std::vector<Edge> sorted_edges(const TriangleMesh& mesh) {
-  const std::vector<std::uint32_t> welded = weld(mesh.positions);
+std::vector<Edge> sorted_edges(const TriangleMesh& mesh, const std::vector<std::uint32_t>& welded) {
   std::vector<Edge> edges;
   edges.reserve(3 * mesh.triangles.size());
   for (const Triangle& triangle : mesh.triangles) {
@@ -67,6 +47,37 @@ std::vector<Edge> sorted_edges(const TriangleMesh& mesh) {
   }
   std::sort(edges.begin(), edges.end());
   return edges;
+}
+
+// Edges that are not between two triangles, of which there are so many.
+struct BadEdge {
+  Edge edge;
+  std::size_t triangles = 0;
+};
+std::vector<BadEdge> bad_edges(const std::vector<Edge>& edges) {
+  std::vector<BadEdge> bad;
+  for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
+    while (end < edges.size() && edges[end] == edges[begin]) ++end;
+    if (end - begin != 2) bad.push_back({edges[begin], end - begin});
+  }
+  return bad;
+}
+
+// Joins the vertices at these edges that rounding puts apart.
+void join_seams(const TriangleMesh& mesh, const std::vector<BadEdge>& bad,
+                std::vector<std::uint32_t>& welded) {
+  const Box<3> box = mesh.bounds();
+  const Vec<3> sides = box.upper - box.lower;
+  std::vector<double> gaps(mesh.positions.size());
+  for (const auto& [edge, triangles] : bad) {
+    const double length = glm::distance(mesh.positions[edge[0]], mesh.positions[edge[1]]);
+    for (const std::uint32_t vertex : edge)
+      gaps[vertex] = std::max(gaps[vertex], seam_gap(std::max({sides.x, sides.y, sides.z}), length));
+  }
+  const std::vector<std::uint32_t> joined = first_across_gap(mesh.positions, gaps);
+  for (std::uint32_t& vertex : welded) {
+    while (joined[vertex] != vertex) vertex = joined[vertex];
+  }
 }
 
 }  // namespace
@@ -86,22 +97,17 @@ Box<3> TriangleMesh::bounds() const {
 
 void require_closed(const TriangleMesh& mesh) {
   require_usable_arrays(mesh);
-  const std::vector<Edge> edges = sorted_edges(mesh);
+  std::vector<std::uint32_t> welded = first_at_position(mesh.positions);
+  const std::vector<Edge> edges = sorted_edges(mesh, welded);
   if (edges.empty()) throw std::invalid_argument("the mesh is empty: all its faces are degenerate");
 
-  std::size_t bad = 0;
-  Edge first_bad{};
-  std::size_t first_bad_count = 0;
-  for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
-    while (end < edges.size() && edges[end] == edges[begin]) ++end;
-    if (end - begin == 2) continue;
-    if (bad == 0) {
-      first_bad = edges[begin];
-      first_bad_count = end - begin;
-    }
-    ++bad;
-  }
-  if (bad == 0) return;
+  std::vector<BadEdge> all_bad = bad_edges(edges);
+  if (all_bad.empty()) return;
+  join_seams(mesh, all_bad, welded);
+  all_bad = bad_edges(sorted_edges(mesh, welded));
+  if (all_bad.empty()) return;
+  const std::size_t bad = all_bad.size();
+  const auto& [first_bad, first_bad_count] = all_bad.front();
   const Vec<3>& a = mesh.positions[first_bad[0]];
   const Vec<3>& b = mesh.positions[first_bad[1]];
   throw std::invalid_argument(fmt::format(
