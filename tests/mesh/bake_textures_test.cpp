@@ -177,6 +177,36 @@ TEST(BakeTextures, NormalsHaveTheSlopesOfHeights) {
   }
 }
 
+// A ramp that steps within a thousandth of a texel: the slopes of texels at the step are those of the
+// heights, and those of the others are 0.
+TEST(BakeTextures, NormalsOfStepsAreThoseOfTexels) {
+  BakeRecipe recipe = recipe_of(1.0);
+  recipe.displace = 0.05;
+  recipe.properties["height"] = {.use = "value", .ramp = {{0.0, 0.0}, {1e-5, 1.0}}};
+  const TexturePlan textures = plan(square(4.0), recipe);
+  const Image heights = bake_map(textures, recipe, "height");
+  const Image normals = bake_map(textures, recipe, "normal");
+  const double texel = 4.0 / kSize;
+  double product = 0.0;
+  double of_heights = 0.0;
+  double of_normals = 0.0;
+  for (int y = 1; y < kSize - 1; ++y) {
+    for (int x = 1; x < kSize - 1; ++x) {
+      const Vec<2> expected =
+          0.05 / (2.0 * texel) *
+          Vec<2>(heights.at(x - 1, y) - heights.at(x + 1, y), heights.at(x, y + 1) - heights.at(x, y - 1));
+      const Vec<3> normal = 2.0 * Vec<3>(normals.at(x, y, 0), normals.at(x, y, 1), normals.at(x, y, 2)) - 1.0;
+      const Vec<2> slope = Vec<2>(normal) / normal.z;
+      product += glm::dot(slope, expected);
+      of_heights += glm::dot(expected, expected);
+      of_normals += glm::dot(slope, slope);
+    }
+  }
+  // Over one texel a step is half as often, and twice as steep, as over the two of the heights' differences.
+  EXPECT_GT(product / std::sqrt(of_heights * of_normals), 0.6);
+  EXPECT_NEAR(of_normals / of_heights, 2.0, 0.3);
+}
+
 TEST(BakeTextures, PadsByWhatIsNextToIt) {
   BakeRecipe recipe = recipe_of(1.0);
   recipe.ramp = "0:#808080,1:#808080";

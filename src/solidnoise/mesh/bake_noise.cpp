@@ -242,12 +242,13 @@ double cube_of(const BakeVertices& vertices) {
   return kWavelengths / typical(vertices.frequency, kFrequencies);
 }
 
-// The part of a field's gradient that is along the surface; by differences over `step` if it has none.
+// The part of a field's gradient that is along the surface; without a `step` in closed form, else by
+// differences over a step to each side.
 std::vector<Vec<3>> slopes_of(const Field<3>& field, const Points<3>& points, double step) {
   const std::size_t count = points.size();
   std::vector<Vec<3>> slopes(count, Vec<3>(0.0));
   std::vector<float> values(count);
-  if (field.has_gradient()) {
+  if (step == 0.0) {
     Components gradient;
     for (auto& derivative : gradient) derivative.resize(count);
     field.evaluate(points, {values, {gradient[0], gradient[1], gradient[2]}});
@@ -330,8 +331,9 @@ std::vector<Vec<3>> bake_slopes(const SurfaceNoiseRecipe& recipe, const SurfaceL
     made.set_value(field);
     field = made.make({layers.properties.front()});
   }
+  const bool is_filtered = vertices.filter > 0.0 && !(layers.layers.empty() && layers.properties.empty());
   const double wave = 1.0 / (typical(vertices.frequency, kFrequencies));
-  const double step = std::max(0.5 * vertices.filter, 0.002 * wave);
+  const double step = is_filtered ? vertices.filter : field->has_gradient() ? 0.0 : 0.002 * wave;
   std::vector<Vec<3>> slopes(vertices.positions.size());
   for_each_batch(vertices, cube_of(vertices), progress, [&](const Points<3>& points) {
     const std::vector<Vec<3>> of_batch = slopes_of(*field, points, step);
