@@ -139,6 +139,15 @@ TEST(BakeTime, KenslersNoiseIsTheOneThatStandsStillAtTime0) {
   EXPECT_EQ(globe.bake(recipe_of(kensler, 0.0)), globe.bake(still));
 }
 
+TEST(BakeTime, IsOfNoisesOfPropertiesToo) {
+  BakeRecipe recipe;
+  EXPECT_FALSE(recipe.changes_with_time());
+  GaborNoiseOptions evolving;
+  evolving.evolution.rate = 0.5;
+  recipe.properties["height"].noise = NoiseRecipe{evolving, {}};
+  EXPECT_TRUE(recipe.changes_with_time());
+}
+
 TEST(BakeTime, RefusesWhatHasNoEffect) {
   const auto refusal = [](const auto& change) {
     SurfaceNoiseRecipe recipe;

@@ -49,21 +49,37 @@ void warn_of_aliasing(const BakePlan& plan, RefineRecipe::Mode refine) {
       is_automatic ? "raise --refine-budget" : "use --refine auto");
 }
 
-void print_plan(const BakePlan& plan, const std::string& steered_by, RefineRecipe::Mode refine) {
+// Curvatures that vary less than they are measured exactly, as a sphere's do.
+bool hardly_varies(const SteeringWeights& steering, SteeringSource by) {
+  constexpr double kExact = 0.01;
+  const bool is_curvature = by != SteeringSource::height && by != SteeringSource::attribute;
+  return is_curvature &&
+         steering.high - steering.low < kExact * std::max(std::abs(steering.low), std::abs(steering.high));
+}
+
+void print_plan(const BakePlan& plan, const Steering& by, RefineRecipe::Mode refine) {
   constexpr std::size_t kBarWidth = 50;
+  const std::string steered_by = steering_name(by);
   const SteeringWeights& steering = plan.guides.steering;
   if (!plan.guides.numbers.empty()) {
     std::cerr << fmt::format("{}: {:.4g} to {:.4g}, ranges from {:.4g} to {:.4g}\n", steered_by,
                              steering.least, steering.most, steering.low, steering.high);
     if (steering.low < steering.high) std::cerr << draw_histogram(steering, kBarWidth);
+    if (hardly_varies(steering, by.source)) {
+      std::cerr << fmt::format(
+          "meshnoise: warning: {} hardly varies here; what follows it shows the errors of its measuring\n",
+          steered_by);
+    }
   }
   warn_of_aliasing(plan, refine);
 }
 
 // The mesh then goes through itself.
-void warn_of_displacement(const BakedMesh& baked, const BakePlan& plan, double displace) {
-  const double farthest =
-      std::abs(displace) * std::max(std::abs(baked.moments.min()), std::abs(baked.moments.max()));
+void warn_of_displacement(const BakedMesh& baked, const BakePlan& plan, const BakeRecipe& recipe) {
+  const bool has_height = recipe.properties.contains(kHeightProperty);
+  double farthest = 0.0;
+  for (const double height : baked.mesh.property(has_height ? kHeightProperty : "noise")->values)
+    farthest = std::max(farthest, std::abs(recipe.displace * height));
   const Box<3> box = bounds_of<3>(plan.mesh.positions);
   const Vec<3> size = box.upper - box.lower;
   const double longest = std::max({size.x, size.y, size.z});
@@ -239,8 +255,7 @@ void bake_frame(const BakeFrame& frame) {
   warn_of_points(reading.mesh, in, options);
   options.times->begin("plan");
   const BakePlan plan = plan_within(std::move(reading.mesh), options);
-  if (!options.quiet && is_first)
-    print_plan(plan, steering_name(options.recipe.by), options.recipe.refine.mode);
+  if (!options.quiet && is_first) print_plan(plan, options.recipe.by, options.recipe.refine.mode);
 
   TaskProgress progress(options.visibility());
   options.times->begin("noise");
@@ -273,7 +288,7 @@ void bake_frame(const BakeFrame& frame) {
   outputs.appear();
   options.times->begin("end");
   if (options.quiet) return;
-  warn_of_displacement(baked, plan, options.recipe.displace);
+  warn_of_displacement(baked, plan, options.recipe);
   std::cerr << fmt::format("{}: {} vertices, {} faces\nmin {:.6g}  max {:.6g}  mean {:.6g}  sigma {:.6g}\n",
                            options.out.empty() ? options.preview : options.out, baked.mesh.positions.size(),
                            baked.mesh.face_count(), baked.moments.min(), baked.moments.max(),

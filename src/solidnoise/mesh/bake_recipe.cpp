@@ -90,9 +90,12 @@ Vec<3> BakeRecipe::direction_axis() const {
 }
 
 bool BakeRecipe::changes_with_time() const {
-  return noise.dims == 4 || noise.evolve > 0.0 ||
-         std::ranges::any_of(noises_of(layers, noise_of_layers(noise), fields),
-                             [](const NoiseRecipe& of_layer) { return evolves(of_layer); });
+  const auto evolve = [&](const std::vector<Layer>& tree) {
+    return std::ranges::any_of(noises_of(tree, noise_of_layers(noise), fields),
+                               [](const NoiseRecipe& of_layer) { return evolves(of_layer); });
+  };
+  return noise.dims == 4 || noise.evolve > 0.0 || evolve(layers) ||
+         std::ranges::any_of(properties, [&](const auto& property) { return evolve({property.second}); });
 }
 
 bool BakeRecipe::steers() const {

@@ -379,7 +379,9 @@ bool filters_all(const BakeRecipe& recipe) {
     return std::all_of(noises.begin(), noises.end(),
                        [&](const NoiseRecipe& noise) { return may_filter(recipe.noise, noise); });
   };
-  return (recipe.layers.empty() || may(recipe.layers)) && may_filter(recipe.noise);
+  const auto may_property = [&](const auto& property) { return may({property.second}); };
+  return (recipe.layers.empty() || may(recipe.layers)) && may_filter(recipe.noise) &&
+         std::ranges::all_of(recipe.properties, may_property);
 }
 
 }  // namespace solidnoise

@@ -42,6 +42,8 @@ void SurfaceSmoothing::average(std::vector<Line>& lines, const std::vector<doubl
 
 template <typename Value>
 void SurfaceSmoothing::spread(std::vector<Value>& values, double radius) {
+  require_at_least("the smoothing radius", radius, 0.0, "world units");
+  if (radius == 0.0) return;
   // Over so few edges a level needs no coarser one.
   constexpr double kFewEdges = 2.0;
   std::size_t depth = 0;
@@ -56,18 +58,11 @@ void SurfaceSmoothing::spread(std::vector<Value>& values, double radius) {
 }
 
 void SurfaceSmoothing::diffuse(std::vector<ShapeOperator>& shapes, double radius) {
-  require_at_least("the smoothing radius", radius, 0.0, "world units");
-  if (radius > 0.0) spread(shapes, radius);
-}
-
-void SurfaceSmoothing::diffuse(std::vector<Line>& lines, double radius) {
-  require_at_least("the smoothing radius", radius, 0.0, "world units");
-  if (radius > 0.0) spread(lines, radius);
+  spread(shapes, radius);
 }
 
 void SurfaceSmoothing::diffuse(std::vector<Vec<3>>& vectors, double radius) {
-  require_at_least("the smoothing radius", radius, 0.0, "world units");
-  if (radius > 0.0) spread(vectors, radius);
+  spread(vectors, radius);
 }
 
 }  // namespace solidnoise

@@ -27,7 +27,6 @@ class SurfaceSmoothing {
   // with the radius (HeatSolver). No value leaves the range of the others by more than that. Throws
   // std::invalid_argument if the radius is not at least 0.
   void diffuse(std::vector<ShapeOperator>& shapes, double radius);
-  void diffuse(std::vector<std::complex<double>>& lines, double radius);
   void diffuse(std::vector<Vec<3>>& vectors, double radius);  // of space: they are not carried
 
  private:
