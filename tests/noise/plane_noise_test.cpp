@@ -95,6 +95,23 @@ TEST(PlaneNoise, HasTheSpectrumOfThePlane) {
   EXPECT_NEAR(0.5 * moment(2), flat->gradient_variance().x, 0.005 * flat->gradient_variance().x);
 }
 
+// Of ten octaves, too: the bands of the lowest are a thousandth of the whole, and still add up.
+TEST(PlaneNoise, HasTheSpectrumOfAllOctaves) {
+  NoiseRecipe recipe{GaborNoiseOptions{.frequency = 1.0, .error = 1e-3}, {}};
+  recipe.fractal.octaves = 10;
+  const NoisePtr noise = make_noise<3>(recipe);
+  const auto flat = on_plane(noise, some_planes().back());
+  double power = 0.0;
+  for (double f = 0.0; f < 2.0 * noise->band().upper; f = f == 0.0 ? 0.125 : 2.0 * f) {
+    power += integrate(
+        [&](double g) {
+          return 2.0 * std::numbers::pi * g * flat->power_spectrum({0.6 * g, -0.8 * g});
+        },
+        f, f == 0.0 ? 0.125 : 2.0 * f, 2);
+  }
+  EXPECT_NEAR(power, flat->variance(), 3e-3);
+}
+
 // Interpolated on its lattice it is the noise but for the error and what compact kernels have of frequencies
 // beyond the band, whatever the strip.
 TEST(PlaneNoise, IsInterpolated) {

@@ -114,8 +114,15 @@ class SliceNoise final : public Noise<3> {
   double variance() const override { return noise_->variance(); }
   Vec<3> gradient_variance() const override { return {noise_->gradient_variance()}; }
 
+  // Of each part over its own band: an octave's may be a thousandth of the whole's.
   double power_spectrum(const Vec<3>& frequency) const override {
     constexpr int kPanels = 16;
+    if (const std::vector<Part> all = parts(); !all.empty()) {
+      double sum = 0.0;
+      for (const Part& part : all)
+        sum += part.amplitude * part.amplitude * part.noise->power_spectrum(frequency);
+      return sum;
+    }
     const double highest = 1.25 * noise_->band().upper;
     return integrate(
         [&](double f) {

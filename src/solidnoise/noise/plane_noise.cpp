@@ -155,8 +155,15 @@ class PlaneNoise final : public Noise<2> {
     return sum;
   }
 
+  // Of each part over its own band: an octave's may be a thousandth of the whole's.
   double power_spectrum(const Vec<2>& frequency) const override {
     constexpr int kPanels = 16;
+    if (const std::vector<Part> all = parts(); !all.empty()) {
+      double sum = 0.0;
+      for (const Part& part : all)
+        sum += part.amplitude * part.amplitude * part.noise->power_spectrum(frequency);
+      return sum;
+    }
     const double highest = 1.25 * noise_->band().upper;
     const Vec<3> across = glm::cross(plane_.right, plane_.up);
     return integrate(
