@@ -73,6 +73,14 @@ TEST(EstimatedMemory, OfDenseImpulsesIsHeldAgainstWhatMayBeTaken) {
   EXPECT_NE(refused.err.find("--max-memory"), std::string::npos) << refused.err;
 }
 
+// Voxels that are many waves apart need the impulses around each, not those in between.
+TEST(EstimatedMemory, OfSparseVoxelsIsThatOfTheirImpulses) {
+  const ToolResult made = run_vdbnoise({"--preset", "raw", "--frequency", "1000", "--octaves", "1", "--dim",
+                                        "32", "--max-memory", "1G", "--quiet", "--out", "sparse.vdb"},
+                                       {.folder = files().path()});
+  EXPECT_EQ(made.status, 0) << made.err;
+}
+
 TEST(EstimatedMemory, IsWhatOtherCommandsTake) {
   const auto run = [](const std::vector<std::string>& arguments) {
     return run_vdbnoise(arguments, {.folder = files().path()});

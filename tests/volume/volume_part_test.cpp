@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "solidnoise/volume/make_volume.h"
+
 namespace solidnoise::volume_part_test {
 namespace {
 
@@ -96,6 +98,21 @@ TEST(VolumePart, RegionsThatShareAFaceAreDisjointAndTogetherTheWhole) {
     join(take_part(whole, {.region = region, .shard = 2, .shards = 2}), joined);
   }
   expect_same_voxels(joined, *whole.mask);
+}
+
+TEST(VolumePart, OfARegionTakesTheMemoryOfItsChannels) {
+  const VolumePart part{.region = Box<3>{{0.0, 0.0, 0.0}, {0.5, 0.5, 0.5}}};
+  VolumeRecipe recipe;
+  recipe.dim = 256;
+  recipe.shaping = RawShaping{};
+  const auto memory = [&] {
+    const VolumePlan whole = plan_volume(recipe);
+    const std::uint64_t masks = whole.memory / 16;  // estimate_part_memory()
+    return static_cast<double>(plan_volume(recipe, part).memory - masks);
+  };
+  const double one = memory();
+  recipe.output = {Output::curl};
+  EXPECT_NEAR(memory() / one, 3.0, 0.3);
 }
 
 TEST(VolumePart, RefusesWhatIsNoPart) {

@@ -43,7 +43,7 @@ double nvdb_bytes(const VolumeRecipe& recipe, const VolumePlan& plan) {
   constexpr double kMasksAndStatistics = 1.1;  // of leaves: 96 bytes beside 2048
   double floats = 0.0;
   for (const VolumeRecipe& single : recipes_of_grids(recipe)) {
-    floats += single.output.front() == Output::value ? 1.0 : 3.0;
+    for (const int components : components_of(single.output)) floats += components;
   }
   return kMasksAndStatistics * sizeof(float) * floats * static_cast<double>(plan.voxels.volume());
 }

@@ -281,6 +281,22 @@ std::string shown(const Json& json) {
   return printable(json.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
+void require_utf8(const Json& json, const std::string& path) {
+  if (json.is_string()) {
+    try {
+      json.dump();
+    } catch (const Json::type_error&) {
+      throw std::invalid_argument(
+          fmt::format("{} is {}; it must be UTF-8 to be in a recipe", path, shown(json)));
+    }
+  }
+  if (!json.is_structured()) return;
+  for (const auto& item : json.items()) {
+    const std::string step = json.is_array() ? fmt::format("[{}]", item.key()) : item.key();
+    require_utf8(item.value(), json.is_array() || path.empty() ? path + step : path + '.' + step);
+  }
+}
+
 std::string format_json(const Json& json) {
   std::string text;
   append(text, json, 0);

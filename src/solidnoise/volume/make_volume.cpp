@@ -78,7 +78,8 @@ VolumePlan plan_voxels(const VolumeRecipe& recipe, const VolumePart& part, Progr
     plan.voxels = plan.grid->evalActiveVoxelBoundingBox();
     plan.box = plan.frame.bounds(plan.voxels);
     const std::uint64_t held = plan.grid->memUsage() + (part.whole() ? 0 : estimate_mask_memory(*plan.grid));
-    plan.memory = held + estimate_part_memory(estimate_memory(*plan.grid, channels), plan.frame, part);
+    plan.memory =
+        held + estimate_part_memory(estimate_memory(*plan.grid, channels), plan.frame, part, channels);
     plan.mask_memory = held + estimate_mask_memory(*plan.grid);
     return plan;
   }
@@ -97,7 +98,7 @@ VolumePlan plan_voxels(const VolumeRecipe& recipe, const VolumePart& part, Progr
   plan.voxels = plan.frame.voxels_in(plan.box);
   const double size = plan.frame.voxel_size().x;
   plan.voxels.expand(static_cast<int>(std::ceil(0.5 * edge_of(recipe, plan.frame.voxel_size()) / size)));
-  plan.memory = estimate_part_memory(estimate_memory(plan.voxels, channels), plan.frame, part);
+  plan.memory = estimate_part_memory(estimate_memory(plan.voxels, channels), plan.frame, part, channels);
   plan.mask_memory = estimate_mask_memory(plan.voxels);
   return plan;
 }
@@ -107,6 +108,7 @@ VolumePlan plan_voxels(const VolumeRecipe& recipe, const VolumePart& part, Progr
 VolumePlan plan_volume(const VolumeRecipe& recipe, const VolumePart& part, Progress* progress) {
   recipe.validate();
   part.validate();
+  require_utf8(to_json(recipe));  // what is made carries it
   VolumePlan plan = plan_voxels(recipe, part, progress);
   const auto add_memory = [&](std::uint64_t bytes) {
     plan.memory += bytes;

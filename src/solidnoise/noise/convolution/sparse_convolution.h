@@ -42,11 +42,9 @@ inline constexpr double kMostImpulsesInBlock = 1 << 19;
 template <int Dim>
 class SparseConvolution {
  public:
-  // `radius` of the kernel's support in cells, per axis; up to kMostReach. Without a kernel the noise is 0.
+  // `radius` of the kernel's support in cells, per axis. Without a kernel the noise is 0.
   SparseConvolution(ImpulseProcess<Dim> process, std::shared_ptr<const ImpulseKernel> kernel,
                     const std::array<double, Dim>& radius, double amplitude);
-
-  static constexpr double kMostReach = 12.0;
 
   const ImpulseProcess<Dim>& process() const { return process_; }
   double amplitude() const { return amplitude_; }

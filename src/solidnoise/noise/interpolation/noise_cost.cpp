@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "solidnoise/core/cell_grid.h"
 #include "solidnoise/noise/convolution/sparse_convolution.h"
 
 namespace solidnoise {
@@ -40,7 +41,10 @@ double impulses_within_reach(const WaveMixture<3>& waves, const Vec<3>& step, do
 ImpulsesHeld impulses_held(const WaveMixture<3>& waves, const Vec<3>& step, double side) {
   const double of_cube = impulses_within_reach(waves, step, side);
   if (of_cube <= kMostImpulsesInBlock) return {of_cube, side};
-  const double of_brick = std::min<double>(side, SampleBrick::kSide);
+  // Bricks are of fewer samples where these are far apart (LocatedAxis); cells are as large as the radius at
+  // most.
+  const double longest = CellAxis::kMaxSpan * waves.radius / std::max({step.x, step.y, step.z});
+  const double of_brick = std::min<double>({side, SampleBrick::kSide, std::max(1.0, std::floor(longest))});
   return {impulses_within_reach(waves, step, of_brick), of_brick};
 }
 

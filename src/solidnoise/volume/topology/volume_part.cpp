@@ -129,8 +129,8 @@ Topology take_part(const Topology& topology, const VolumePart& part, const IsFre
   return {topology.frame, mask};
 }
 
-std::uint64_t estimate_part_memory(std::uint64_t whole_memory, const GridFrame& frame,
-                                   const VolumePart& part) {
+std::uint64_t estimate_part_memory(std::uint64_t whole_memory, const GridFrame& frame, const VolumePart& part,
+                                   int channels) {
   // A leaf of a topology takes a twentieth of what a leaf takes in all; a sixteenth is above that.
   constexpr std::uint64_t kTopologyShare = 16;
   if (part.whole()) return whole_memory;
@@ -138,7 +138,7 @@ std::uint64_t estimate_part_memory(std::uint64_t whole_memory, const GridFrame& 
   if (part.region) {
     openvdb::CoordBBox voxels = frame.voxels_in(*part.region);
     voxels.max().offset(static_cast<int>(MaskLeaf::DIM));  // leaves reach over the region
-    values = std::min(values, estimate_memory(voxels));
+    values = std::min(values, estimate_memory(voxels, channels));
   }
   return whole_memory / kTopologyShare + values / static_cast<std::uint64_t>(part.shards);
 }

@@ -36,8 +36,9 @@ using IsFree = std::function<bool(const openvdb::CoordBBox& voxels)>;
 // free. All leaves are where there is no `is_free`; it is called by many threads.
 Topology take_part(const Topology& topology, const VolumePart& part, const IsFree& is_free = {});
 
-// Bytes that making a part takes at most, where the whole takes `whole_memory`. The topology is made whole.
-std::uint64_t estimate_part_memory(std::uint64_t whole_memory, const GridFrame& frame,
-                                   const VolumePart& part);
+// Bytes that making a part of so many channels takes at most, where the whole takes `whole_memory`. The
+// topology is made whole.
+std::uint64_t estimate_part_memory(std::uint64_t whole_memory, const GridFrame& frame, const VolumePart& part,
+                                   int channels);
 
 }  // namespace solidnoise
