@@ -56,6 +56,17 @@ TEST(Analyze, ExpectsNothingOfShapedValues) {
   EXPECT_FALSE(json["spectrum"].contains("chi_square"));
 }
 
+TEST(Analyze, ExpectsNothingOfWhatIsMadeOfTheNoise) {
+  EXPECT_TRUE(analyze({"--raw", "--output", "phase", "--noise", "gabor-oriented", "--dim", "24"})["expected"]
+                  .is_null());
+  EXPECT_TRUE(analyze({"--raw", "--output", "value,gradient", "--dim", "24"})["expected"].is_object());
+  const TemporaryFolder folder;
+  ASSERT_EQ(run_vdbnoise({"--raw", "--dim", "24", "--quiet", "--out", folder.file("a.vdb")}).status, 0);
+  EXPECT_TRUE(
+      analyze({"--on", folder.file("a.vdb"), "--combine", "add", "--amount", "3", "--raw"})["expected"]
+          .is_null());
+}
+
 TEST(Analyze, CountsEveryVoxelInTheHistogram) {
   const Json json = analyze({"--raw", "--frequency", "5", "--dim", "48"});
   double counted = 0.0;

@@ -14,6 +14,7 @@
 #include "solidnoise/noise/gabor/gabor_noise.h"
 #include "solidnoise/noise/gabor/oriented_gabor_noise.h"
 #include "solidnoise/noise/kernel/impulse_statistics.h"
+#include "solidnoise/volume/finish_volume.h"
 #include "solidnoise/volume/stored_recipe.h"
 #include "solidnoise/volume/topology/grid_frame.h"
 #include "solidnoise/volume/vdb/as_file_error.h"
@@ -196,9 +197,15 @@ Json describe_expected(const Noise<3>* noise) {
   return json;
 }
 
-bool holds_noise_itself(const VolumeRecipe& recipe) {
+// Whether the recipe's grid of this name is its noise.
+bool holds_noise_itself(const VolumeRecipe& recipe, const std::string& name) {
+  const std::vector<OutputGrid> grids = output_grids(recipe);
+  const auto is_value = [&](const OutputGrid& grid) {
+    return grid.output == Output::value && (grid.name == name || grids.size() == 1);
+  };
   const auto* raw = std::get_if<RawShaping>(&recipe.shaping);
-  return raw && raw->range == RawShaping::Range::raw && recipe.layers.empty() && !recipe.within &&
+  return raw && std::ranges::any_of(grids, is_value) && !recipe.modification &&
+         raw->range == RawShaping::Range::raw && recipe.layers.empty() && !recipe.within &&
          !recipe.parameters.any();
 }
 
@@ -229,7 +236,7 @@ AnalysisSubject analysis_subject(openvdb::FloatGrid::Ptr grid, const std::string
   if (subject.recipe) subject.recipe = recipe_of_grid(*subject.recipe, subject.grid->getName());
   const openvdb::Vec3d voxel = subject.grid->voxelSize();
   if (subject.recipe) *subject.recipe = at_resolution(*subject.recipe, {voxel.x(), voxel.y(), voxel.z()});
-  if (subject.recipe && holds_noise_itself(*subject.recipe)) {
+  if (subject.recipe && holds_noise_itself(*subject.recipe, subject.grid->getName())) {
     subject.noise = make_volume_noise(*subject.recipe);
   }
   subject.block = dense_block(*subject.grid, kLongestBlock);
