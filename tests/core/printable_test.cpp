@@ -25,6 +25,10 @@ TEST(Printable, EscapesWhatTurnsTheDirectionOfWriting) {
 TEST(Printable, EscapesWhatIsNoUtf8) {
   EXPECT_EQ(printable("a\xff"), "a\\xff");
   EXPECT_EQ(printable("\xe9\x9b"), "\\xe9\\x9b");
+  // A surrogate, a character in more bytes than it needs, and one beyond the last.
+  EXPECT_EQ(printable("\xed\xa0\x80"), "\\xed\\xa0\\x80");
+  EXPECT_EQ(printable("\xe0\x80\x80"), "\\xe0\\x80\\x80");
+  EXPECT_EQ(printable("\xf4\x90\x80\x80"), "\\xf4\\x90\\x80\\x80");
   EXPECT_EQ(printable("\xc0\x80"), "\\xc0\\x80");
 }
 

@@ -215,7 +215,8 @@ Image draw_four_panels(const DenseField<2>& noise, const DenseField<2>& kernel,
   const ColorRamp even = parse_color_ramp("0:#000,0.25:#404040,0.5:#808080,0.75:#bfbfbf,1:#fff");
   const std::string per_unit = "cycles / " + singular(options.unit);
   const double nyquist = 0.5 / std::max(noise.step.x, noise.step.y);
-  const double highest = std::min(1.3 * highest_frequency(noise, mean), nyquist);
+  constexpr double kLowest = 1e-3;  // of a constant
+  const double highest = std::clamp(1.3 * highest_frequency(noise, mean), kLowest * nyquist, nyquist);
   const DenseField<2> part = middle_part(centred, kShownWaves / highest);
   panels.draw_panel(0, 0, "Noise", field_picture(part, panels.panel_size(), even, -reach, reach));
   panels.draw_scale_bar(0, 0, shown_width(part), options.unit);

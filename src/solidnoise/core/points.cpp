@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 
@@ -59,6 +60,7 @@ void sort_by_key(std::vector<KeyedPoint>& points, int bits) {
 template <int Dim>
 std::vector<std::size_t> spatial_order(const Points<Dim>& points) {
   constexpr int kBits = Dim == 4 ? 12 : 16;
+  constexpr double kMostScale = 1e300;
   static const Spreader<Dim> spreader;
 
   std::vector<KeyedPoint> keyed(points.size());
@@ -66,7 +68,8 @@ std::vector<std::size_t> spatial_order(const Points<Dim>& points) {
   Vec<Dim> scale(0.0);
   for (int axis = 0; axis < Dim; ++axis) {
     const double extent = box.upper[axis] - box.lower[axis];
-    if (extent > 0.0) scale[axis] = ((1 << kBits) - 1) / extent;
+    if (extent > 0.0 && std::isfinite(extent))
+      scale[axis] = std::min(((1 << kBits) - 1) / extent, kMostScale);
   }
   for (std::size_t i = 0; i < points.size(); ++i) {
     keyed[i].point = i;

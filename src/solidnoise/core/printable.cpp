@@ -28,6 +28,10 @@ std::size_t shown_length(std::string_view text) {
   for (std::size_t i = 1; i < length; ++i) {
     if ((byte_at(text, i) & 0xc0) != 0x80) return 0;
   }
+  // Of three bytes or four, those that fewer have, surrogates, and what is beyond U+10FFFF.
+  const unsigned char second = byte_at(text, 1);
+  if ((first == 0xe0 && second < 0xa0) || (first == 0xed && second >= 0xa0)) return 0;
+  if ((first == 0xf0 && second < 0x90) || (first == 0xf4 && second >= 0x90)) return 0;
   const bool is_control = first == 0xc2 && byte_at(text, 1) < 0xa0;
   return is_control || turns_direction(text) ? 0 : length;
 }

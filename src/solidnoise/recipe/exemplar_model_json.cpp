@@ -1,5 +1,6 @@
 #include "solidnoise/recipe/exemplar_model_json.h"
 
+#include <cmath>
 #include <cstddef>
 #include <stdexcept>
 #include <vector>
@@ -43,8 +44,9 @@ SpectrumBand band_from_json(JsonReader& reader, int dimensions) {
     }
     component.variance = row[axes];
     // A number that no group can have is refused when the spectrum is validated.
-    const bool is_index = row[axes + 1] >= 0.0 && row[axes + 1] <= 1e6;
-    component.group = is_index ? static_cast<int>(row[axes + 1]) : -1;
+    const double group = row[axes + 1];
+    const bool is_index = group >= 0.0 && group <= 1e6 && group == std::floor(group);
+    component.group = is_index ? static_cast<int>(group) : -1;
     band.components.push_back(component);
   }
   reader.finish();

@@ -174,6 +174,11 @@ void copy_group(GaborSpectrum& spectrum, const GaborSpectrum& from, const GroupC
 void select_group(GaborSpectrum& spectrum, const GroupChoice& within, const ComponentSelection& selection,
                   const std::string& name) {
   require_at_least("the lowest frequency", selection.from, 0.0, "cycles per unit");
+  if (!(selection.to > selection.from)) {
+    throw std::invalid_argument(fmt::format("the highest frequency is {}; it must be above the lowest, {}",
+                                            selection.to, selection.from));
+  }
+  require_finite("the direction", selection.direction);
   require_in_range("the spread of directions", selection.spread, 0.0, 180.0, "degrees");
   const bool by_direction = selection.spread < 90.0;
   if (by_direction && spectrum.dimensions != 2) {

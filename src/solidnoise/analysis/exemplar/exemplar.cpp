@@ -5,7 +5,9 @@
 #include <cctype>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <stdexcept>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -52,7 +54,8 @@ bool holds_linear_light(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension == ".exr" || extension == ".hdr";
+  constexpr std::string_view kLinear[] = {".exr", ".hdr", ".rgbe", ".pic"};
+  return std::ranges::find(kLinear, extension) != std::end(kLinear);
 }
 
 template <int Dim>

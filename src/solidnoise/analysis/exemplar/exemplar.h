@@ -35,9 +35,9 @@ struct ExemplarReading {
 // std::invalid_argument that begins with `name`, as Exemplar::validate and for other numbers of channels.
 Exemplar<2> exemplar_of_image(const Image& image, const ExemplarReading& reading, const std::string& name);
 
-// The same from a file that OpenImageIO reads: 8 and 16 bits are sRGB-encoded, .exr, .hdr, .pfm and .rgbe
-// files are linear light already. Throws std::runtime_error naming the path, and Cancelled where `progress`
-// asks to stop.
+// The same from a file that OpenImageIO reads: 8 and 16 bits are sRGB-encoded, .exr files and Radiance's
+// (.hdr, .rgbe, .pic) are linear light already. Throws std::runtime_error naming the path, and Cancelled
+// where `progress` asks to stop.
 Exemplar<2> read_exemplar(const std::filesystem::path& path, const ExemplarReading& reading = {},
                           Progress* progress = nullptr);
 

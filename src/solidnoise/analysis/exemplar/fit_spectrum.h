@@ -40,8 +40,9 @@ struct SpectrumFit {
 // bands b = 2, 3, ... whose Gaussians have a full width at half maximum of 2^-b cycles per sample,
 // a = 2^-b sqrt(pi / (2 ln 2)), down to two frequencies of the shortest axis (one with narrowest_band);
 // frequencies at about half of that width, in a half-plane (half-space). The penalty makes variances too
-// small; they are scaled by one factor such that they sum to `variance`. (Least squares among the components
-// that were found follow the periodogram's own noise instead, and are further from the true spectrum.)
+// small; they are scaled to those of the periodogram, and the lowest such that all sum to `variance`. (Least
+// squares among the components that were found follow the periodogram's own noise instead, and are further
+// from the true spectrum.)
 //
 // Departures: Gaussians of unit length (GaussianAtoms), frequencies no denser than they can be told apart,
 // the default range of bands. They lower the error against the true

@@ -23,7 +23,7 @@ extern template DenseField<2> periodic_component<2>(const DenseField<2>&);
 extern template DenseField<3> periodic_component<3>(const DenseField<3>&);
 
 // A density on the frequencies of a periodogram: that of the spectrum and, as samples fold it, of its images
-// beyond the highest frequency of the samples.
+// beyond the highest frequency of the samples, which isotropic ones are taken to have none of.
 template <int Dim>
 PowerSpectrum<Dim> sampled_density(const GaborSpectrum& spectrum, const glm::vec<Dim, int>& count,
                                    const Vec<Dim>& step);

@@ -101,7 +101,7 @@ class SurfaceGaborNoise {
   ImpulseProcess<3> impulses() const { return stationary_->impulses(); }
   // The excess kurtosis where frequency or bandwidth vary, the mean over frequencies (PointConvolution).
   double varying_excess_kurtosis() const { return varying_excess_kurtosis_; }
-  // The frequencies that hold all but a thousandth of the variance.
+  // The frequencies that hold all but a thousandth of the variance, without a filter.
   Noise<2>::Band band() const;
 
  private:
