@@ -242,8 +242,7 @@ TEST(Sequence, RefusesWhatIsNoSequence) {
   const std::vector<std::string> evolving = with(kEvolving, {"--frames", "1-2"});
   const std::vector<Refusal> refusals{
       {with(evolving, {"--out", "s.vdb"}), "--out is s.vdb; of several frames it must have a place"},
-      {with(evolving, {"--out", "s.#.x.vdb"}), "--out is s.#.x.vdb; it must have one place"},
-      {with(evolving, {"--out", "s#.##.vdb"}), "--out is s#.##.vdb; it must have one place"},
+      {with(evolving, {"--out", "s.#.x.vdb"}), "--out is s.#.x.vdb; it must have a place"},
       {with(evolving, {"--out", "s.##########.vdb"}), "at most 9 digits"},
       {with(evolving, {"--out", "s.#.vdb", "--preview", "s.png"}), "--preview is s.png; of several frames"},
       {with(evolving, {"--out", "-"}), "--out is -"},
@@ -283,6 +282,18 @@ TEST(Sequence, AFrameThatExistsIsRefusedBeforeAnyIsMade) {
   EXPECT_EQ(result.status, 1);
   EXPECT_NE(result.err.find("s.2.vdb exists; --force replaces it"), std::string::npos) << result.err;
   EXPECT_EQ(folder.names(), std::set<std::string>{"s.2.vdb"});
+}
+
+// Only what is right before the extension is the number of a frame.
+TEST(Sequence, LetsNamesHaveSignsOfNumbersElsewhere) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> small{"--raw", "--dim", "8", "--quiet"};
+  ASSERT_EQ(run_vdbnoise(with(small, {"--out", "take#2 50%done.vdb"}), {.folder = folder.path()}).status, 0);
+  ASSERT_EQ(run_vdbnoise(with(small, {"--evolve", "1", "--frames", "8-9", "--out", "take#2.##.vdb"}),
+                         {.folder = folder.path()})
+                .status,
+            0);
+  EXPECT_EQ(folder.names(), (std::set<std::string>{"take#2 50%done.vdb", "take#2.08.vdb", "take#2.09.vdb"}));
 }
 
 }  // namespace

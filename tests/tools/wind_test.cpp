@@ -34,6 +34,10 @@ TEST(Wind, GoesRoundALoopInWholePeriodsOnly) {
                                      "2",     "--frames", "0-48x48", "--quiet",     "--out", "l.##.vdb"};
   run_well(folder, raw, {"--wind", "2", "0", "0"});
   EXPECT_TRUE(same_values(folder.file("l.00.vdb"), folder.file("l.48.vdb")));
+  // 0.1 * 3 is not 0.3 in binary numbers.
+  run_well(
+      folder, {"--raw", "--dim", "12", "--quiet", "--evolve", "0.5", "--loop", "3"},
+      {"--period", "0.3", "0.3", "0.3", "--frequency", "8", "--wind", "0.1", "0", "0", "--out", "r.vdb"});
   std::vector<std::string> odd = raw;
   odd.insert(odd.end(), {"--wind", "1", "0", "0"});
   expect_refusal(run_vdbnoise(odd), {"", 2, {}, {"--wind is 1 along x", "whole number"}}, "vdbnoise");

@@ -41,6 +41,10 @@ fs::path folder_of(const FarmPlan& plan) {
       .lexically_normal();
 }
 
+fs::path this_program() {
+  return fs::read_symlink("/proc/self/exe");
+}
+
 // Whether a program is on the path.
 bool is_there(const char* program) {
   const char* const path = std::getenv("PATH");
@@ -110,7 +114,7 @@ int create_farm_job(MakeFarmWork make_work, const std::vector<std::string>& argu
   const FarmPlan plan = make_work(arguments, nullptr)->plan();
   FarmJob job;
   job.folder = folder_of(plan);
-  job.program = fs::read_symlink("/proc/self/exe");
+  job.program = this_program();
   job.directory = fs::current_path();
   job.arguments = arguments;
   job.steps = plan.steps;
@@ -145,6 +149,11 @@ std::string command_named(const char* name) {
 // A job that exists, and its work; the process then is where the command was given.
 struct OpenJob {
   OpenJob(const std::string& folder, MakeFarmWork make_work) : job(read_farm_job(folder)) {
+    const std::string program = job.program.filename().string();
+    if (program != this_program().filename()) {
+      throw UsageError(fmt::format("FOLDER is {}, a job of {}; give it to {} farm", printable(folder),
+                                   printable(program), printable(program)));
+    }
     fs::current_path(job.directory);
     const FarmPlace place{job.folder, read_text_file(job.folder / kRecipe)};
     work = make_work(job.arguments, &place);
@@ -208,7 +217,7 @@ int run_farm_job(MakeFarmWork make_work, const std::vector<std::string>& argumen
       ++done;
     } catch (const Cancelled&) {
       throw;
-    } catch (const std::runtime_error& error) {
+    } catch (const std::exception& error) {
       std::cerr << fmt::format("{}: {} {}: {}\n", program_invocation_short_name, step, task + 1,
                                error.what());
     }

@@ -128,6 +128,14 @@ std::optional<Place> find_place(const std::string& name, std::size_t from) {
   return std::nullopt;
 }
 
+// The place that a name without its extension ends with.
+std::optional<Place> find_last_place(const std::string& stem) {
+  std::optional<Place> place = find_place(stem, 0);
+  while (place && place->begin + place->length != stem.size())
+    place = find_place(stem, place->begin + place->length);
+  return place;
+}
+
 }  // namespace
 
 std::vector<int> parse_frames(const std::string& flag, const std::string& text) {
@@ -151,25 +159,24 @@ std::vector<int> parse_frames(const std::string& flag, const std::string& text) 
 }
 
 bool has_frame_number(const std::string& path) {
-  return find_place(std::filesystem::path(path).filename().string(), 0).has_value();
+  return find_last_place(std::filesystem::path(path).stem().string()).has_value();
 }
 
 std::string frame_path(const std::string& flag, const std::string& pattern, int frame) {
   const std::filesystem::path path(pattern);
   const std::string stem = path.stem().string();
-  const std::optional<Place> place = find_place(stem, 0);
+  const std::optional<Place> place = find_last_place(stem);
   const std::string example =
       fmt::format("{}.####{}", stem.substr(0, stem.find_first_of(".#%")), path.extension().string());
-  if (!place) {
+  if (!place && !find_place(pattern, 0)) {
     throw UsageError(
         fmt::format("{} is {}; of several frames it must have a place for the number, such as {}", flag,
                     pattern, example));
   }
-  const bool folder_has_one = find_place(path.parent_path().string(), 0).has_value();
-  if (folder_has_one || place->begin + place->length != stem.size() || place->digits > kMostDigits) {
+  if (!place || place->digits > kMostDigits) {
     throw UsageError(fmt::format(
-        "{} is {}; it must have one place for the frame's number, of at most {} digits, right before "
-        "the extension, such as {}",
+        "{} is {}; it must have a place for the frame's number, of at most {} digits, right before the "
+        "extension, such as {}",
         flag, pattern, kMostDigits, example));
   }
   const std::string name = fmt::format("{}{:0{}}{}", stem.substr(0, place->begin), frame, place->digits,

@@ -119,6 +119,7 @@ class BakeFarm final : public FarmWork {
     json["files"] = {read_.in, options.out, options.preview, options.rest, options.rest_property};
     json["keep"] = options.keep;
     json["fps"] = options.fps;
+    json["view"] = {options.view.size, options.view.turn, options.view.elevation};
     json["usd"] = options.usd;
     return digest(kMeshnoise + format_json(json));
   }

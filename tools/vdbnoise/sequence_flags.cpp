@@ -87,6 +87,7 @@ double loop_of(const VolumeRecipe& recipe) {
 
 // Where noise that loops is blown along it has to come to where it was.
 void check_loop_of_wind(const VolumeRecipe& recipe) {
+  constexpr double kRounding = 1e-9;
   const double loop = loop_of(recipe);
   if (loop == 0.0 || !has_wind(recipe)) return;
   for (const VolumeRecipe& single : recipes_of_grids(recipe)) {
@@ -94,7 +95,8 @@ void check_loop_of_wind(const VolumeRecipe& recipe) {
       const Vec<4> period = period_of(noise);
       for (int axis = 0; axis < 3; ++axis) {
         const double way = recipe.wind[axis] * loop;
-        if (way == 0.0 || (period[axis] > 0.0 && std::remainder(way, period[axis]) == 0.0)) continue;
+        const double rest = period[axis] > 0.0 ? std::remainder(way, period[axis]) : way;
+        if (std::abs(rest) <= kRounding * std::abs(way)) continue;
         throw UsageError(fmt::format(
             "--wind is {} along {}, {:.6g} world units in the loop of {}; it must be a whole number of the "
             "noise's --period, or there must be no --loop",
