@@ -51,6 +51,22 @@ TEST(Noisefit, MakesAModelAndASheet) {
   EXPECT_EQ(folder.names(), (std::set<std::string>{"in.png", "out.json", "sheet.png"}));
 }
 
+TEST(Noisefit, WarnsOfFallingLight) {
+  const TemporaryFolder folder;
+  for (const float fall : {0.0f, 0.6f}) {
+    Image picture = wavy_picture(64, 64);
+    for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+      const float place = static_cast<float>(i / 3 % 64) / 64.0f - 0.5f;
+      picture.pixels[i] = 0.5f + 0.3f * (picture.pixels[i] - 0.5f) + fall * place;
+    }
+    write_image(folder / "in.png", picture, {.existing = Existing::replace});
+    const ToolResult result =
+        run_noisefit({"in.png", "--out", "x.json", "--force"}, {.folder = folder.path()});
+    ASSERT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(result.err.find("change from side to side") != std::string::npos, fall > 0.0f) << result.err;
+  }
+}
+
 TEST(Noisefit, AveragesExemplarsAndKnowsGrey) {
   const TemporaryFolder folder;
   write_image(folder / "a.png", wavy_picture(64, 40));

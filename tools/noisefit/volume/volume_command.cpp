@@ -132,6 +132,7 @@ int run_volume(const std::vector<std::string>& arguments) {
   VolumeBox box = read_box(command);
   const std::vector<Exemplar<3>> exemplars{std::move(box.exemplar)};
   require_fit_cost(command, exemplars, box.grid_bytes);
+  command.outputs.pixel_size = exemplars.front().channels.front().step.x;
   catch_interrupts();
   const Clock::time_point start = Clock::now();
   TaskProgress progress(command.visibility());
@@ -140,7 +141,8 @@ int run_volume(const std::vector<std::string>& arguments) {
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
   if (fit.interrupted) return keep_last_solution(command.outputs, fit.model);
   command.outputs.write(fit.model, [&] { return draw_sheet(command, exemplars.front(), fit, seconds); });
-  if (!command.quiet) std::cerr << describe(fit, seconds);
+  if (!command.quiet)
+    std::cerr << describe(fit, seconds) << describe_scale({fit.model, command.outputs.pixel_size});
   return kDone;
 }
 
