@@ -112,6 +112,7 @@ TEST_F(Textures, RefuseWhatCannotBe) {
   EXPECT_TRUE(has(refusal({"--uv", "<MAP>.<UDIM>.png", "--map", "color,color"}), "names color twice"));
   EXPECT_TRUE(has(refusal({"--uv", "x.<UDIM>.png", "--uv-size", "0"}), "--uv-size is 0"));
   EXPECT_TRUE(has(refusal({"--out", "x.ply", "--uv-size", "64"}), "--uv-size"));
+  EXPECT_TRUE(has(refusal({"--uv", "x.<UDIM>.png", "--preview", "x.1012.png", "--force"}), "x.1012.png"));
   EXPECT_TRUE(has(bake({"--uv", "y.<UDIM>.png", "--uv-size", "32"}, "in.obj").err, "y.1012.png"));
 }
 

@@ -123,6 +123,10 @@ TEST_P(SkyRefusal, IsOneLineAndLeavesNothing) {
 INSTANTIATE_TEST_SUITE_P(
     Sky, SkyRefusal,
     testing::Values(
+        Refusal{"PointsOfACommaInNames",
+                2,
+                {"sky", "--out", "a,b.usda", "--write-points", "p.csv"},
+                {"--out is a,b.usda", "--write-points"}},
         Refusal{"NoOutput", 2, {"sky"}, {"--out is missing"}},
         Refusal{"AnotherFormat", 2, {"sky", "--out", "s.nvdb"}, {"--out is s.nvdb", ".usda or .vdb"}},
         Refusal{

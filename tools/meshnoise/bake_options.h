@@ -20,7 +20,7 @@ struct BakeOptions : RunOptions {
   std::vector<std::string> maps{"color"};  // that are baked into textures
   TextureOptions textures;
   std::string preview;  // .png; empty: none
-  PreviewOptions view;
+  MeshView view;
   std::string write_recipe;       // .json, "-" for the standard output; empty: none
   std::vector<std::string> keep;  // names of numbers that the mesh shall have
   std::string rest;               // the mesh whose vertices say where the noise is; empty: the mesh itself

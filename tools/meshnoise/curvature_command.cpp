@@ -42,7 +42,7 @@ int run_curvature(const std::vector<std::string>& arguments) {
   std::string in;
   std::string out;
   std::string preview;
-  PreviewOptions view;
+  MeshView view;
   CurvatureRecipe recipe;
   RunOptions options;
   FlagSet flags("meshnoise curvature", kCurvatureDescription);

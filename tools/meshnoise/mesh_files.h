@@ -58,24 +58,23 @@ void write_output_mesh(const std::string& out, const PolygonMesh& mesh, const Me
 void require_preview(const std::string& path);
 
 // How a preview is taken.
-struct PreviewOptions {
+struct MeshView {
   int size = 640;           // pixels of each side
   double turn = 0.0;        // degrees
   double elevation = 16.0;  // degrees
 };
 
-constexpr auto fields_of(std::type_identity<PreviewOptions>) {
-  using Options = PreviewOptions;
+constexpr auto fields_of(std::type_identity<MeshView>) {
   return list_fields(
-      field("preview_size", &Options::size, between(16, 8192), "pixels", "Of the preview's sides"),
-      field("preview_turn", &Options::turn, between(-360.0, 360.0), "degrees",
+      field("preview_size", &MeshView::size, between(16, 8192), "pixels", "Of the preview's sides"),
+      field("preview_turn", &MeshView::turn, between(-360.0, 360.0), "degrees",
             "Of the preview's camera around the mesh, to the right"),
-      field("preview_elevation", &Options::elevation, between(-85.0, 85.0), "degrees",
+      field("preview_elevation", &MeshView::elevation, between(-85.0, 85.0), "degrees",
             "Of the preview's camera over the horizon"));
 }
 
 // A picture of a mesh in its vertices' colours (linear light).
 Image render_mesh_preview(const PolygonMesh& mesh, std::span<const Vec<3>> normals,
-                          std::span<const Color> colors, UpAxis up, const PreviewOptions& options);
+                          std::span<const Color> colors, UpAxis up, const MeshView& options);
 
 }  // namespace solidnoise

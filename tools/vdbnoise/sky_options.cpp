@@ -12,6 +12,7 @@
 #include "common/outputs.h"
 #include "common/recipe_files.h"
 #include "common/run_tool.h"
+#include "solidnoise/core/printable.h"
 #include "solidnoise/recipe/recipe_file.h"
 #include "solidnoise/volume/sky/sky_tables.h"
 #include "solidnoise/volume/volume_recipe_json.h"
@@ -109,6 +110,11 @@ SkyRecipe choose_sky_recipe(const FlagSet& flags) {
 void check_sky_options(const FlagSet& flags, const SkyOptions& options) {
   require_extension("--out", options.out, {".usda", ".vdb"}, StandardOutput::refused);
   require_extension("--write-points", options.write_points, {".csv"}, StandardOutput::refused);
+  if (!options.write_points.empty() && options.out.find_first_of(",#\"\n\r") != std::string::npos) {
+    throw UsageError(fmt::format(
+        "--out is {}; with --write-points, a table of these names, it must be without ',', '#' and quotes",
+        printable(options.out)));
+  }
   if (options.form() == SkyForm::grid) {
     flags.refuse({"--lod-from", "--lod-angle"}, "has no effect on one grid, whose voxels are all alike");
     flags.refuse({"--skip-existing"}, "keeps files of clouds; it needs --out FILE.usda");

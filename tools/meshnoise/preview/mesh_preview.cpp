@@ -11,7 +11,7 @@ void require_preview(const std::string& path) {
 }
 
 Image render_mesh_preview(const PolygonMesh& mesh, std::span<const Vec<3>> normals,
-                          std::span<const Color> colors, UpAxis up, const PreviewOptions& options) {
+                          std::span<const Color> colors, UpAxis up, const MeshView& options) {
   return render_mesh(mesh, normals, colors,
                      {.width = options.size,
                       .height = options.size,

@@ -10,7 +10,7 @@ void require_preview(const std::string&) {
 }
 
 Image render_mesh_preview(const PolygonMesh&, std::span<const Vec<3>>, std::span<const Color>, UpAxis,
-                          const PreviewOptions&) {
+                          const MeshView&) {
   return {};
 }
 
