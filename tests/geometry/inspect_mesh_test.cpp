@@ -79,7 +79,8 @@ TEST(InspectMesh, CountsEdgesOfFacesThatAreInsideOut) {
   const MeshReport report = inspect_mesh(mesh);
   EXPECT_EQ(report.flipped_edges, 4u);
   EXPECT_EQ(mesh_warnings(report),
-            std::vector<std::string>{"4 edges are between faces that disagree on the outside"});
+            std::vector<std::string>{
+                "4 edges are between faces that disagree on the outside: curvature means nothing there"});
 }
 
 }  // namespace

@@ -91,6 +91,18 @@ TEST(VdbnoiseBandLimit, WithoutItTheSamePlaceHasTheSameValueAndTheToolWarns) {
   EXPECT_NE(run_vdbnoise(kensler).err.find("will alias; make --voxel"), std::string::npos);
 }
 
+TEST(VdbnoiseBandLimit, SaysWhereNothingIsLeft) {
+  const TemporaryFolder folder;
+  for (std::vector<std::string> arguments :
+       {std::vector<std::string>{"--raw", "--dim", "16", "--out", folder.file("z.vdb")},
+        {"slice", "--dims", "2", "--width", "4", "--resolution", "64", "--out", folder.file("z.png")}}) {
+    arguments.insert(arguments.end(), {"--frequency", "300", "--band-limit"});
+    const ToolResult result = run_vdbnoise(arguments);
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_NE(result.err.find("--band-limit leaves nothing"), std::string::npos) << result.err;
+  }
+}
+
 TEST(VdbnoiseBandLimit, TheRecipeIsKeptAndTheVarianceDescribed) {
   const TemporaryFolder folder;
   const auto made = make(folder, "a.vdb", {"--voxel", "0.2", "--band-limit"});

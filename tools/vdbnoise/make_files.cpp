@@ -181,6 +181,10 @@ void make_volume_files(const MakeOptions& options, UsdScene* scene) {
     std::cerr << "vdbnoise: warning: the volume is empty: no voxel of it has a density; another --seed, a "
                  "higher --frequency or another shape may have some\n";
   }
+  if (options.recipe.band_limit && is_zero(volume) && !options.quiet) {
+    std::cerr << "vdbnoise: warning: --band-limit leaves nothing of the noise, all of whose frequencies are "
+                 "above what the voxels hold; make --frequency lower or --voxel smaller\n";
+  }
   if (!options.quiet) print_statistics(volume, options.out.empty() ? options.preview : options.out);
 }
 

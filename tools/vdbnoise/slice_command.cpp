@@ -41,6 +41,10 @@ bool may_limit(const VolumeRecipe& recipe) {
 // Frequencies that the pixels cannot hold come back as others.
 void warn_of_aliasing(const SliceOptions& options, const SliceField& field) {
   const double highest = field.highest_frequency * options.plane.pixel;
+  if (options.recipe.band_limit && field.sigma == 0.0 && options.file.empty() && !options.quiet) {
+    std::cerr << "vdbnoise: warning: --band-limit leaves nothing of the noise, all of whose frequencies are "
+                 "above what the pixels hold; make --frequency lower or --width smaller\n";
+  }
   if (options.quiet || options.recipe.band_limit || highest <= 0.5) return;
   std::cerr << fmt::format(
       "vdbnoise: warning: the noise reaches {:.2f} cycles per pixel, above 0.5, and will alias; {}make "

@@ -114,6 +114,13 @@ void check_output_names(const std::string& out, const std::string& preview) {
   require_no_terminal("--out", out);
 }
 
+bool is_zero(const Volume& volume) {
+  const auto is_zero = [](const Moments& moments) { return moments.min() == 0.0 && moments.max() == 0.0; };
+  return !is_empty(volume) && std::ranges::all_of(volume.grids, [&](const MeasuredGrid& measured) {
+    return std::ranges::all_of(measured.moments, is_zero);
+  });
+}
+
 bool is_empty(const Volume& volume) {
   return std::ranges::all_of(
       volume.grids, [](const MeasuredGrid& measured) { return measured.moments.front().count() == 0; });

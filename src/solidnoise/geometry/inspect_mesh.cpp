@@ -147,7 +147,8 @@ std::vector<std::string> mesh_warnings(const MeshReport& report) {
     if (count > 0) warnings.push_back(fmt::format("{} {} {}", count, count == 1 ? one : many, what));
   };
   warn(report.non_manifold_edges, "edge is", "edges are", "between more than two faces");
-  warn(report.flipped_edges, "edge is", "edges are", "between faces that disagree on the outside");
+  warn(report.flipped_edges, "edge is", "edges are",
+       "between faces that disagree on the outside: curvature means nothing there");
   warn(report.zero_length_edges, "edge has", "edges have", "no length");
   warn(report.degenerate_faces, "face is", "faces are", "degenerate");
   warn(report.duplicate_faces, "face repeats", "faces repeat", "an earlier one");

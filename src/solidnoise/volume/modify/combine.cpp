@@ -92,10 +92,11 @@ void combine_values(FloatGrid& grid, const FloatGrid& noise, const Combination& 
   const Combiner combine(grid, combination);
   Leaves leaves(grid.tree());
   leaves.foreach ([&](FloatLeaf& leaf, std::size_t) {
-    const FloatLeaf& noise_leaf = *noise.tree().probeConstLeaf(leaf.origin());
+    const FloatLeaf* const noise_leaf = noise.tree().probeConstLeaf(leaf.origin());
+    if (!noise_leaf) return;  // the leaf has no active voxels
     const std::optional<GridMask> mask = combination.mask ? std::optional(*combination.mask) : std::nullopt;
     for (auto voxel = leaf.beginValueOn(); voxel; ++voxel) {
-      const float result = combine(*voxel, noise_leaf.getValue(voxel.pos()));
+      const float result = combine(*voxel, noise_leaf->getValue(voxel.pos()));
       if (!mask) {
         voxel.setValue(result);
         continue;
