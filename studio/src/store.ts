@@ -94,9 +94,12 @@ export const problem = signal<Problem | undefined>(undefined);
 export const can = signal({ undo: false, redo: false });
 export const time = signal<number | undefined>(undefined); // while it plays
 
+// Which recipe: the surface's, or one of the noises'.
+type Place = "surface" | number;
+const activePlace = (): Place => (state.value.mode === "surface" ? "surface" : state.value.active);
+const noiseAt = (place: Place): Noise | undefined => (place === "surface" ? { text: state.value.bake, grid: "" } : state.value.noises[place]);
 // What the controls and the recipe are of.
-export const activeNoise = (): Noise =>
-  state.value.mode === "surface" ? { text: state.value.bake, grid: "" } : (state.value.noises[state.value.active] ?? state.value.noises[0]!);
+export const activeNoise = (): Noise => noiseAt(activePlace()) ?? state.value.noises[0]!;
 export const infoOf = (noise: Noise): Info | undefined => infos.value.get(noise.text);
 
 // The grid that has the colours of a body, as in vdbnoise's previews: the last; empty where there is none.
@@ -187,24 +190,24 @@ async function knowAll(): Promise<void> {
   }
 }
 
-export function replaceNoise(noise: Noise, tag: string, rest: Partial<State> = {}, at = gesture): void {
+export function replaceNoise(noise: Noise, tag: string, place = activePlace(), rest: Partial<State> = {}, at = gesture): void {
   const next = { ...state.value, ...rest };
-  if (next.mode === "surface") return commit({ ...next, bake: noise.text }, tag, at);
-  const noises = next.noises.slice();
-  noises[next.active] = noise;
-  commit({ ...next, noises }, tag, at);
+  if (place === "surface") return commit({ ...next, bake: noise.text }, tag, at);
+  commit({ ...next, noises: next.noises.map((old, index) => (index === place ? noise : old)) }, tag, at);
 }
 
 // A recipe by its text, checked; says what is wrong with it in `problem`.
 export async function setText(text: string, tag: string, rest: Partial<State> = {}): Promise<boolean> {
   try {
+    const { active } = state.value;
+    const { grid } = activeNoise();
     const info = await check(text);
     batch(() => {
       problem.value = undefined;
       // A recipe of the other kind turns to the view that shows it.
       const { mode } = state.value;
       const fitting: Mode = info.kind === "surface" ? "surface" : mode === "surface" ? "slice" : mode;
-      replaceNoise(noiseOf(info, activeNoise().grid), tag, { mode: fitting, ...rest });
+      replaceNoise(noiseOf(info, grid), tag, info.kind === "surface" ? "surface" : active, { mode: fitting, ...rest });
     });
     return true;
   } catch (error) {
@@ -213,43 +216,53 @@ export async function setText(text: string, tag: string, rest: Partial<State> = 
   }
 }
 
-// Edits wait for the one under way; of one path the last counts, so that a slider is never ahead of its picture.
+// What undo waits for.
 let editing: Promise<void> | undefined;
-let waiting: Edit[] = [];
-let waitingSince = 0;  // the gesture that they are of
-export function edit(edits: Edit[], tag: string): Promise<void> {
-  for (const one of edits) {
-    const key = JSON.stringify(one.path);
-    if (one.value !== undefined && !one.keep) waiting = waiting.filter((other) => JSON.stringify(other.path) !== key);
-    waiting.push(one);
-  }
-  waitingSince = gesture;
-  return editing ?? during(() => apply(tag));
-}
 
 // Something that changes the state, of the gesture that it is told, and is waited for by undo.
 export function during(work: (at: number) => Promise<void>): Promise<void> {
-  return (editing = work(gesture).finally(() => (editing = undefined)));
+  const before = editing;
+  const own = work(gesture).finally(() => before).finally(() => {
+    if (editing === own) editing = undefined;
+  });
+  return (editing = own);
+}
+
+// Edits wait for what is under way; of one path the last counts, so that a slider is never ahead of its picture.
+const waiting: { place: Place; at: number; edits: Edit[] }[] = [];
+let applying: Promise<void> | undefined; // which takes what waits
+export function edit(edits: Edit[], tag: string): Promise<void> {
+  const place = activePlace();
+  let last = waiting.at(-1);
+  if (last?.place !== place) waiting.push((last = { place, at: gesture, edits: [] }));
+  last.at = gesture;
+  for (const one of edits) {
+    const key = JSON.stringify(one.path);
+    if (one.value !== undefined && !one.keep) last.edits = last.edits.filter((other) => JSON.stringify(other.path) !== key);
+    last.edits.push(one);
+  }
+  return (applying ??= during(() => Promise.resolve(editing).finally(() => apply(tag))));
 }
 
 async function apply(tag: string): Promise<void> {
-  while (waiting.length > 0) {
-    const now = waiting;
-    const at = waitingSince;
-    waiting = [];
-    const noise = activeNoise();
+  for (let now = waiting.shift(); now; now = waiting.shift()) {
+    const { place, at, edits } = now;
+    const noise = noiseAt(place);
+    if (!noise) continue;
     try {
-      const answer = await desk.ask("desk", { do: "edit", recipe: noise.text, edits: now });
+      const answer = await desk.ask("desk", { do: "edit", recipe: noise.text, edits });
       const info = answer.json as unknown as Info;
       learn(info.recipe, info);
       batch(() => {
         problem.value = undefined;
-        replaceNoise(noiseOf(info, noise.grid), tag, {}, at);
+        // What has been taken away or replaced meanwhile stays so.
+        if (noiseAt(place)?.text === noise.text) replaceNoise(noiseOf(info, noise.grid), tag, place, {}, at);
       });
     } catch (error) {
-      problem.value = { message: (error as Error).message, ...(now[0] ? { path: now[0].path } : {}) };
+      problem.value = { message: (error as Error).message, ...(edits[0] ? { path: edits[0].path } : {}) };
     }
   }
+  applying = undefined; // before anything else can wait
 }
 
 let first: Pick<State, "noises" | "bake">; // where an address or what was kept has nothing else

@@ -274,6 +274,26 @@ test("a volume is marched through", async () => {
   await wellOf(page);
 });
 
+test("a volume is lit alike with either axis up, and so is its sky", async () => {
+  const [y, z] = await Promise.all(["y", "z"].map(async (up) => {
+    // Of one density everywhere, so that it looks the same but for what rounding to voxels makes.
+    const recipe = { solidnoise: 2, up, noise: { type: "gabor" }, shaping: { type: "remap", threshold: -10 }, domain: { shape: { type: "sphere" } } };
+    const page = await open(`#recipe=${codeOf(JSON.stringify(recipe))}&view=volume`, { viewport: { width: 820, height: 480 } });
+    await page.waitForFunction(() => globalThis.last?.dim === 128, null, kPatience);
+    const bytes = await page.evaluate(async () => {
+      await new Promise(requestAnimationFrame);
+      const gl = document.querySelector(".volume canvas").getContext("webgl2");
+      const pixels = new Uint8Array(4 * gl.drawingBufferWidth * gl.drawingBufferHeight);
+      gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+      return Array.from(pixels);
+    });
+    await wellOf(page);
+    return bytes;
+  }));
+  const mean = y.reduce((sum, byte, i) => sum + Math.abs(byte - z[i]), 0) / y.length;
+  assert.ok(y.length === z.length && mean < 3, `differs by ${mean} of 255`);
+});
+
 test("a body of marble has dark veins", async () => {
   const page = await open();
   await page.click("text=Gallery");

@@ -44,6 +44,30 @@ for (const name of Object.keys(recipes)) {
   });
 }
 
+test("the closed form of a spectrum is of the values in their range", () => {
+  const plane = { ...planes[0], width: 8, columns: 192, rows: 192 };
+  const spectrum = (range, more = {}) =>
+    library.ask({ do: "spectrum", plane, recipe: JSON.stringify({ solidnoise: 2, noise: { type: "gabor", frequency: 4, ...more }, shaping: { type: "raw", range } }) }).floats;
+  const sum = ([, frequencies, ...powers]) => powers.map((kind) => kind.reduce((total, power, i) => total + frequencies[i] * power, 0));
+  const [, raw] = sum(spectrum("raw"));
+  for (const [range, variance] of [["raw", 1], ["signed", 1 / 9], ["unit", 1 / 36]]) {
+    const floats = spectrum(range);
+    const [measured, closed] = sum(floats).map((total) => total / raw / variance);
+    assert.ok(Math.abs(closed - 1) < 1e-5 && Math.abs(measured - 1) < 0.1, `${range}: ${measured} and ${closed}`);
+    const [picture] = floats;
+    assert.ok(picture[96 * 192 + 96] < 0.1 * Math.max(...picture), range);
+  }
+  // The range ends at 1.5 sigma.
+  const wide = { octaves: 4, gain: 1, renormalize: false };
+  assert.equal(spectrum("raw", wide).length, 4);
+  assert.equal(spectrum("unit", wide).length, 3);
+});
+
+test("bytes that are no text are quoted in an answer", () => {
+  const place = library.put(Buffer.from('{"do": "\xff"}\0', "latin1"));
+  assert.match(library.textAt(library.exports.ask(place, 0, 0)), /"error":".*\ufffd/);
+});
+
 test("a recipe comes out as it went in", () => {
   for (const name of Object.keys(recipes)) {
     const once = library.ask({ do: "check", recipe: textOf(name) }).json.recipe;

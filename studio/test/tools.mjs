@@ -2,7 +2,7 @@
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
-import { dirname, join } from "node:path";
+import { basename, dirname, join } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { inflateSync } from "node:zlib";
 import { buildSync } from "esbuild";
@@ -10,10 +10,15 @@ import { buildSync } from "esbuild";
 export const root = join(dirname(fileURLToPath(import.meta.url)), "../..");
 export const folder = mkdtempSync(join(tmpdir(), "studio-"));
 
+// A module of the page.
+export function loadModule(path) {
+  const outfile = join(folder, `${basename(path, ".ts")}.mjs`);
+  buildSync({ entryPoints: [join(root, "studio/src", path)], outfile, bundle: true, format: "esm", platform: "node", logLevel: "error" });
+  return import(pathToFileURL(outfile).href);
+}
+
 export async function loadLibrary() {
-  const outfile = join(folder, "library.mjs");
-  buildSync({ entryPoints: [join(root, "studio/src/engine/library.ts")], outfile, bundle: true, format: "esm", platform: "node", logLevel: "error" });
-  const { Library } = await import(pathToFileURL(outfile).href);
+  const { Library } = await loadModule("engine/library.ts");
   return Library.load(await WebAssembly.compile(readFileSync(join(root, "build/wasm/solidnoise.wasm"))));
 }
 

@@ -70,7 +70,8 @@ EMSCRIPTEN_KEEPALIVE const char* ask(const char* question, const unsigned char* 
     answer = {Json{{"error", error.what()}}};
   }
   answer.json["arrays"] = answer.floats.size();
-  text = answer.json.dump();
+  // Errors quote what they are of, which may have any bytes.
+  text = answer.json.dump(-1, ' ', false, Json::error_handler_t::replace);
   return text.c_str();
 }
 

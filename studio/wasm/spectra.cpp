@@ -1,18 +1,46 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <utility>
+#include <variant>
 
 #include <nlohmann/json.hpp>
 
 #include "pictures.h"
 #include "solidnoise/analysis/periodogram.h"
 #include "solidnoise/analysis/radial_spectrum.h"
+#include "solidnoise/field/shaping.h"
 #include "solidnoise/noise/noise_views.h"
 #include "solidnoise/volume/volume_field.h"
 
 namespace solidnoise::studio {
+namespace {
+
+// A range ends at 3: of a noise of this deviation, as octaves that are not renormalised may have, 3 % of the
+// variance is beyond.
+constexpr double kMostSigmaInRange = 1.25;
+
+// The values of a slice as those of its noise, times a factor, about a mean.
+struct LinearRange {
+  double factor;
+  double mean;
+};
+
+// None where they are of more than a noise, or a range cuts much of it off.
+std::optional<LinearRange> linear_range(const SliceSubject& subject, const VolumeRecipe& grid) {
+  if (subject.plain.empty() || subject.exemplar) return {};
+  const double sigma = subject.plain.front().sigma;
+  const RawShaping::Range range = std::get<RawShaping>(grid.shaping).range;
+  if (sigma == 0.0 || (range != RawShaping::Range::raw && sigma > kMostSigmaInRange)) return {};
+  std::array<float, 2> mapped{0.0f, 1.0f};
+  to_range(range, mapped);
+  return LinearRange{mapped[1] - mapped[0], mapped[0]};
+}
+
+}  // namespace
 
 // The spectrum of a slice: its periodogram as densities, frequency 0 in the middle, rows from the bottom; its
 // mean over directions, and beside it what the noise's closed form says of it, where there is one.
@@ -24,11 +52,12 @@ Answer make_spectrum(const Json& question, std::span<const unsigned char> bytes)
   const SliceSubject& subject = subject_of(question);
   DenseField<2> field({subject.plane.columns, subject.plane.rows}, Vec<2>(subject.plane.pixel));
   field.values = slice.floats.front();
-  double mean = 0.0;
-  for (const float value : field.values) mean += value;
+  double total = 0.0;
+  for (const float value : field.values) total += value;
+  const VolumeRecipe timed = timed_grid(question);
+  const std::optional<LinearRange> closed = linear_range(subject, timed);
   PeriodogramOptions options;
-  const bool closed = !subject.plain.empty() && subject.plain.front().sigma > 0.0;
-  if (!closed) options.mean = mean / static_cast<double>(field.values.size());
+  options.mean = closed ? closed->mean : total / static_cast<double>(field.values.size());
   const PowerSpectrum<2> measured = periodogram(field, options);
 
   Answer answer;
@@ -53,8 +82,7 @@ Answer make_spectrum(const Json& question, std::span<const unsigned char> bytes)
   answer.json["nyquist"] = 0.5 / subject.plane.pixel;
   if (!closed) return answer;
 
-  const VolumeRecipe grid = at_resolution(timed_grid(question), Vec<3>(subject.plane.pixel));
-  if (!grid.layers.empty()) return answer;
+  const VolumeRecipe grid = at_resolution(timed, Vec<3>(subject.plane.pixel));
   const std::shared_ptr<const Noise<3>> noise = make_volume_noise(grid);
   const auto plane = on_plane(noise, {subject.plane.position(0, 0), subject.plane.right, subject.plane.up});
   // The mean over directions at the middles of the bins, a half-circle of them, as a density is even; one
@@ -72,7 +100,7 @@ Answer make_spectrum(const Json& question, std::span<const unsigned char> bytes)
     for (int k = 0; k < directions && frequency < 2.0 * band.upper; ++k) {
       sum += density(frequency, std::numbers::pi * (k + 0.5) / directions);
     }
-    closed_form.push_back(static_cast<float>(sum / directions));
+    closed_form.push_back(static_cast<float>(closed->factor * closed->factor * sum / directions));
   }
   answer.floats.push_back(closed_form);
   return answer;

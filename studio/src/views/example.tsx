@@ -150,7 +150,8 @@ export function ExampleView(): JSX.Element {
             // What was done to groups stays done: sliders begin anew.
             const { example, groups } = state.value;
             try {
-              commit({ ...state.value, example: await edited(example, [...groupEdits(groups), ...edits]), groups: {} }, `spectrum ${edits[0]?.edit}`, at);
+              const changed = await edited(example, [...groupEdits(groups), ...edits]);
+              commit({ ...state.value, example: changed, groups: {} }, `spectrum ${edits[0]?.edit}`, at);
             } catch (error) {
               setTrouble((error as Error).message);
             }

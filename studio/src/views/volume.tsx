@@ -6,11 +6,11 @@ import { Dropped } from "../engine/pool.ts";
 import { activeNoise, colorsOf, infoOf, state, time } from "../store.ts";
 import { Orbit } from "./orbit.ts";
 import { SceneCanvas, useScene } from "./scene.tsx";
-import { type VolumeLook, VolumeRenderer } from "./volume_renderer.ts";
+import { turned, type VolumeLook, VolumeRenderer } from "./volume_renderer.ts";
 
 // The voxels of a preview, marched through: a cloud under a sun, a fire or nebula that glows, or a body with the values' colours.
 
-const kSun: [number, number, number] = [0.5, 0.75, 0.45];
+const kSun = [0.5, 0.75, 0.45]; // where it is from, with the Y axis up
 
 export function VolumeView(): JSX.Element {
   const [told, tell] = useState("");
@@ -28,6 +28,8 @@ export function VolumeView(): JSX.Element {
     const info = infoOf(noise);
     if (!info || !renderer.current) return;
     const single = info.grids.find((grid) => grid.names.includes(noise.grid)) ?? info.grids[0]!;
+    const up = /"up": "z"/.test(noise.text) ? 2 : 1;
+    const sun = turned(kSun, up);
     const begin = performance.now();
     try {
       for (const dim of [32, 64, 128]) {
@@ -52,13 +54,13 @@ export function VolumeView(): JSX.Element {
         let factor = 1;
         if (!single.raw) {
           const bytes = new Uint8Array(values.buffer.slice(0));
-          const lit = await engine.pool.ask("volume", { do: "light", ...question, size, sun: kSun }, { bytes });
+          const lit = await engine.pool.ask("volume", { do: "light", ...question, size, sun }, { bytes });
           light = lit.floats[0];
           factor = Number(lit.json.factor);
         }
         if (own !== generation.current || !renderer.current) return;
         const look: VolumeLook = single.raw ? "solid" : /nebula/.test(noise.text.match(/"look": "(\w+)"/)?.[1] ?? "") ? "glow" : "cloud";
-        renderer.current.load({ size, values, range, light, factor, sides: sides as [number, number, number], look, sun: kSun, up: /"up": "z"/.test(noise.text) ? 2 : 1,
+        renderer.current.load({ size, values, range, light, factor, sides: sides as [number, number, number], look, sun, up,
           ramp: engine.ramps.get(state.value.ramp) ?? (colorsOf(info) ? engine.body! : engine.ramps.get(single.raw ? "marble" : "grey")!) });
         render();
         tell(`${size.join(" × ")} voxels · ${(performance.now() - begin).toFixed(0)} ms`);

@@ -11,10 +11,13 @@ export interface VolumeData {
   factor: number; // from values to extinction per world unit
   sides: [number, number, number]; // of the box, world units
   look: VolumeLook;
-  sun: [number, number, number];
+  sun: number[]; // where it is from, in the world
   up: 1 | 2;
   ramp: Float32Array;
 }
+
+// A vector with the Y axis up as the world has it, which with the Z axis up is turned about x.
+export const turned = (v: readonly number[], up: 1 | 2): number[] => (up === 2 ? [v[0]!, -v[2]!, v[1]!] : [...v]);
 
 const kVertex = `
 const vec2 corners[3] = vec2[](vec2(-1, -1), vec2(3, -1), vec2(-1, 3));
@@ -28,7 +31,7 @@ in vec2 place;
 out vec4 color;
 uniform sampler3D values, light;
 uniform sampler2D ramp;
-uniform vec3 eye, right, up, forward, halfSides, sun;
+uniform vec3 eye, right, up, forward, halfSides, sun, vertical;
 uniform vec2 aspect;
 uniform float factor, cut, low, high;
 uniform int look, steps;
@@ -36,7 +39,7 @@ uniform int look, steps;
 float hash(vec2 p) { return fract(52.9829189 * fract(dot(p, vec2(0.06711056, 0.00583715)))); }
 vec3 at(vec3 p) { return (p / halfSides * 0.5 + 0.5).zyx; }
 vec3 sky(vec3 d) {
-  float t = 0.5 + 0.5 * d.y;
+  float t = 0.5 + 0.5 * dot(d, vertical);
   return mix(vec3(0.10, 0.13, 0.19), vec3(0.22, 0.36, 0.58), smoothstep(0.1, 1.0, t));
 }
 vec3 encoded(vec3 c) { return mix(12.92 * c, 1.055 * pow(max(c, vec3(1e-5)), vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c)); }
@@ -99,7 +102,7 @@ void main() {
         // Light scattered once, and many times: as if through thinner clouds (Wrenninge 2015).
         float direct = 0.0, weight = 1.0, thin = 1.0;
         for (int k = 0; k < 4; ++k) { direct += weight * exp(-depth * thin); weight *= 0.5; thin *= 0.3; }
-        vec3 ambient = mix(vec3(0.16, 0.20, 0.27), vec3(0.30, 0.40, 0.55), 0.5 + 0.5 * p.y / halfSides.y);
+        vec3 ambient = mix(vec3(0.16, 0.20, 0.27), vec3(0.30, 0.40, 0.55), 0.5 + 0.5 * dot(p / halfSides, vertical));
         vec3 here = vec3(1.0, 0.92, 0.80) * direct * 0.56 * mix(1.0, forwardLobe, 0.5) + ambient * 0.42;
         sum += through * absorbed * here;
       }
@@ -152,17 +155,16 @@ export class VolumeRenderer {
     gl.useProgram(program);
     const at = (name: string): WebGLUniformLocation | null => gl.getUniformLocation(program, name);
     const radius = 0.5 * Math.hypot(...data.sides);
-    // With the Z axis up the world is turned about x.
-    const turned = (v: readonly number[]): number[] => (data.up === 2 ? [v[0]!, -v[2]!, v[1]!] : [...v]);
     // A body fills its box, a cloud the middle of it.
     const eye = orbit.eye().map((x) => x * radius * (data.look === "solid" ? 1.35 : 1));
     const { right, up, forward } = lookAt(eye);
-    gl.uniform3fv(at("eye"), turned(eye));
-    gl.uniform3fv(at("right"), turned(right));
-    gl.uniform3fv(at("up"), turned(up));
-    gl.uniform3fv(at("forward"), turned(forward));
+    gl.uniform3fv(at("eye"), turned(eye, data.up));
+    gl.uniform3fv(at("right"), turned(right, data.up));
+    gl.uniform3fv(at("up"), turned(up, data.up));
+    gl.uniform3fv(at("forward"), turned(forward, data.up));
     gl.uniform3fv(at("halfSides"), data.sides.map((x) => x / 2));
     gl.uniform3fv(at("sun"), data.sun);
+    gl.uniform3fv(at("vertical"), turned([0, 1, 0], data.up));
     const field = 0.42;
     const ratio = this.canvas.width / this.canvas.height;
     gl.uniform2f(at("aspect"), ratio > 1 ? field * ratio : field, ratio > 1 ? field : field / ratio);

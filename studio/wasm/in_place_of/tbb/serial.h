@@ -54,6 +54,7 @@ class enumerable_thread_specific {
  public:
   template <typename Make>
   explicit enumerable_thread_specific(const Make& make) : value_(make()) {}
+  explicit enumerable_thread_specific(const Value& value) : value_(value) {}
   Value& local() { return value_; }
 
  private:
