@@ -49,6 +49,12 @@ void warn_of_aliasing(const BakePlan& plan, RefineRecipe::Mode refine) {
       is_automatic ? "raise --refine-budget" : "use --refine auto");
 }
 
+std::string steering_name(const Steering& steering) {
+  return steering.source == SteeringSource::attribute
+             ? steering.attribute
+             : std::string(name_of(kSteeringChoices, steering.source));
+}
+
 // Curvatures that vary less than they are measured exactly, as a sphere's do.
 bool hardly_varies(const SteeringWeights& steering, SteeringSource by) {
   constexpr double kExact = 0.01;
@@ -111,12 +117,6 @@ std::vector<std::string> foreign_comments(const std::vector<std::string>& commen
     if (!ours) foreign.push_back(comment);
   }
   return foreign;
-}
-
-std::string steering_name(const Steering& steering) {
-  return steering.source == SteeringSource::attribute
-             ? steering.attribute
-             : std::string(name_of(kSteeringChoices, steering.source));
 }
 
 MeshReading read_mesh_to_bake(const std::string& in, const BakeOptions& options) {

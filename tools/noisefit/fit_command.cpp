@@ -130,17 +130,6 @@ int fit_solid(const FitCommand& command, const std::vector<Exemplar<2>>& exempla
   return kDone;
 }
 
-// Of what changes from one side of the picture to the other the periodic component has nothing.
-void warn_of_trend(const ExemplarFit<2>& fit, const std::vector<std::string>& names) {
-  constexpr double kLeast = 0.5;
-  const double kept = fit.channels.front().kept_variance;
-  if (kept >= kLeast) return;
-  std::cerr << fmt::format(
-      "noisefit: warning: {}: {:.0f} % of the variance change from side to side, as falling light does, and "
-      "become large blobs, beside which the texture is weak: even the light, or cut the picture\n",
-      names.size() == 1 ? names.front() : "the pictures", 100.0 * (1.0 - kept));
-}
-
 int fit_planar(const FitCommand& command, const std::vector<Exemplar<2>>& exemplars) {
   const Clock::time_point start = Clock::now();
   ExemplarFit<2> fit;
@@ -154,7 +143,8 @@ int fit_planar(const FitCommand& command, const std::vector<Exemplar<2>>& exempl
   write_outputs(command, exemplars.front(), fit.model, describe_shortly(fit, seconds));
   if (!command.quiet) {
     std::cerr << describe(fit, seconds) << describe_scale({fit.model, command.outputs.pixel_size});
-    warn_of_trend(fit, command.inputs);
+    for (const std::string& warning : warnings_of(fit.channels, command.fit.spectrum.gap_tolerance))
+      std::cerr << fmt::format("noisefit: warning: {}\n", warning);
   }
   return kDone;
 }

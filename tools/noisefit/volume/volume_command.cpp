@@ -141,8 +141,10 @@ int run_volume(const std::vector<std::string>& arguments) {
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
   if (fit.interrupted) return keep_last_solution(command.outputs, fit.model);
   command.outputs.write(fit.model, [&] { return draw_sheet(command, exemplars.front(), fit, seconds); });
-  if (!command.quiet)
-    std::cerr << describe(fit, seconds) << describe_scale({fit.model, command.outputs.pixel_size});
+  if (command.quiet) return kDone;
+  std::cerr << describe(fit, seconds) << describe_scale({fit.model, command.outputs.pixel_size});
+  for (const std::string& warning : warnings_of(fit.channels, command.fit.spectrum.gap_tolerance))
+    std::cerr << fmt::format("noisefit: warning: {}\n", warning);
   return kDone;
 }
 

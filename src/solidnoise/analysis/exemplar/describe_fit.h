@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "solidnoise/analysis/exemplar/fit_exemplar.h"
 #include "solidnoise/analysis/exemplar/solid_spectrum.h"
@@ -18,5 +19,9 @@ std::string describe_shortly(const SolidExemplarFit& fit);
 
 // What is in a spectrum file.
 std::string describe(const ExemplarModel& model);
+
+// What is to be said of a fit, of its channels, that looks worse than it need: light that falls off from side
+// to side, and a spectrum whose gap is still above the tolerance.
+std::vector<std::string> warnings_of(const std::vector<SpectrumFit>& channels, double gap_tolerance);
 
 }  // namespace solidnoise
