@@ -43,7 +43,7 @@ __all__ = [
 algorithm: int
 
 class Noise:
-    def __init__(self, recipe: _Source | Noise | None = ..., /, *, dims: int = ..., time: float | None = ..., **options: Any) -> None: ...
+    def __init__(self, recipe: _Source | Noise | None = ..., /, *, dims: int | None = ..., time: float | None = ..., **options: Any) -> None: ...
     @overload
     def __call__(
         self, points: npt.ArrayLike, *, gradient: Literal[False] = ..., out: _Floats | None = ..., threads: int | None = ...,

@@ -1,5 +1,6 @@
 #include "arrays.h"
 
+#include <algorithm>
 #include <cstring>
 #include <stdexcept>
 
@@ -128,11 +129,17 @@ Values values_in(py::handle out, const std::vector<py::ssize_t>& shape, int chan
   const std::vector<py::ssize_t> wanted = memory_shape(shape, channels);
   const std::vector<py::ssize_t> found(array.shape(), array.shape() + array.ndim());
   if (found != wanted) {
+    const auto as_given = [&](std::vector<py::ssize_t> memory) {
+      if (channels > 1 && !memory.empty()) std::rotate(memory.begin(), memory.begin() + 1, memory.end());
+      return text_of(memory);
+    };
     throw std::invalid_argument(
-        fmt::format("out has the shape {}; it must be {}", text_of(found), text_of(wanted)));
+        fmt::format("out has the shape {}; it must be {}", as_given(found), as_given(wanted)));
   }
   if ((array.flags() & py::array::c_style) == 0) {
-    throw std::invalid_argument("out must be contiguous, its last axis the fastest");
+    throw std::invalid_argument(channels > 1 ? "out must have its channels one after the other in memory, as "
+                                               "numpy.moveaxis(numpy.empty((channels, ...)), 0, -1) has them"
+                                             : "out must be contiguous, its last axis the fastest");
   }
   if (!array.writeable()) throw std::invalid_argument("out cannot be written to");
   auto* const memory = static_cast<float*>(array.mutable_data());

@@ -70,6 +70,7 @@ py::object evaluate_points(const Field<Dim>& field, py::handle points, const Wan
                                 }};
   if (rows.count() <= kFew) {
     run_at_once([&] { evaluate_in_parallel(field, source, arrays.samples); });
+    if (!call.progress.is_none()) call.progress(1.0);
   } else {
     run(call, [&](Progress& progress) { evaluate_in_parallel(field, source, arrays.samples, &progress); });
   }

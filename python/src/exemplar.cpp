@@ -25,6 +25,7 @@
 #include "solidnoise/analysis/exemplar/prepare_exemplars.h"
 #include "solidnoise/core/check.h"
 #include "solidnoise/core/output_file.h"
+#include "solidnoise/core/printable.h"
 #include "solidnoise/recipe/exemplar_model_json.h"
 #include "solidnoise/recipe/field_json.h"
 
@@ -136,6 +137,10 @@ Groups are those of group_names.
       "write",
       [](const ExemplarModel& model, py::handle path, bool force) {
         const std::filesystem::path target = path_of(path);
+        if (target.extension() != ".json") {
+          throw std::invalid_argument(
+              fmt::format("path is {}; it must end in .json", printable(target.string())));
+        }
         const std::string text = format_json(exemplar_file_to_json(model));
         run_at_once([&] {
           write_output(target, {.existing = force ? Existing::replace : Existing::refuse},
@@ -179,7 +184,7 @@ columns, 3) of float32, sRGB-encoded. picture and reading are those of fit().)")
     return py::bool_(model == other.cast<const ExemplarModel&>());
   });
   of.def("__hash__", [](const ExemplarModel& model) {
-    return std::hash<std::string>()(exemplar_file_to_json(model).dump());
+    return std::hash<std::string>()(hashed_text(exemplar_file_to_json(model)));
   });
   of.def("__reduce__", [](const py::object& self) {  // by the constructor, in pickles of any protocol
     return py::make_tuple(py::type::of(self), py::make_tuple(self.attr("recipe")));

@@ -138,7 +138,7 @@ The field at points.
 
 points : array (..., 3), world units
 gradient, out, threads, progress
-    As of Noise; fields of noise alone, as it is, have a gradient.
+    As of Noise; fields whose parts all have a gradient have one.
 
 Returns an array (...) of float32, or (..., channels) where there are several. Ctrl-C stops the call.
 
@@ -187,7 +187,7 @@ void add_state(FieldClass& of) {
     return py::bool_(field == other.cast<const FieldObject&>());
   });
   of.def("__hash__", [](const FieldObject& field) {
-    return std::hash<std::string>()(to_json(field.recipe()).dump() + field.grid().value_or(""));
+    return std::hash<std::string>()(hashed_text(to_json(field.recipe())) + field.grid().value_or(""));
   });
   of.def("__reduce__", [](const py::object& self) {  // by the constructor, in pickles of any protocol
     const auto& field = self.cast<const FieldObject&>();

@@ -1,6 +1,8 @@
 #include "json.h"
 
+#include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <pybind11/stl/filesystem.h>
 #include <utility>
 
@@ -49,18 +51,23 @@ Json exemplar_of(Json json) {
   return to_json(model);
 }
 
+std::string text_of(py::handle object) {
+  if (const char* const text = PyUnicode_AsUTF8(object.ptr())) return text;
+  throw py::error_already_set();  // UnicodeEncodeError, a ValueError
+}
+
 Json json_of(py::handle object, int depth) {
   if (depth > kMostDepth) throw py::value_error("nested too deeply to be a recipe");
   if (object.is_none()) return nullptr;
   if (py::isinstance<py::bool_>(object)) return object.cast<bool>();
   if (py::isinstance<py::int_>(object)) return json_of_integer(object);
   if (py::isinstance<py::float_>(object)) return object.cast<double>();
-  if (py::isinstance<py::str>(object)) return object.cast<std::string>();
+  if (py::isinstance<py::str>(object)) return text_of(object);
   if (py::isinstance<py::dict>(object)) {
     Json json = Json::object();
     for (const auto& [key, value] : py::reinterpret_borrow<py::dict>(object)) {
       if (!py::isinstance<py::str>(key)) throw py::type_error("a recipe's keys must be texts");
-      const auto name = key.cast<std::string>();
+      const std::string name = text_of(key);
       json[name] = json_of(value, depth + 1);
       if (name == "exemplar") json[name] = exemplar_of(std::move(json[name]));
     }
@@ -156,7 +163,21 @@ std::filesystem::path path_of(py::handle object) {
     throw py::type_error("a path cannot be a " + name_of_type(object) +
                          "; it must be str, bytes or os.PathLike");
   }
-  return object.cast<std::filesystem::path>();
+  try {
+    const auto path = object.cast<std::filesystem::path>();
+    if (path.native().find('\0') == std::string::npos) return path;
+  } catch (const py::cast_error&) {
+  }
+  throw py::value_error("a path must be without null bytes, and of characters that its file system has");
+}
+
+std::string hashed_text(Json json) {
+  const std::function<void(Json&)> unsign = [&](Json& value) {
+    if (value.is_number_float()) value = value.get<double>() + 0.0;
+    if (value.is_structured()) std::for_each(value.begin(), value.end(), unsign);
+  };
+  unsign(json);
+  return json.dump();
 }
 
 std::string name_of_type(py::handle object) {

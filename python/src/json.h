@@ -37,6 +37,9 @@ Json with_header(Json recipe);
 std::filesystem::path path_of(py::handle object);
 bool is_path(py::handle object);
 
+// Equal for equal numbers, 0 and -0 among them.
+std::string hashed_text(Json json);
+
 // For messages: "int".
 std::string name_of_type(py::handle object);
 

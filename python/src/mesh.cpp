@@ -120,9 +120,23 @@ py::array colors_of(const std::vector<Color>& colors) {
   return array_of(std::move(numbers), {static_cast<py::ssize_t>(colors.size()), 3});
 }
 
-py::array property_of(const PolygonMesh& mesh, const std::string& name) {
-  const VertexProperty& property = *mesh.property(name);
-  return array_of(std::vector<float>(property.values.begin(), property.values.end()));
+// Of vectors, whose parts are properties of their own, (vertices, 3).
+py::object property_of(const PolygonMesh& mesh, const std::string& name) {
+  if (const VertexProperty* const property = mesh.property(name))
+    return array_of(std::vector<float>(property->values.begin(), property->values.end()));
+  py::list parts;
+  for (const char* const axis : {"_x", "_y", "_z"}) parts.append(property_of(mesh, name + axis));
+  return py::module_::import("numpy").attr("stack")(parts, -1);
+}
+
+// One name would hide the other.
+void require_names(const BakeRecipe& recipe, const std::vector<std::string>& keep) {
+  for (const auto& [name, layer] : recipe.properties) {
+    const bool is_ours = name == "vertices" || name == "faces" || name == "normals" || name == "colors";
+    if (!is_ours && std::ranges::find(keep, name) == keep.end()) continue;
+    throw std::invalid_argument(
+        fmt::format("properties has {}, which is the name of another array of a bake", name));
+  }
 }
 
 BakeRecipe bake_recipe_of(py::handle recipe, const py::dict& keywords) {
@@ -136,6 +150,7 @@ py::dict bake_arrays(py::handle vertices, py::handle faces, py::handle recipe, c
                      const py::kwargs& keywords) {
   const Call call(threads, std::move(progress));
   const BakeRecipe read = bake_recipe_of(recipe, keywords);
+  require_names(read, keep);
   PolygonMesh mesh = mesh_of(vertices, faces, attributes);
   BakedMesh baked;
   run(call, [&](Progress& told) { baked = bake(plan_bake(std::move(mesh), read), read, keep, &told); });
@@ -146,15 +161,7 @@ py::dict bake_arrays(py::handle vertices, py::handle faces, py::handle recipe, c
   result["colors"] = colors_of(baked.colors);
   result["noise"] = property_of(baked.mesh, "noise");
   for (const auto& [name, layer] : read.properties) result[py::str(name)] = property_of(baked.mesh, name);
-  for (const std::string& name : keep) {
-    if (name != "direction") {
-      result[py::str(name)] = property_of(baked.mesh, name);
-      continue;
-    }
-    py::list parts;
-    for (const char* const axis : {"x", "y", "z"}) parts.append(property_of(baked.mesh, name + "_" + axis));
-    result[py::str(name)] = py::module_::import("numpy").attr("stack")(parts, -1);
-  }
+  for (const std::string& name : keep) result[py::str(name)] = property_of(baked.mesh, name);
   return result;
 }
 

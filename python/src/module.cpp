@@ -18,23 +18,30 @@
 namespace solidnoise::python {
 namespace {
 
+// Names of files in it may be of other bytes than UTF-8.
+void set_error(PyObject* type, const std::string& message) {
+  const auto text = py::reinterpret_steal<py::object>(
+      PyUnicode_DecodeUTF8(message.data(), static_cast<py::ssize_t>(message.size()), "backslashreplace"));
+  PyErr_SetObject(type, text.ptr());
+}
+
 // The library's messages, as what Python calls them: of options ValueError (pybind11 does that), of files
 // OSError.
 void translate(std::exception_ptr thrown) {
   try {
     if (thrown) std::rethrow_exception(thrown);
   } catch (const Cancelled& error) {
-    PyErr_SetString(PyExc_RuntimeError, error.what());
+    set_error(PyExc_RuntimeError, error.what());
   } catch (const std::length_error&) {
     PyErr_SetString(PyExc_MemoryError, "this would take more than any machine has");
   } catch (const TooMuchMemory& error) {
-    PyErr_SetString(PyExc_MemoryError, error.what());
+    set_error(PyExc_MemoryError, error.what());
   } catch (const OutputExists& error) {
-    PyErr_SetString(PyExc_FileExistsError, error.what());
+    set_error(PyExc_FileExistsError, error.what());
   } catch (const py::builtin_exception&) {
     throw;
   } catch (const std::runtime_error& error) {
-    PyErr_SetString(PyExc_OSError, error.what());
+    set_error(PyExc_OSError, error.what());
   }
 }
 

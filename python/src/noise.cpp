@@ -53,8 +53,15 @@ NoiseObject noise_of_json(Json json, int dims, std::optional<double> time) {
   return {noise_recipe_from_json(reader), dims, time};
 }
 
-NoiseObject make_object(py::handle recipe, int dims, std::optional<double> time, const py::kwargs& options) {
+// Without dims and time they are those of a noise that is changed.
+NoiseObject make_object(py::handle recipe, std::optional<int> given_dims, std::optional<double> time,
+                        const py::kwargs& options) {
+  constexpr int kDims = 3;
   std::optional<NoiseObject> made;
+  const NoiseObject* const from =
+      py::isinstance<NoiseObject>(recipe) ? &recipe.cast<const NoiseObject&>() : nullptr;
+  const int dims = given_dims.value_or(from ? from->made_dims() : kDims);
+  if (from && !time) time = from->time();
   use_recipe(recipe, options, [&](const Json& json) { made.emplace(noise_of_json(json, dims, time)); });
   return std::move(*made);
 }
@@ -114,8 +121,9 @@ do neither.)");
     if (!py::isinstance<NoiseObject>(other)) return py::reinterpret_borrow<py::object>(Py_NotImplemented);
     return py::bool_(noise == other.cast<const NoiseObject&>());
   });
-  of.def("__hash__",
-         [](const NoiseObject& noise) { return std::hash<std::string>()(to_json(noise.recipe()).dump()); });
+  of.def("__hash__", [](const NoiseObject& noise) {
+    return std::hash<std::string>()(hashed_text(to_json(noise.recipe())));
+  });
   of.def("__reduce__", [](const py::object& self) {  // by the constructor, in pickles of any protocol
     const auto& noise = self.cast<const NoiseObject&>();
     const py::object partial = py::module_::import("functools").attr("partial");
@@ -158,6 +166,8 @@ NoiseObject::NoiseObject(NoiseRecipe recipe, int dims, std::optional<double> tim
         "time is {}; it needs a noise that changes with time: of 4 dimensions, or with evolve above 0",
         *time));
   }
+  if (dims == 4 && evolves(recipe_))
+    throw std::invalid_argument("dims is 4; it must be 1 to 3 where the noise evolves");
   if (dims == 1) noise_ = make<1>(recipe_, time);
   if (dims == 2) noise_ = make<2>(recipe_, time);
   if (dims == 3) noise_ = make<3>(recipe_, time);
@@ -172,7 +182,7 @@ NoiseObject::NoiseObject(NoiseRecipe recipe, int dims, std::optional<double> tim
 void add_noise(py::module_& module) {
   using namespace py::literals;
   NoiseClass of(module, "Noise",
-                R"(Noise(recipe=None, /, *, dims=3, time=None, **options)
+                R"(Noise(recipe=None, /, *, dims=None, time=None, **options)
 --
 
 A random field with a known spectrum: of mean 0 and, unless it is filtered, variance 1.
@@ -181,9 +191,9 @@ recipe : dict, Noise, or the path of a .json file
     The options by name, with "type" for the kind: what recipes of volumes have under "noise". A file may also be a noise by example,
     as noisefit writes it.
 dims : int, 1 to 4
-    Dimensions of its positions.
+    Dimensions of its positions: 3, or those of a Noise.
 time : float
-    Of a noise that changes with time: when it is looked at; see at_time().
+    Of a noise that changes with time: when it is looked at, see at_time(), or that of a Noise.
 options
     Take the place of those of the recipe. gabor(), gabor_oriented(), kensler(), cellular() and spectrum() list them.
 
@@ -193,8 +203,8 @@ Noises are immutable, may be compared, copied and pickled, and used by several t
     noise([[0.0, 0.5, 1.0], [2.0, 0.0, 0.0]])                # at points
     noise.lattice(origin=0, step=0.02, shape=(64, 64, 64))   # on a lattice
     noise.power_spectrum([4.0, 0.0, 0.0])                    # known, not measured)");
-  of.def(py::init(&make_object), "recipe"_a = py::none(), py::pos_only(), py::kw_only(), "dims"_a = 3,
-         "time"_a = py::none());
+  of.def(py::init(&make_object), "recipe"_a = py::none(), py::pos_only(), py::kw_only(),
+         "dims"_a = py::none(), "time"_a = py::none());
   add_evaluation(of);
   add_closed_forms(of);
   add_state(of);

@@ -94,7 +94,7 @@ out, gradient, threads, progress
 first : dims ints or one
     The index of the first sample: parts of one lattice, of one origin and step, agree to the last bit.
 interpolate : bool
-    Whether waves that the lattice resolves well may be interpolated from fewer samples, within the noise's `error`, as
+    Whether waves that the lattice resolves well may be interpolated from fewer samples, with about the noise's `error` more, as
     volumes do: several times quicker. Values then depend on origin and step, too.
 
 Returns an array of float32 of the shape, C-contiguous, or with the gradient a tuple of it and of the derivatives.)");

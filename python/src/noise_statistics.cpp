@@ -11,6 +11,7 @@
 #include "call.h"
 #include "json.h"
 #include "noise.h"
+#include "solidnoise/core/check.h"
 #include "solidnoise/noise/error_budget.h"
 #include "solidnoise/noise/registry/noise_entries.h"
 
@@ -21,6 +22,9 @@ namespace {
 template <int Dim, typename Function>
 py::object map_vectors(py::handle vectors, const std::string& name, const Function& function) {
   const Rows rows(vectors, name, Dim);
+  for (std::size_t i = 0; i < rows.count(); ++i) {
+    for (int axis = 0; axis < Dim; ++axis) require_finite(name, rows.vector<Dim>(i)[axis]);
+  }
   std::vector<double> results(rows.count());
   run({std::nullopt, py::none()}, [&](Progress& progress) {
     tbb::parallel_for(std::size_t{0}, results.size(), [&](std::size_t i) {
@@ -89,7 +93,7 @@ over all frequencies is the variance. Returns float64 (...).)");
 --
 
 The covariance of values so far apart, an array (..., dims), world units: the transform of the power spectrum, but for the
-noise's error, of 1 dimension up to 0.015. Returns float64 (...). Noises that are not stationary (kensler) have none, and give 0.)");
+noise's error, of 1 dimension up to 0.015; of a noise with a period, as if it had none. Returns float64 (...). Noises that are not stationary (kensler) have none, and give 0.)");
   const auto number = [&](const char* name, auto get, const char* text) {
     of.def_property_readonly(
         name,

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iterator>
 #include <pybind11/stl.h>
@@ -97,7 +98,11 @@ py::array slice_object(py::handle recipe, const SliceArguments& arguments, const
   const std::vector<double> sides = numbers_of(arguments.resolution, "resolution");
   if (sides.empty() || sides.size() > 2)
     throw std::invalid_argument("resolution must be columns, or columns and rows");
-  for (const double side : sides) require_in_range("resolution", side, 1, kMostPixels, "pixels");
+  for (const double side : sides) {
+    require_in_range("resolution", side, 1, kMostPixels, "pixels");
+    if (side != std::floor(side))
+      throw std::invalid_argument(fmt::format("resolution is {}; it must be whole numbers", side));
+  }
   slice.plane.columns = static_cast<int>(sides.front());
   slice.plane.rows = static_cast<int>(sides.back());
   if (arguments.width) require_positive("width", *arguments.width, "world units");
@@ -131,13 +136,16 @@ void write_picture(py::handle path, py::handle pixels, bool force) {
 
 Image image_of_array(py::handle object, const std::string& name) {
   const py::array array = array_in(object, name);
+  const char kind = array.dtype().kind();
+  if (kind != 'f' && (kind != 'u' || array.itemsize() > 2))
+    throw py::type_error(name + " must be of floats, uint8 or uint16");
   if (array.ndim() != 2 && array.ndim() != 3) {
     throw std::invalid_argument(name + " must have the shape (rows, columns) or (rows, columns, channels)");
   }
   Image image(static_cast<int>(array.shape(1)), static_cast<int>(array.shape(0)),
               array.ndim() == 3 ? static_cast<int>(array.shape(2)) : 1);
   image.pixels = numbers_of<float>(array, name);
-  if (array.dtype().kind() != 'u') return image;
+  if (kind == 'f') return image;
   // As OpenImageIO does it: the same picture from a file has the same values.
   const float scale = static_cast<float>(1.0 / (array.itemsize() == 1 ? 255.0 : 65535.0));
   for (float& value : image.pixels) value *= scale;

@@ -22,17 +22,17 @@
 namespace solidnoise::python {
 namespace {
 
-// One number for all, or one for each vertex.
+// One number for all, or one for each vertex, whose values then depend on no other vertex.
 VertexNumber vertex_number(py::handle object, const std::string& name, std::size_t vertices) {
+  constexpr double kTypical = 1.0;
   const std::vector<double> numbers = numbers_of(object, name);
-  if (numbers.size() == 1) return {numbers.front(), {}};
+  if (array_in(object, name).ndim() == 0) return {numbers.front(), {}};
   if (numbers.size() != vertices) {
     throw std::invalid_argument(
-        fmt::format("{} has {} numbers; it must have one, or one for each of {} vertices", name,
+        fmt::format("{} has {} numbers; it must be a number, or have one for each of {} vertices", name,
                     numbers.size(), vertices));
   }
-  return {numbers.empty() ? 1.0 : *std::min_element(numbers.begin(), numbers.end()),
-          {numbers.begin(), numbers.end()}};
+  return {kTypical, {numbers.begin(), numbers.end()}};
 }
 
 struct SurfaceParameters {

@@ -94,6 +94,26 @@ def test_faces_of_mixed_sizes_stay_what_they_are() -> None:
     assert [list(face) for face in solidnoise.bake(vertices, mixed)["faces"]] == mixed
 
 
+def test_gradients_and_curls_are_vectors() -> None:
+    baked = solidnoise.bake(VERTICES, FACES, frequency=4, keep=["gradient", "curl"])
+    assert baked["gradient"].shape == baked["curl"].shape == VERTICES.shape
+    np.testing.assert_allclose((baked["gradient"] * baked["curl"]).sum(axis=1), 0.0, atol=1e-3 * np.abs(baked["gradient"]).max() ** 2)
+
+
+@pytest.mark.parametrize("noise", ["surface", "oriented", "solid", "kensler"])
+def test_values_of_a_vertex_depend_on_no_other(noise: str) -> None:
+    normals = np.tile([0.0, 0.0, 1.0], (9, 1))
+    options: dict[str, Any] = {"noise": noise, "directions": np.tile([1.0, 0.0, 0.0], (9, 1))} if noise == "oriented" else {"noise": noise}
+    points = np.random.default_rng(0).uniform(0, 1, (9, 3))
+    frequency, bandwidth = np.linspace(2, 9, 9), np.linspace(0.5, 2, 9)
+    if noise != "kensler":
+        options["bandwidth"] = bandwidth
+    whole = solidnoise.surface_noise(points, normals, frequency=frequency, **options)
+    for part in (slice(0, 1), slice(1, 5), slice(5, 9)):
+        some = {key: value[part] if isinstance(value, np.ndarray) else value for key, value in options.items()}
+        np.testing.assert_array_equal(solidnoise.surface_noise(points[part], normals[part], frequency=frequency[part], **some), whole[part])
+
+
 def test_ranges_follow_an_attribute() -> None:
     height = VERTICES[:, 1]
     baked = solidnoise.bake(VERTICES, FACES, frequency=(4, 16), by={"attribute": "paint", "percentiles": [0, 100]},
@@ -131,6 +151,8 @@ REFUSED: list[tuple[Callable[[], object], type[Exception], str]] = [
     (lambda: solidnoise.bake(VERTICES, [[0, 1]]), ValueError, r"faces\[0\] has 2 corners; it must have 3 at least"),
     (lambda: solidnoise.bake(VERTICES, np.zeros((2, 0), int)), ValueError, r"faces\[0\] has 0 corners"),
     (lambda: solidnoise.bake(VERTICES, FACES, attributes={5: VERTICES[:, 0]}), TypeError, "names of attributes must be texts"),  # type: ignore[dict-item]
+    (lambda: solidnoise.bake(VERTICES, FACES, properties={"vertices": {}}), ValueError, "properties has vertices, which is the name of another"),
+    (lambda: solidnoise.bake(VERTICES, FACES, properties={"frequency": {}}, keep=["frequency"]), ValueError, "properties has frequency"),
     (lambda: solidnoise.bake(VERTICES, FACES, seed=10**400), ValueError, "too large"),
     (lambda: solidnoise.bake(VERTICES, np.zeros((2, 3))), TypeError, "faces must be whole numbers"),
     (lambda: solidnoise.bake(VERTICES, np.zeros(3, int)), ValueError, "faces must have the shape"),

@@ -176,6 +176,20 @@ def test_noises_are_copied_pickled_and_compared(noise: solidnoise.Noise) -> None
     assert noise != solidnoise.gabor(seed=99) and noise != other
 
 
+def test_a_noise_that_is_changed_keeps_its_dimensions_and_its_time() -> None:
+    for noise in (solidnoise.gabor(dims=2), solidnoise.gabor(evolve=1, time=0.5), solidnoise.gabor(dims=4).at_time(0.5)):
+        changed = solidnoise.Noise(noise, seed=8)
+        assert (changed.dims, changed.time) == (noise.dims, noise.time) and solidnoise.Noise(noise) == noise
+    signed = solidnoise.gabor(period=(-0.0, 0, 0, 0))
+    assert signed == solidnoise.gabor() and hash(signed) == hash(solidnoise.gabor())
+
+
+def test_few_points_tell_their_progress_too() -> None:
+    told: list[float] = []
+    solidnoise.gabor()(POINTS[:9], progress=told.append)
+    assert told == [1.0]
+
+
 def test_recipes_are_plain_data() -> None:
     noise = solidnoise.gabor(frequency=np.float32(4), seed=np.int64(2), period=np.array([2.0, 2.0, 2.0]), renormalize=bool(1))
     recipe = noise.recipe
@@ -195,6 +209,12 @@ REFUSED: list[tuple[Callable[[], object], type[Exception], str]] = [
     (lambda: solidnoise.gabor(frequency=float("nan")), ValueError, "frequency is .*; it must be"),
     (lambda: solidnoise.gabor(dims=5), ValueError, "dims is 5; it must be between 1 and 4"),
     (lambda: solidnoise.gabor(time=1), ValueError, "time is 1"),
+    (lambda: solidnoise.gabor(dims=4, evolve=1), ValueError, "dims is 4; it must be 1 to 3 where the noise evolves"),
+    (lambda: solidnoise.gabor(dims=2).covariance([[np.nan, 0]]), ValueError, "displacement is nan"),
+    (lambda: solidnoise.gabor(dims=2).power_spectrum([[0, np.inf]]), ValueError, "frequency is inf"),
+    (lambda: solidnoise.Noise("a\0.json"), ValueError, "a path must be without null bytes"),
+    (lambda: solidnoise.Noise({"type": "\ud800"}), ValueError, "surrogates"),
+    (lambda: solidnoise.Noise("a\udcff.json"), OSError, r"a\\xff.json: cannot be read"),
     (lambda: solidnoise.Noise({"type": "gabr"}), ValueError, "type is \"gabr\"; it must be one of gabor"),
     (lambda: solidnoise.Noise({1: 2}), TypeError, "keys must be texts"),  # type: ignore[dict-item]
     (lambda: solidnoise.Noise({"type": object()}), TypeError, "cannot hold a object"),

@@ -149,7 +149,7 @@ def test_slices_are_those_of_the_noise(tmp_path: Path) -> None:
     ({"of": "volume", "color": True}, "color has no effect where a grid is sliced"),
     ({"of": "recipe", "component": "x"}, "component has no effect where a noise is sliced"),
     ({"of": "recipe", "grid": "density"}, "grid has no effect where a noise is sliced"),
-    ({"of": "recipe", "output": ["curl"]}, "the recipe is of more than a noise; slice the volume"),
+    ({"of": "recipe", "output": "curl"}, "the recipe is of more than a noise; slice the volume"),
     ({"of": "recipe", "shaping": {"type": "cloud"}}, "the recipe shapes its noise; slice the volume"),
 ])
 def test_slices_take_nothing_that_would_have_no_effect(given: dict[str, Any], message: str) -> None:
@@ -167,10 +167,18 @@ def test_pictures_of_bytes_are_written_as_they_are(tmp_path: Path) -> None:
         assert (tmp_path / "y.png").read_bytes() == (tmp_path / "x.png").read_bytes()
 
 
+def test_pictures_are_of_floats_or_bytes(tmp_path: Path) -> None:
+    pixels = np.arange(256).reshape(16, 16)  # int64, as sums of bytes are
+    calls: list[Callable[[], object]] = [lambda: solidnoise.write_image(tmp_path / "x.png", pixels), lambda: solidnoise.fit(pixels)]
+    for call in calls:
+        with pytest.raises(TypeError, match="must be of floats, uint8 or uint16"):
+            call()
+
+
 def test_pictures_are_written(tmp_path: Path) -> None:
     picture = solidnoise.make_volume(solidnoise.preset("cumulus"), dim=24).preview()
     assert picture.shape == (480, 480, 3)
-    assert solidnoise.make_volume(dim=8, output=["curl"]).preview().shape[2] == 3
+    assert solidnoise.make_volume(dim=8, output="curl", shaping={"type": "raw"}).preview().shape[2] == 3
     assert 0.0 <= picture.min() < picture.max() <= 1.0
     solidnoise.write_image(tmp_path / "cloud.png", picture)
     assert (tmp_path / "cloud.png").stat().st_size > 1000
@@ -190,7 +198,7 @@ REFUSED: list[tuple[Callable[[], object], type[Exception], str]] = [
     (lambda: solidnoise.make_volume(dim=8).write("x.vdb", fps=-1), ValueError, "fps is -1; it must be greater than 0"),
     (lambda: solidnoise.make_volume(dim=8).write("x.nvdb", frame=1), ValueError, "a .nvdb has no place for them"),
     (lambda: solidnoise.make_volume(dim=8).write(3), TypeError, "a path cannot be a int"),  # type: ignore[arg-type]
-    (lambda: solidnoise.make_volume(dim=8).to_numpy(bounds=((-(2**31), 0, 0), (2**31 - 1, 0, 0))), ValueError, "bounds are of 4294967296 voxels"),
+    (lambda: solidnoise.make_volume(dim=8).grids["density"].to_numpy(bounds=((-(2**31), 0, 0), (2**31 - 1, 0, 0))), ValueError, "bounds are of 4294967296 voxels"),
     (lambda: solidnoise.analyze(3), TypeError, "what is a int; it must be a Grid, a Volume or the path"),  # type: ignore[arg-type]
     (lambda: solidnoise.make_volume(dim=8).grids["density"].to_numpy("x"), TypeError, "bounds must be two tuples"),  # type: ignore[arg-type]
     (lambda: solidnoise.make_volume(dim=8).grids["density"].to_numpy(((0, 0), (1, 1))), TypeError, "bounds must be"),  # type: ignore[arg-type]

@@ -113,10 +113,8 @@ std::vector<Number> numbers(const Mesh& mesh, const std::string& field, const st
 template <typename Mesh>
 VertexNumber vertex_number(const Mesh& mesh, const std::string& field, const MeshNumber& number) {
   if (const double* const constant = std::get_if<double>(&number)) return {*constant, {}};
-  std::vector<float> values = numbers<float>(mesh, field, std::get<std::string>(number));
-  const double least =
-      values.empty() ? 1.0 : static_cast<double>(*std::min_element(values.begin(), values.end()));
-  return {least, std::move(values)};
+  constexpr double kTypical = 1.0;  // of any vertices: none depends on the others
+  return {kTypical, numbers<float>(mesh, field, std::get<std::string>(number))};
 }
 
 template <typename Mesh>
