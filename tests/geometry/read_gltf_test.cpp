@@ -74,7 +74,7 @@ TEST(ReadGltf, KeepsTheTextureCoordinatesOfEachPrimitive) {
   json& primitives = scene["meshes"][0]["primitives"];
   primitives.push_back(primitives[0]);
   primitives[0]["attributes"].erase("TEXCOORD_0");
-  const PolygonMesh mesh = read_mesh(scene.dump(), MeshFormat::gltf, "scene").mesh;
+  PolygonMesh mesh = read_mesh(scene.dump(), MeshFormat::gltf, "scene").mesh;
   ASSERT_EQ(mesh.positions.size(), 8u);
   EXPECT_EQ(mesh.property("s")->values[5], 1.0);
   EXPECT_FALSE(mesh.property("s")->values[1] == 1.0);

@@ -37,7 +37,7 @@ TEST(Wind, GoesRoundALoopInWholePeriodsOnly) {
   // 0.1 * 3 is not 0.3 in binary numbers.
   run_well(
       folder, {"--raw", "--dim", "12", "--quiet", "--evolve", "0.5", "--loop", "3"},
-      {"--period", "0.3", "0.3", "0.3", "--frequency", "8", "--wind", "0.1", "0", "0", "--out", "r.vdb"});
+      {"--period", "0.3", "0.3", "0.3", "--frequency", "12", "--wind", "0.1", "0", "0", "--out", "r.vdb"});
   std::vector<std::string> odd = raw;
   odd.insert(odd.end(), {"--wind", "1", "0", "0"});
   expect_refusal(run_vdbnoise(odd), {"", 2, {}, {"--wind is 1 along x", "whole number"}}, "vdbnoise");
