@@ -78,6 +78,7 @@ TEST(ReadGltf, KeepsTheTextureCoordinatesOfEachPrimitive) {
   ASSERT_EQ(mesh.positions.size(), 8u);
   EXPECT_EQ(mesh.property("s")->values[5], 1.0);
   EXPECT_FALSE(mesh.property("s")->values[1] == 1.0);
+  mesh.set_property({"noise", ScalarType::float32, std::vector<double>(8, 0.5)});
   EXPECT_EQ(
       read_mesh(rewritten(scene.dump(), MeshFormat::gltf, mesh), MeshFormat::glb, "scene").mesh.positions,
       mesh.positions);
