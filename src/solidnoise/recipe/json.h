@@ -27,9 +27,8 @@ std::string with_line(std::string_view text, const std::string& message);
 // What messages show of a value or a key: in JSON's form, control characters escaped, 80 characters at most.
 std::string shown(const Json& json);
 
-// Throws std::invalid_argument where a text is not UTF-8, as names of files may be and JSON cannot be: "KEY
-// is
-// ...".
+// Throws std::invalid_argument that names the key whose text is not UTF-8, as names of files may be and JSON
+// cannot be.
 void require_utf8(const Json& json, const std::string& path = {});
 
 // The text of a recipe: indented, arrays of numbers in one line. Doubles are written with the fewest digits

@@ -138,16 +138,14 @@ std::vector<std::string> warnings_of(const std::vector<SpectrumFit>& channels, d
   if (kept < kLeastKept) {
     warnings.push_back(
         fmt::format("{:.0f} % of the exemplar's variance change from side to side, as falling light does, "
-                    "and become large blobs, "
-                    "beside which the texture is weak: even the light, or cut the picture",
+                    "and become large blobs, beside which the texture is weak: even the light, or cut it",
                     100.0 * (1.0 - kept)));
   }
   for (std::size_t k = 0; k < channels.size(); ++k) {
     if (channels[k].gap <= gap_tolerance) continue;
     warnings.push_back(
         fmt::format("the spectrum of channel {} is not the best one: its gap is {:.2g}, above {:.2g}; with a "
-                    "larger kappa "
-                    "it comes nearer",
+                    "larger kappa it comes nearer",
                     k, channels[k].gap, gap_tolerance));
   }
   return warnings;
