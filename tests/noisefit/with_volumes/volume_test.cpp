@@ -37,7 +37,8 @@ TEST_F(NoisefitVolume, FindsTheFrequencyOfItsNoise) {
   EXPECT_NE(result.err.find("32 x 32 x 32 voxels"), std::string::npos) << result.err;
   const ExemplarModel model = exemplar_file_from_json(parse_json(folder_.read("x.json")));
   ASSERT_EQ(model.channels.size(), 1u);
-  EXPECT_NE(result.err.find("principal wavelength: 2.68 pixels, 0.168 units"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("principal wavelength: 2.68 pixels, 0.168 units"), std::string::npos)
+      << result.err;
   const GaborSpectrum& spectrum = model.channels[0];
   EXPECT_EQ(spectrum.dimensions, 3);
   EXPECT_FALSE(spectrum.isotropic);
