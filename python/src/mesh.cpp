@@ -122,10 +122,12 @@ py::array colors_of(const std::vector<Color>& colors) {
 
 // Of vectors, whose parts are properties of their own, (vertices, 3).
 py::object property_of(const PolygonMesh& mesh, const std::string& name) {
-  if (const VertexProperty* const property = mesh.property(name))
-    return array_of(std::vector<float>(property->values.begin(), property->values.end()));
+  const auto floats = [](const VertexProperty& property) {
+    return array_of(std::vector<float>(property.values.begin(), property.values.end()));
+  };
+  if (const VertexProperty* const property = mesh.property(name)) return floats(*property);
   py::list parts;
-  for (const char* const axis : {"_x", "_y", "_z"}) parts.append(property_of(mesh, name + axis));
+  for (const char* const axis : {"_x", "_y", "_z"}) parts.append(floats(*mesh.property(name + axis)));
   return py::module_::import("numpy").attr("stack")(parts, -1);
 }
 

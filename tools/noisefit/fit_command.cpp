@@ -124,9 +124,7 @@ int fit_solid(const FitCommand& command, const std::vector<Exemplar<2>>& exempla
   write_outputs(command, exemplars.front(), fit.model, describe_shortly(fit));
   if (command.quiet) return kDone;
   std::cerr << describe(fit) << describe_scale({fit.model, command.outputs.pixel_size});
-  for (const std::string& warning : fit.channels.front().warnings) {
-    std::cerr << fmt::format("noisefit: warning: {}\n", warning);
-  }
+  print_warnings(fit.channels.front().warnings);
   return kDone;
 }
 
@@ -143,8 +141,7 @@ int fit_planar(const FitCommand& command, const std::vector<Exemplar<2>>& exempl
   write_outputs(command, exemplars.front(), fit.model, describe_shortly(fit, seconds));
   if (!command.quiet) {
     std::cerr << describe(fit, seconds) << describe_scale({fit.model, command.outputs.pixel_size});
-    for (const std::string& warning : warnings_of(fit.channels, command.fit.spectrum.gap_tolerance))
-      std::cerr << fmt::format("noisefit: warning: {}\n", warning);
+    print_warnings(warnings_of(fit.channels, command.fit.spectrum.gap_tolerance));
   }
   return kDone;
 }

@@ -32,6 +32,10 @@ std::string describe_scale(const ExemplarFile& file) {
                      wavelength);
 }
 
+void print_warnings(const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) std::cerr << fmt::format("noisefit: warning: {}\n", warning);
+}
+
 void FitOutputs::check(const std::vector<std::string>& inputs) const {
   if (model.empty() && preview.empty()) {
     throw UsageError("--out is missing; say where the noise goes: --out sand.json");

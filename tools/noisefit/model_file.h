@@ -21,6 +21,8 @@ void write_model(const std::filesystem::path& path, const ExemplarFile& file, co
 // The wavelength at the model's principal frequency: in pixels, and in world units where they are known.
 std::string describe_scale(const ExemplarFile& file);
 
+void print_warnings(const std::vector<std::string>& warnings);
+
 // Where a fit is written: the model, and a picture of it. Either may be empty, but not both.
 struct FitOutputs {
   std::string model;

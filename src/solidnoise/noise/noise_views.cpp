@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "solidnoise/core/check.h"
-#include "solidnoise/core/numerics.h"
 #include "solidnoise/noise/same_statistics.h"
+#include "solidnoise/noise/section_spectrum.h"
 
 namespace solidnoise {
 namespace {
@@ -114,21 +114,8 @@ class SliceNoise final : public Noise<3> {
   double variance() const override { return noise_->variance(); }
   Vec<3> gradient_variance() const override { return {noise_->gradient_variance()}; }
 
-  // Of each part over its own band: an octave's may be a thousandth of the whole's.
   double power_spectrum(const Vec<3>& frequency) const override {
-    constexpr int kPanels = 16;
-    if (const std::vector<Part> all = parts(); !all.empty()) {
-      double sum = 0.0;
-      for (const Part& part : all)
-        sum += part.amplitude * part.amplitude * part.noise->power_spectrum(frequency);
-      return sum;
-    }
-    const double highest = 1.25 * noise_->band().upper;
-    return integrate(
-        [&](double f) {
-          return noise_->power_spectrum({frequency, f});
-        },
-        -highest, highest, kPanels);
+    return section_spectrum(*noise_, [&](double f) { return Vec<4>(frequency, f); });
   }
 
   double excess_kurtosis() const override { return noise_->excess_kurtosis(); }

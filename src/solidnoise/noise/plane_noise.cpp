@@ -8,8 +8,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "solidnoise/core/numerics.h"
 #include "solidnoise/noise/noise_views.h"
+#include "solidnoise/noise/section_spectrum.h"
 
 namespace solidnoise {
 namespace {
@@ -155,22 +155,10 @@ class PlaneNoise final : public Noise<2> {
     return sum;
   }
 
-  // Of each part over its own band: an octave's may be a thousandth of the whole's.
   double power_spectrum(const Vec<2>& frequency) const override {
-    constexpr int kPanels = 16;
-    if (const std::vector<Part> all = parts(); !all.empty()) {
-      double sum = 0.0;
-      for (const Part& part : all)
-        sum += part.amplitude * part.amplitude * part.noise->power_spectrum(frequency);
-      return sum;
-    }
-    const double highest = 1.25 * noise_->band().upper;
     const Vec<3> across = glm::cross(plane_.right, plane_.up);
-    return integrate(
-        [&](double f) {
-          return noise_->power_spectrum(frequency.x * plane_.right + frequency.y * plane_.up + f * across);
-        },
-        -highest, highest, kPanels);
+    const Vec<3> in_plane = frequency.x * plane_.right + frequency.y * plane_.up;
+    return section_spectrum(*noise_, [&](double f) { return in_plane + f * across; });
   }
 
   double excess_kurtosis() const override { return noise_->excess_kurtosis(); }

@@ -143,8 +143,7 @@ int run_volume(const std::vector<std::string>& arguments) {
   command.outputs.write(fit.model, [&] { return draw_sheet(command, exemplars.front(), fit, seconds); });
   if (command.quiet) return kDone;
   std::cerr << describe(fit, seconds) << describe_scale({fit.model, command.outputs.pixel_size});
-  for (const std::string& warning : warnings_of(fit.channels, command.fit.spectrum.gap_tolerance))
-    std::cerr << fmt::format("noisefit: warning: {}\n", warning);
+  print_warnings(warnings_of(fit.channels, command.fit.spectrum.gap_tolerance));
   return kDone;
 }
 
