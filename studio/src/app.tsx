@@ -12,6 +12,7 @@ import { ExampleView } from "./views/example.tsx";
 import { SurfaceView } from "./views/surface.tsx";
 import { VolumeView } from "./views/volume.tsx";
 import { addressOf } from "./engine/address.ts";
+import { keep } from "./engine/kept.ts";
 import { can, commit, type Mode, problem, redo, state, undo } from "./store.ts";
 
 const kModes: [Mode, string][] = [["slice", "Slice"], ["volume", "Volume"], ["surface", "Surface"], ["example", "By example"]];
@@ -72,7 +73,7 @@ function titleOf(text: string): string {
 function toggleTheme(): void {
   const { dataset } = document.documentElement;
   dataset.theme = dataset.theme === "dark" ? "light" : "dark";
-  localStorage.setItem("solidnoise-theme", dataset.theme);
+  keep("solidnoise-theme", dataset.theme);
 }
 
 // A ring of waves, as the spectrum of the noise is.

@@ -1,12 +1,14 @@
 import { render } from "preact";
 import { App } from "./app.tsx";
 import { engine, startEngine } from "./engine/engine.ts";
+import { kept } from "./engine/kept.ts";
 import { begin, redo, undo } from "./store.ts";
 import { starts } from "./starts.ts";
+import "./drop.ts";
 import "./studio.css";
 
 const root = document.getElementById("studio")!;
-document.documentElement.dataset.theme = localStorage.getItem("solidnoise-theme") ?? (matchMedia("(prefers-color-scheme: light)").matches ? "light" : "dark");
+document.documentElement.dataset.theme = kept("solidnoise-theme") ?? (matchMedia("(prefers-color-scheme: light)").matches ? "light" : "dark");
 
 const textOf = (name: string): string => starts.find((start) => start.name === name)!.text;
 

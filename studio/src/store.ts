@@ -1,6 +1,7 @@
 import { batch, signal } from "@preact/signals";
 import { Dropped, type Pool } from "./engine/pool.ts";
-import { addressOf, readAddress, writeAddress } from "./engine/address.ts";
+import { addressOf, isPlane, readAddress, writeAddress } from "./engine/address.ts";
+import { keep, kept } from "./engine/kept.ts";
 
 // Everything that undo brings back, reload keeps, and a link carries.
 
@@ -17,7 +18,8 @@ export interface Noise {
   grid: string; // which of its grids is looked at; empty: the first
 }
 
-export type Mode = "slice" | "volume" | "surface" | "example";
+export const kModes = ["slice", "volume", "surface", "example"] as const;
+export type Mode = (typeof kModes)[number];
 
 export interface State {
   noises: Noise[]; // one to three, side by side
@@ -30,6 +32,12 @@ export interface State {
   example: string; // the model of a photograph, as JSON; empty: none
   groups: Record<string, GroupEdit>; // what is done to its groups
   photograph: KeptPhotograph | undefined; // of which it is, where it is known
+  report: Report | undefined; // of its fit
+}
+export interface Report {
+  text: string;
+  warnings: string[];
+  seconds: number;
 }
 export interface KeptPhotograph {
   name: string;
@@ -81,6 +89,7 @@ const kStart: State = {
   example: "",
   groups: {},
   photograph: undefined,
+  report: undefined,
 };
 
 export const state = signal<State>(kStart);
@@ -92,15 +101,18 @@ export interface Problem {
 }
 export const problem = signal<Problem | undefined>(undefined);
 export const can = signal({ undo: false, redo: false });
-export const time = signal<number | undefined>(undefined); // while it plays
+export const time = signal<number | undefined>(undefined); // while it plays, or is held
+export const pixels = signal<[number, number]>([1024, 1024]); // of the slice that the command makes
 
 // Which recipe: the surface's, or one of the noises'.
 type Place = "surface" | number;
-const activePlace = (): Place => (state.value.mode === "surface" ? "surface" : state.value.active);
+export const activePlace = (): Place => (state.value.mode === "surface" ? "surface" : state.value.active);
 const noiseAt = (place: Place): Noise | undefined => (place === "surface" ? { text: state.value.bake, grid: "" } : state.value.noises[place]);
 // What the controls and the recipe are of.
 export const activeNoise = (): Noise => noiseAt(activePlace()) ?? state.value.noises[0]!;
 export const infoOf = (noise: Noise): Info | undefined => infos.value.get(noise.text);
+// The time that a picture of it is of, where it is not the recipe's own.
+export const timeOf = (noise: Noise): number | undefined => (infoOf(noise)?.changes ? time.value : undefined);
 
 // The grid that has the colours of a body, as in vdbnoise's previews: the last; empty where there is none.
 export const colorsOf = ({ recipe, grids }: Info): string =>
@@ -148,11 +160,7 @@ function show(next: State): void {
 
 let saving: ReturnType<typeof setTimeout> | undefined;
 function save(): void {
-  try {
-    localStorage.setItem(kStorage, JSON.stringify(state.value));
-  } catch {
-    // A full or forbidden storage: the address has all of it, too.
-  }
+  keep(kStorage, JSON.stringify(state.value));
   writeAddress(state.value);
 }
 
@@ -207,7 +215,9 @@ export async function setText(text: string, tag: string, rest: Partial<State> = 
       // A recipe of the other kind turns to the view that shows it.
       const { mode } = state.value;
       const fitting: Mode = info.kind === "surface" ? "surface" : mode === "surface" ? "slice" : mode;
-      replaceNoise(noiseOf(info, grid), tag, info.kind === "surface" ? "surface" : active, { mode: fitting, ...rest });
+      const place = info.kind === "surface" ? "surface" : active;
+      if (noiseAt(place)?.text === info.recipe && fitting === mode && Object.keys(rest).length === 0) return;
+      replaceNoise(noiseOf(info, grid), tag, place, { mode: fitting, ...rest });
     });
     return true;
   } catch (error) {
@@ -265,7 +275,7 @@ async function apply(tag: string): Promise<void> {
   applying = undefined; // before anything else can wait
 }
 
-let first: Pick<State, "noises" | "bake">; // where an address or what was kept has nothing else
+let first: State; // where an address or what was kept has nothing else
 
 // A recipe that is not one; `text` is what it says.
 class Faulty extends Error {
@@ -275,20 +285,47 @@ class Faulty extends Error {
 }
 const problemOf = (error: unknown): Problem => (error instanceof Faulty ? { message: error.message, text: error.text } : { message: (error as Error).message });
 
-// Throws a Faulty that says what is wrong with a recipe of it.
-async function whole(from: Partial<State>): Promise<State> {
-  const known = async ({ text, grid }: Noise): Promise<Noise> => noiseOf(await check(text).catch((error: Error) => {
+// A state of what an address or the browser kept has, and of `rest` for what it has not. A recipe of the other kind turns to the view that
+// shows it. Throws a Faulty that says what is wrong with a recipe of it.
+async function whole(from: Partial<State>, rest: State): Promise<State> {
+  const known = (text: string): Promise<Info> => check(text).catch((error: Error) => {
     throw new Faulty(error.message, text);
-  }), grid);
+  });
   const noises: Noise[] = [];
-  for (const noise of from.noises?.length ? from.noises.slice(0, 3) : first.noises) noises.push(await known(noise));
-  const { text: bake } = await known({ text: from.bake || first.bake, grid: "" });
-  return { ...kStart, ...from, noises, bake, active: Math.min(from.active ?? 0, noises.length - 1) };
+  let bake = "";
+  for (const { text, grid } of [...(from.bake ? [{ text: from.bake, grid: "" }] : []), ...(from.noises ?? [])]) {
+    const info = await known(text);
+    if (info.kind === "surface") bake ||= info.recipe;
+    else if (noises.length < 3) noises.push(noiseOf(info, grid));
+  }
+  let mode = from.mode ?? rest.mode;
+  if (bake && noises.length === 0) mode = "surface";
+  else if (!bake && mode === "surface" && from.noises) mode = "slice";
+  if (noises.length === 0) for (const { text, grid } of rest.noises) noises.push(noiseOf(await known(text), grid));
+  if (!bake) bake = (await known(rest.bake)).recipe;
+  return { ...rest, ...from, noises, bake, mode, active: Math.min(from.active ?? 0, noises.length - 1) };
 }
 
+// What was kept, as far as it has the shape of a state: it may be that of another version of the page.
 function stored(): Partial<State> | undefined {
   try {
-    return (JSON.parse(localStorage.getItem(kStorage) ?? "null") as Partial<State> | null) ?? undefined;
+    const read = JSON.parse(kept(kStorage) ?? "null") as Partial<State>;
+    const isNoise = (noise: Noise | null): boolean => typeof noise?.text === "string" && typeof noise.grid === "string";
+    const isEdit = (one: GroupEdit | null): boolean => [one?.magnitude, one?.scale, one?.rotate].every(Number.isFinite);
+    const fits: Record<keyof State, (value: never) => boolean> = {
+      noises: (value: Noise[]) => Array.isArray(value) && value.length > 0 && value.every(isNoise),
+      active: (value: number) => Number.isInteger(value) && value >= 0,
+      plane: isPlane,
+      ramp: (value: unknown) => typeof value === "string",
+      mode: (value: Mode) => kModes.includes(value),
+      bake: (value: unknown) => typeof value === "string",
+      mesh: (value: unknown) => typeof value === "string",
+      example: (value: unknown) => typeof value === "string",
+      groups: (value: State["groups"] | null) => typeof value === "object" && Object.values(value ?? {}).every(isEdit),
+      report: (value: Report | null) => typeof value?.text === "string" && Array.isArray(value.warnings) && Number.isFinite(value.seconds),
+      photograph: (value: KeptPhotograph | null) => typeof value?.name === "string" && typeof value.url === "string",
+    };
+    return Object.fromEntries(Object.entries(read).filter(([key, value]) => fits[key as keyof State]?.(value as never) ?? false));
   } catch {
     return undefined;
   }
@@ -298,14 +335,13 @@ function stored(): Partial<State> | undefined {
 // of it is taken, as an address does not have everything.
 export async function begin(pool: Pool, preset: string, surface: string): Promise<void> {
   desk = pool;
-  first = { noises: [{ text: preset, grid: "" }], bake: surface };
-  const kept = stored();
-  const same = kept && addressOf({ ...kStart, ...kept }) === location.href;
-  for (const from of [() => (same ? kept : readAddress()), () => kept, () => ({})]) {
+  first = { ...kStart, noises: [{ text: preset, grid: "" }], bake: surface };
+  const was = stored();
+  for (const from of [() => (was && addressOf({ ...first, ...was }) === location.href ? was : readAddress()), () => was, () => ({})]) {
     try {
       const asked = from();
       if (!asked) continue;
-      const next = await whole(asked);
+      const next = await whole(asked, first);
       // An address with a fault stays, until something is changed, and its text is in the panel of recipes.
       if (problem.value) state.value = { ...next, mode: next.mode === "example" ? "slice" : next.mode };
       else show(next);
@@ -316,12 +352,12 @@ export async function begin(pool: Pool, preset: string, surface: string): Promis
   }
 }
 
-// Another address in the same page: a link that was pasted, or the browser's way back.
+// Another address in the same page: a link that was pasted, or the browser's way back. What it does not say stays.
 addEventListener("hashchange", async () => {
   try {
     const from = readAddress();
     if (!from) return;
-    const next = await whole(from);
+    const next = await whole({ ...from, ...(from.example ? { photograph: undefined, report: undefined } : {}) }, state.value);
     problem.value = undefined;
     commit(next, "address");
   } catch (error) {

@@ -4,7 +4,7 @@ import { engine } from "../engine/engine.ts";
 import { activeNoise, infoOf, problem, replaceNoise, state } from "../store.ts";
 import { Choice } from "./choice.tsx";
 import { Field, KindField, ObjectFields } from "./fields.tsx";
-import { isObject, type Json, resolved, type Schema } from "./schema.ts";
+import { isObject, type Json, read, resolved, type Schema } from "./schema.ts";
 
 // The recipe's parts as sections; what is in them comes from the table of fields.
 
@@ -33,7 +33,7 @@ function SurfaceControls({ json, root }: { json: { [key: string]: Json }; root: 
 }
 
 export function Controls(): JSX.Element | null {
-  const recipe = useComputed(() => JSON.parse(activeNoise().text || "{}") as Json);
+  const recipe = useComputed(() => read(activeNoise().text || "{}"));
   const onSurface = state.value.mode === "surface";
   const root = onSurface ? engine.bakeSchema : engine.schema;
   const json = recipe.value;

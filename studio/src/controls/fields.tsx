@@ -2,7 +2,7 @@ import { type ComponentChildren, type JSX } from "preact";
 import { useId, useState } from "preact/hooks";
 import { type Edit, edit, type Path, problem } from "../store.ts";
 import {
-  aboutOf, fromSlider, isObject, type Json, labelOf, resolved, rounded, type Schema, slideOf, toSlider, typeName,
+  aboutOf, fromSlider, isObject, type Json, labelOf, resolved, rounded, type Schema, slideOf, toSlider, typeName, written,
 } from "./schema.ts";
 import { Choice } from "./choice.tsx";
 import { RampEditor } from "./ramp.tsx";
@@ -18,7 +18,7 @@ export interface FieldProps {
 }
 
 const tagOf = (path: Path): string => path.join(".");
-export const set = (path: Path, value: Json): void => void edit([{ path, value: JSON.stringify(value) }], tagOf(path));
+export const set = (path: Path, value: Json): void => void edit([{ path, value: written(value) }], tagOf(path));
 export const remove = (path: Path): void => void edit([{ path }], `-${tagOf(path)}`);
 
 const isWrong = (path: Path): boolean => {
@@ -39,7 +39,14 @@ function Row({ schema, value, path, name, id, children }: Omit<FieldProps, "root
   );
 }
 
-// A number to type, with a point or a comma; what is not one, or is refused, goes back to what the recipe has.
+// With a point or a comma; none for what may be read in two ways, as 1,000.
+function numberOf(typed: string): number | undefined {
+  if (!/^[+-]?(\d+[.,]?\d*|[.,]\d+)(e[+-]?\d+)?$/i.test(typed) || /^[+-]?[1-9]\d{0,2},\d{3}$/.test(typed)) return undefined;
+  const number = Number(typed.replace(",", "."));
+  return Number.isFinite(number) ? number : undefined;
+}
+
+// A number to type; what is not one, or is refused, goes back to what the recipe has.
 interface NumberProps {
   value: string;
   write: (number: number, typed: string) => void;
@@ -52,9 +59,10 @@ interface NumberProps {
 function NumberInput({ value, write, ...rest }: NumberProps): JSX.Element {
   return (
     <input class="number" type="text" inputMode="decimal" value={value} {...rest} onChange={(event) => {
-      const typed = event.currentTarget.value.trim().replace(",", ".");
+      const typed = event.currentTarget.value.trim();
       event.currentTarget.value = value;
-      if (typed && Number.isFinite(Number(typed))) write(Number(typed), typed);
+      const number = numberOf(typed);
+      if (number !== undefined) write(number, typed);
     }} />
   );
 }
@@ -72,7 +80,7 @@ export function NumberField({ schema, value, path, name }: FieldProps): JSX.Elem
   if (huge) {
     return (
       <Row {...{ schema, value, path, name, id }}>
-        <NumberInput id={id} class="text" value={String(number)} write={(_, typed) => /^\d+$/.test(typed) && void edit([{ path, value: typed }], tagOf(path))} />
+        <NumberInput id={id} class="text" value={String(value ?? number)} write={(_, typed) => /^\d+$/.test(typed) && void edit([{ path, value: typed }], tagOf(path))} />
         <button class="icon" aria-label={`Another ${name}`} title="Another one" onClick={() => write(Math.floor(Math.random() * 1e6))}>⚄</button>
       </Row>
     );
@@ -271,7 +279,7 @@ function NamedField({ schema, root, value, path, name }: FieldProps): JSX.Elemen
     <div class="cards">
       {entries.map(([key, one]) => (
         <details class="card" key={key}>
-          <summary><span>{key}</span><span class="tools"><button class="icon" aria-label="Remove" onClick={(event) => { event.preventDefault(); remove([...path, key]); }}>×</button></span></summary>
+          <summary><span>{key}</span><span class="tools"><button class="icon" aria-label={`Remove ${key}`} onClick={(event) => { event.preventDefault(); remove([...path, key]); }}>×</button></span></summary>
           <ObjectFields schema={item} root={root} value={one} path={[...path, key]} name={name} />
         </details>
       ))}

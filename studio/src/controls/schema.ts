@@ -21,6 +21,11 @@ export interface Schema {
 
 export type Json = null | boolean | number | string | Json[] | { [key: string]: Json };
 
+// Whole numbers that a double does not hold, as seeds may be, are texts of their digits here.
+export const read = (text: string): Json =>
+  JSON.parse(text.replace(/"(?:[^"\\]|\\.)*"|-?\d[\d.eE+-]*/g, (token) => (/^\d{16,}$/.test(token) ? `"${token}"` : token))) as Json;
+export const written = (json: Json): string => JSON.stringify(json).replace(/"(\d{16,})"/g, "$1");
+
 export const isObject = (json: Json | undefined): json is { [key: string]: Json } =>
   typeof json === "object" && json !== null && !Array.isArray(json);
 

@@ -1,4 +1,4 @@
-import type { Noise, State } from "../store.ts";
+import type { Noise, Plane, State } from "../store.ts";
 
 // The whole state in the address: #recipe=..., which vdbnoise reads, too (base64url of the JSON), and what the view adds to it.
 
@@ -19,7 +19,7 @@ const decode = (code: string): string => {
 const compact = (text: string): string => text.replace(/("(?:[^"\\]|\\.)*")|\s+/g, "$1");
 
 export function addressOf(state: State): string {
-  const order = [state.active, ...state.noises.keys()].filter((index, place, all) => all.indexOf(index) === place);
+  const order = [state.active, ...state.noises.keys()].filter((index, place, all) => index < state.noises.length && all.indexOf(index) === place);
   const parts = order.map((index) => {
     const noise = state.noises[index] as Noise;
     return `recipe=${encode(compact(noise.text))}${noise.grid ? `&grid=${encodeURIComponent(noise.grid)}` : ""}`;
@@ -38,6 +38,15 @@ export function writeAddress(state: State): void {
   history.replaceState(null, "", addressOf(state));
 }
 
+// Whether something that was read is a plane that a picture can be made of.
+export function isPlane(value: unknown): value is Plane {
+  const { origin, normal, up, width } = (value ?? {}) as Partial<Plane>;
+  const areNumbers = [origin, normal, up].every((vector) => vector?.length === 3 && vector.every((x) => Math.abs(x) < 1e9));
+  if (!areNumbers || !(width! > 1e-9 && width! < 1e9)) return false;
+  const [a, b] = [normal!, up!];
+  return Math.hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]) > 1e-6 * Math.hypot(...a) * Math.hypot(...b);
+}
+
 // Throws an Error where a part of it cannot be read.
 export function readAddress(): Partial<State> | undefined {
   const hash = location.hash.slice(1);
@@ -53,9 +62,8 @@ export function readAddress(): Partial<State> | undefined {
     if (key === "view" && ["slice", "volume", "surface", "example"].includes(value)) read.mode = value as State["mode"];
     if (key === "plane") {
       const n = value.split("_").map(Number);
-      if (n.length === 10 && n.every(Number.isFinite)) {
-        read.plane = { origin: [n[0]!, n[1]!, n[2]!], normal: [n[3]!, n[4]!, n[5]!], up: [n[6]!, n[7]!, n[8]!], width: n[9]! };
-      }
+      const plane = { origin: n.slice(0, 3), normal: n.slice(3, 6), up: n.slice(6, 9), width: n[9] };
+      if (isPlane(plane)) read.plane = plane;
     }
   }
   // On surfaces their own recipe comes first.

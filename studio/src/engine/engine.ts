@@ -1,11 +1,18 @@
 import type { Schema } from "../controls/schema.ts";
 import { loadModule, Pool } from "./pool.ts";
 
+let module: WebAssembly.Module | undefined;
+let fitter: Pool | undefined;
+
 // What all views share: workers, the table of fields, ramps.
 export const engine = {
   pool: undefined as unknown as Pool,
   desk: undefined as unknown as Pool, // for what must answer at once: recipes
-  modeller: undefined as unknown as Pool, // which has the mesh, and fits photographs
+  modeller: undefined as unknown as Pool, // which has the mesh, and measures spectra
+  // Of photographs, which takes longer than others may wait.
+  get fitter(): Pool {
+    return (fitter ??= new Pool(module!, 1));
+  },
   schema: {} as Schema,
   bakeSchema: {} as Schema,
   ramps: new Map<string, Float32Array>(),
@@ -14,7 +21,7 @@ export const engine = {
 };
 
 export async function startEngine(): Promise<void> {
-  const module = await loadModule();
+  module = await loadModule();
   const cores = navigator.hardwareConcurrency || 4;
   engine.desk = new Pool(module, 1);
   engine.pool = new Pool(module, Math.max(1, Math.min(8, cores > 2 ? cores - 1 : cores)));

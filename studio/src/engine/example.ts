@@ -50,7 +50,7 @@ export async function restoredPhotograph(name: string, url: string): Promise<Pho
 const sized = ({ width, height }: { width: number; height: number }) => ({ width, height, pixel: 1 / width });
 
 export async function fitPhotograph(photograph: Photograph, axes: string, progress: (done: number) => void): Promise<{ exemplar: string; report: string; warnings: string[] }> {
-  const { json } = await engine.modeller.ask("fit", { do: "fit", ...sized(photograph), axes, raw: true }, { bytes: photograph.bytes.slice(), progress });
+  const { json } = await engine.fitter.ask("fit", { do: "fit", ...sized(photograph), axes, raw: true }, { bytes: photograph.bytes.slice(), progress });
   return { exemplar: String(json.exemplar), report: String(json.report), warnings: json.warnings as string[] };
 }
 

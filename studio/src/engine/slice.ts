@@ -118,6 +118,8 @@ const kLargest = 256;
 // What of a recipe stays where a slider moves: of another form it is not known yet how long pictures take.
 const formOf = ({ text, grid }: Noise): string => `${grid} ${text.replace(/-?\d[\d.e+-]*/g, "")}`;
 
+const kPatience = 2000; // milliseconds that a draft may take while another is wanted
+
 const kStrip = 25; // that a strip of the sharp one may, which cannot be stopped when there is something newer
 
 // Pictures of one view: a coarse one that follows, and a fine one when it rests.
@@ -126,6 +128,8 @@ export class SliceMaker {
   private shown = 0; // of the last one
   private form = ""; // of its recipe
   private cost = 0; // of a pixel, milliseconds of one worker
+  private began = 0; // when the draft that is under way was asked for; 0: there is none
+  private hurry: ReturnType<typeof setTimeout> | undefined;
   private readonly follower: Follower<SliceRequest>;
 
   constructor(
@@ -140,11 +144,17 @@ export class SliceMaker {
   // `request` has the size of the fine picture.
   want(request: SliceRequest): void {
     this.pool.drop(`${this.topic} sharp`);
+    const { began } = this;
+    if (began > 0) {
+      clearTimeout(this.hurry);
+      this.hurry = setTimeout(() => this.began === began && this.pool.interrupt(this.topic), kPatience - (performance.now() - began));
+    }
     this.follower.want(request);
   }
 
   stop(): void {
     this.follower.stop();
+    clearTimeout(this.hurry);
     this.pool.drop(this.topic);
     this.pool.drop(`${this.topic} sharp`);
   }
@@ -154,7 +164,9 @@ export class SliceMaker {
     if (form !== this.form) this.side = kSmallest;
     this.form = form;
     this.shown = this.side;
-    const picture = await sampleSlice(this.pool, this.topic, sized(request, this.side), { urgent: true, draft: true });
+    this.began = performance.now();
+    const asked = sampleSlice(this.pool, this.topic, sized(request, this.side), { urgent: true, draft: true });
+    const picture = await asked.finally(() => (this.began = 0));
     this.show(picture, false);
     this.cost = picture.work / (picture.columns * picture.rows);
     const left = Math.max(0, kGlance - picture.ready) / Math.max(1, picture.milliseconds - picture.ready);

@@ -1,10 +1,11 @@
-import { useComputed, useSignalEffect } from "@preact/signals";
+import { batch, signal, useComputed, useSignalEffect } from "@preact/signals";
 import type { JSX } from "preact";
-import { useEffect, useRef, useState } from "preact/hooks";
+import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 import {
   edited, fitPhotograph, groupEdits, keepPhotograph, type Model, type Photograph, readPhotograph, restoredPhotograph, textureOf, versionOf,
 } from "../engine/example.ts";
-import { saveAs } from "../controls/copy.tsx";
+import { Commands, fileWord, saveAs } from "../controls/copy.tsx";
+import { dragging, onFile } from "../drop.ts";
 import { engine } from "../engine/engine.ts";
 import { Follower } from "../engine/follower.ts";
 import { Dropped } from "../engine/pool.ts";
@@ -17,12 +18,41 @@ import { SpectrumEditor } from "./spectrum_editor.tsx";
 const kPhotographs = ["earth", "leaves", "moss", "rock", "sand", "soil", "wood"];
 const kNeutral: GroupEdit = { magnitude: 1, scale: 1, rotate: 0 };
 let photograph: Photograph | undefined; // the one that is shown
+// A fit goes on while another view is looked at.
+const fitting = signal<{ photograph: KeptPhotograph; done: number } | undefined>(undefined);
+const trouble = signal("");
+
+const stop = (): void => {
+  engine.fitter.interrupt("fit");
+  fitting.value = undefined;
+};
+
+async function take(file: Blob | undefined, name: string, side: number, axes: string): Promise<void> {
+  if (!file) return;
+  stop();
+  trouble.value = "";
+  try {
+    const taken = await readPhotograph(file, name, side);
+    const kept = await keepPhotograph(taken);
+    fitting.value = { photograph: kept, done: 0 };
+    const begin = performance.now();
+    const found = await fitPhotograph(taken, axes, (done) => {
+      fitting.value = { photograph: kept, done };
+    });
+    engine.times.fit = performance.now() - begin;
+    const report = { text: found.report, warnings: found.warnings, seconds: engine.times.fit / 1000 };
+    batch(() => {
+      fitting.value = undefined;
+      commit({ ...state.value, example: found.exemplar, groups: {}, photograph: kept, report }, "fit");
+    });
+  } catch (error) {
+    if (error instanceof Dropped) return;
+    fitting.value = undefined;
+    trouble.value = (error as Error).message;
+  }
+}
 
 export function ExampleView(): JSX.Element {
-  const [busy, setBusy] = useState<number | undefined>(undefined);
-  const [trouble, setTrouble] = useState("");
-  const [report, setReport] = useState<{ text: string; warnings: string[]; seconds: number } | undefined>(undefined);
-  const [over, setOver] = useState(false);
   const [side, setSide] = useState(256);
   const [axes, setAxes] = useState("independent");
   const [model, setModel] = useState(""); // with what is done to the groups
@@ -31,7 +61,8 @@ export function ExampleView(): JSX.Element {
 
   const put = (panel: keyof typeof panels, image: ImageData, sharp = false): void => {
     const canvas = panels[panel].current;
-    if (!canvas) return;
+    // What was on its way when the model was undone comes too late.
+    if (!canvas || ((panel === "noise" || panel === "sparse") && !state.value.example)) return;
     canvas.width = image.width;
     canvas.height = image.height;
     paint(canvas).putImageData(image, 0, 0);
@@ -50,36 +81,17 @@ export function ExampleView(): JSX.Element {
     const version = await versionOf(own);
     if (shown.current === url) put("version", version);
   };
-  const keptPhotograph = useComputed(() => state.value.photograph);
-  const showKept = (): void => void (keptPhotograph.value && showPhotograph(keptPhotograph.value).catch(() => undefined));
-  useSignalEffect(showKept);
-
-  const stop = (): void => {
-    engine.modeller.interrupt("fit");
-    setBusy(undefined);
-    showKept();
+  const clear = (): void => {
+    shown.current = "";
+    photograph = undefined;
+    for (const { current } of Object.values(panels)) if (current) paint(current).clearRect(0, 0, current.width, current.height);
   };
-  const take = async (file: Blob | undefined, name: string): Promise<void> => {
-    if (!file) return;
-    engine.modeller.interrupt("fit");
-    setTrouble("");
-    try {
-      const taken = await readPhotograph(file, name, side);
-      const kept = await keepPhotograph(taken);
-      setBusy(0);
-      void showPhotograph(kept).catch(() => undefined);
-      const begin = performance.now();
-      const found = await fitPhotograph(taken, axes, setBusy);
-      engine.times.fit = performance.now() - begin;
-      setReport({ text: found.report, warnings: found.warnings, seconds: engine.times.fit / 1000 });
-      setBusy(undefined);
-      commit({ ...state.value, example: found.exemplar, groups: {}, photograph: kept }, "fit");
-    } catch (error) {
-      if (error instanceof Dropped) return;
-      setBusy(undefined);
-      setTrouble((error as Error).message);
-    }
-  };
+  const wanted = useComputed(() => fitting.value?.photograph ?? state.value.photograph);
+  const isEmpty = useComputed(() => !wanted.value && !state.value.example);
+  useSignalEffect(() => {
+    if (wanted.value) void showPhotograph(wanted.value).catch(() => undefined);
+    else if (isEmpty.value) clear();
+  });
 
   // The model with what is done to its groups, and its pictures: a small one that follows, then a large one.
   const changed = useRef("");
@@ -98,35 +110,42 @@ export function ExampleView(): JSX.Element {
   follower.current ??= new Follower(async ({ example, groups }) => {
     changed.current = await edited(example, groupEdits(groups));
     setModel(changed.current);
-    setTrouble("");
+    trouble.value = "";
     await drawNoise(0.5);
-  }, (_, wanted) => drawNoise(1, wanted), (error) => setTrouble(error.message));
+  }, (_, wanted) => drawNoise(1, wanted), (error) => {
+    trouble.value = error.message;
+  });
   useEffect(() => () => follower.current?.stop(), []);
+  useEffect(() => onFile("picture", (file) => void take(file, file.name, side, axes)), [side, axes]);
   useSignalEffect(() => {
     const { example, groups } = state.value;
     if (example) follower.current?.want({ example, groups });
-    else setModel("");
+    else {
+      follower.current?.stop();
+      setModel("");
+    }
   });
 
-  const parsed = model ? (JSON.parse(model) as Model) : undefined;
+  const parsed = useMemo(() => (model ? (JSON.parse(model) as Model) : undefined), [model]);
+  const { report } = state.value;
+  const busy = fitting.value?.done;
   const groups = [...new Set(parsed?.channels.flatMap((channel) => channel.groups) ?? [])];
   const change = (group: string, part: Partial<GroupEdit>): void =>
     commit({ ...state.value, groups: { ...state.value.groups, [group]: { ...kNeutral, ...state.value.groups[group], ...part } } }, `group ${group}`);
+  const name = (state.value.photograph?.name ?? "noise").replace(/\.\w+$/, "");
   const download = (): void =>
-    saveAs(`${(photograph?.name ?? "noise").replace(/\.\w+$/, "")}.json`, JSON.stringify({ solidnoise: 2, exemplar: parsed }, null, 1));
+    saveAs(`${name}.json`, JSON.stringify({ solidnoise: 2, exemplar: parsed }, null, 1));
   const onMesh = (): void => {
     const recipe = { solidnoise: 2, surface: { noise: "spectrum", exemplar: parsed }, frequency: 8, ramp: "exemplar" };
     void setText(JSON.stringify(recipe), "example on a mesh", { mode: "surface" });
   };
 
   return (
-    <div class={`byexample${over ? " over" : ""}`}
-      onDragOver={(event) => { event.preventDefault(); setOver(true); }} onDragLeave={() => setOver(false)}
-      onDrop={(event) => { event.preventDefault(); setOver(false); const file = event.dataTransfer?.files[0]; void take(file, file?.name ?? ""); }}>
+    <div class={`byexample${dragging.value ? " over" : ""}`}>
       <div class="sources">
-        <label class="file">Open a photograph<input type="file" accept="image/*" aria-label="A photograph" onChange={(event) => { const file = event.currentTarget.files?.[0]; void take(file, file?.name ?? ""); }} /></label>
+        <label class="file">Open a photograph<input type="file" accept="image/*" aria-label="A photograph" onChange={(event) => { const file = event.currentTarget.files?.[0]; void take(file, file?.name ?? "", side, axes); }} /></label>
         {kPhotographs.map((name) => (
-          <button key={name} class="photo" title={name} onClick={async () => void take(await (await fetch(new URL(`${name}.jpg`, document.baseURI))).blob(), `${name}.jpg`)}>
+          <button key={name} class="photo" title={name} onClick={async () => void take(await (await fetch(new URL(`${name}.jpg`, document.baseURI))).blob(), `${name}.jpg`, side, axes)}>
             <img src={`${name}.jpg`} alt="" loading="lazy" />{name}
           </button>
         ))}
@@ -134,14 +153,14 @@ export function ExampleView(): JSX.Element {
         <label class="inline">Colour axes <select value={axes} onChange={(event) => setAxes(event.currentTarget.value)}>{["independent", "pca", "rgb"].map((word) => <option key={word}>{word}</option>)}</select></label>
         {busy !== undefined && <><progress value={busy} aria-label="Fitting" /><button onClick={stop}>Stop</button></>}
       </div>
-      {trouble && <p class="problem" role="alert">{trouble}</p>}
+      {trouble.value && <p class="problem" role="alert">{trouble.value}</p>}
       <div class="panels">
         {([["exemplar", "Exemplar"], ["version", "Gaussian version: the best that noise can do"], ["sparse", "Sparse spectrum"], ["noise", `Noise · ${ms.toFixed(0)} ms`]] as const).map(([panel, title]) => (
           <figure key={panel}><canvas ref={panels[panel]} width="256" height="256" role="img" aria-label={title} /><figcaption>{title}</figcaption></figure>
         ))}
       </div>
       {!parsed && busy === undefined && <p class="invite">Drop a photograph here, or take one of those above: sand, soil, moss and their like become a noise without seams.</p>}
-      {report && (
+      {report && parsed && (
         <div class="report" role="status"><p>{report.text.replace(/[;,]? (in )?0(\.0+)? s(econds)?\b/, "")} · {report.seconds.toFixed(1)} s</p>{report.warnings.map((warning) => <p key={warning} class="warning">{warning}</p>)}</div>
       )}
       {parsed && (
@@ -153,7 +172,7 @@ export function ExampleView(): JSX.Element {
               const changed = await edited(example, [...groupEdits(groups), ...edits]);
               commit({ ...state.value, example: changed, groups: {} }, `spectrum ${edits[0]?.edit}`, at);
             } catch (error) {
-              setTrouble((error as Error).message);
+              trouble.value = (error as Error).message;
             }
           }} />
           <div class="groups">
@@ -169,8 +188,12 @@ export function ExampleView(): JSX.Element {
             })}
             <div class="more">
               <button class="wide" onClick={onMesh}>On a mesh</button>
-              <button class="wide" onClick={download}>Download for vdbnoise and meshnoise</button>
+              <button class="wide" onClick={download}>Download</button>
             </div>
+            <Commands hint="A volume of it is learnt from the photograph itself: noisefit --solid." commands={[
+              `vdbnoise slice --dims 2 --color --noise ${fileWord(`${name}.json`)} --width 2 --out slice.png`,
+              `meshnoise bake wyrm.ply --noise ${fileWord(`${name}.json`)} --out baked.ply --preview baked.png`,
+            ]} />
           </div>
         </div>
       )}

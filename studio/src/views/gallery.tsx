@@ -2,7 +2,7 @@ import type { JSX } from "preact";
 import { useEffect, useRef } from "preact/hooks";
 import { engine } from "../engine/engine.ts";
 import { drawSlice, sampleSlice } from "../engine/slice.ts";
-import { across, check, kFront, noiseOf, setText } from "../store.ts";
+import { across, check, kFront, noiseOf, setText, state } from "../store.ts";
 import { paint } from "./paint.ts";
 import { type Start, starts } from "../starts.ts";
 
@@ -60,7 +60,9 @@ function Card({ start, close }: { start: Start; close: () => void }): JSX.Elemen
   return (
     <button ref={card} class="start" title={description} onClick={async () => {
       const info = await check(start.text);
-      await setText(start.text, `start ${start.name}`, info.kind === "surface" ? {} : { plane: { ...kFront, ...across(info.box) } });
+      await setText(start.text, `start ${start.name}`, info.kind === "surface" ? {} : {
+        plane: { ...kFront, ...across(info.box) }, ...(state.value.mode === "example" ? { mode: "slice" } : {}),
+      });
       close();
     }}>
       <canvas ref={canvas} width="96" height="96" aria-hidden="true" />

@@ -1,3 +1,5 @@
+import { Fingers } from "./fingers.ts";
+
 // An eye on a sphere around what is looked at: azimuth and height in radians, distance in its radii.
 export class Orbit {
   constructor(
@@ -16,20 +18,25 @@ export class Orbit {
     this.height = Math.min(1.5, Math.max(-1.5, this.height + y));
   }
 
-  // Listens to mouse, wheel and keys; the function ends that.
+  // Listens to mouse, fingers, wheel and keys; the function ends that.
   attach(element: HTMLElement, changed: () => void): () => void {
     let from: [number, number] | undefined;
+    const fingers = new Fingers();
     const down = (event: PointerEvent): void => {
       element.setPointerCapture(event.pointerId);
+      fingers.down(event);
       from = [event.clientX, event.clientY];
     };
     const move = (event: PointerEvent): void => {
+      const pinch = fingers.move(event);
+      if (pinch) return zoom(pinch.factor);
       if (!from) return;
       this.turn((event.clientX - from[0]) / 150, (event.clientY - from[1]) / 150);
       from = [event.clientX, event.clientY];
       changed();
     };
-    const up = (): void => {
+    const up = (event: PointerEvent): void => {
+      fingers.up(event);
       from = undefined;
     };
     const zoom = (factor: number): void => {
@@ -52,12 +59,14 @@ export class Orbit {
     element.addEventListener("pointerdown", down);
     element.addEventListener("pointermove", move);
     element.addEventListener("pointerup", up);
+    element.addEventListener("pointercancel", up);
     element.addEventListener("wheel", wheel, { passive: false });
     element.addEventListener("keydown", key);
     return () => {
       element.removeEventListener("pointerdown", down);
       element.removeEventListener("pointermove", move);
       element.removeEventListener("pointerup", up);
+      element.removeEventListener("pointercancel", up);
       element.removeEventListener("wheel", wheel);
       element.removeEventListener("keydown", key);
     };

@@ -1,9 +1,9 @@
 import { useSignalEffect } from "@preact/signals";
 import type { JSX } from "preact";
 import { useRef, useState } from "preact/hooks";
-import { CopyButton, saveAs } from "../controls/copy.tsx";
+import { Commands, CopyButton, fileWord, quoted, saveAs } from "../controls/copy.tsx";
 import { addressOf } from "../engine/address.ts";
-import { activeNoise, infoOf, problem, setText, state } from "../store.ts";
+import { activeNoise, activePlace, infoOf, pixels, problem, setText, state } from "../store.ts";
 
 // The recipe as text, live both ways, with errors at their lines; and the commands that make what is seen.
 
@@ -14,6 +14,7 @@ export function RecipePanel(): JSX.Element {
   const [wrong, setWrong] = useState<{ line: number; message: string } | undefined>(undefined);
   const waiting = useRef<ReturnType<typeof setTimeout> | undefined>(undefined);
   const own = useRef("");
+  const place = useRef(activePlace());
 
   const mark = (message: string): void => {
     const found = /^(?:line (\d+)|.*line (\d+))/.exec(message);
@@ -22,6 +23,8 @@ export function RecipePanel(): JSX.Element {
   useSignalEffect(() => {
     const now = activeNoise().text;
     const faulty = problem.value;
+    const moved = place.current !== activePlace();
+    place.current = activePlace();
     if (faulty?.text !== undefined) {
       own.current = now;
       write(faulty.text);
@@ -29,7 +32,8 @@ export function RecipePanel(): JSX.Element {
       return;
     }
     // What is being typed stays as it is typed.
-    if (now === own.current) return;
+    if (moved) clearTimeout(waiting.current);
+    else if (now === own.current) return;
     own.current = now;
     write(now);
     setWrong(undefined);
@@ -47,6 +51,14 @@ export function RecipePanel(): JSX.Element {
       }
     }, 160);
   };
+  // Back to the recipe that is shown.
+  const revert = (): void => {
+    clearTimeout(waiting.current);
+    problem.value = undefined;
+    own.current = activeNoise().text;
+    write(own.current);
+    setWrong(undefined);
+  };
   const lines = text.split("\n").length;
   return (
     <aside class="recipe" aria-label="Recipe">
@@ -60,39 +72,31 @@ export function RecipePanel(): JSX.Element {
           {Array.from({ length: lines }, (_, i) => <div key={i} class={wrong?.line === i + 1 ? "wrong" : ""}>{i + 1}</div>)}
         </div>
         <textarea ref={area} spellcheck={false} aria-label="The recipe as JSON" aria-invalid={wrong !== undefined} value={text}
-          onInput={(event) => type(event.currentTarget.value)}
+          onInput={(event) => type(event.currentTarget.value)} onKeyDown={(event) => event.key === "Escape" && wrong && revert()}
           onBlur={() => { if (!wrong && own.current !== text) { write(activeNoise().text); own.current = activeNoise().text; } }}
           onScroll={(event) => { if (gutter.current) gutter.current.scrollTop = event.currentTarget.scrollTop; }} />
       </div>
-      {wrong && <p class="problem" role="alert">{wrong.message}</p>}
-      <Commands />
+      {wrong && <p class="problem" role="alert">{wrong.message} <button onClick={revert}>Back to what is shown</button></p>}
+      <Commands commands={commandsOf()} hint="Volumes of more than 128 voxels a side, files and meshes of your own are made there." />
     </aside>
   );
 }
 
-function Commands(): JSX.Element {
-  const { plane } = state.value;
+function commandsOf(): string[] {
+  const { mode, mesh, plane, ramp } = state.value;
+  if (mode === "surface") return [`meshnoise bake ${fileWord(mesh)} --recipe recipe.json --out baked.ply --preview baked.png`];
+  const { text, grid: name } = activeNoise();
   const info = infoOf(activeNoise());
-  const grid = info?.grids.find(({ names }) => names.includes(activeNoise().grid)) ?? info?.grids[0];
-  const numbers = (values: readonly number[]): string => values.map((x) => Number(x.toPrecision(6))).join(" ");
-  const sliced = grid?.raw && info?.grids.length === 1;
-  const commands = state.value.mode === "surface" ? [
-    `meshnoise bake ${state.value.mesh} --recipe recipe.json --out baked.ply --preview baked.png`,
-  ] : [
-    "vdbnoise --recipe recipe.json --out noise.vdb --preview noise.png",
-    ...(sliced ? [`vdbnoise slice --recipe recipe.json --origin ${numbers(plane.origin)} --normal ${numbers(plane.normal)} --up ${numbers(plane.up)} --width ${numbers([plane.width])} --resolution 1024 --out slice.png`] : []),
-    `vdbnoise --recipe '${addressOf(state.value)}' --out noise.vdb`,
-  ];
-  return (
-    <section class="commands">
-      <h2>In the shell</h2>
-      {commands.map((command) => (
-        <div class="command" key={command}>
-          <code>{command.replace(/(#.{14})[^']*/, "$1…")}</code>
-          <CopyButton label="Copy" text={() => command} />
-        </div>
-      ))}
-      <p class="hint">Volumes of more than 128 voxels a side, files and meshes of your own are made there.</p>
-    </section>
-  );
+  const grid = info?.grids.find(({ names }) => names.includes(name)) ?? info?.grids[0];
+  const commands = ["vdbnoise --recipe recipe.json --out noise.vdb --preview noise.png"];
+  // The tool's slices are of noises, in all of space.
+  const shape = (JSON.parse(text || "{}") as { domain?: { shape?: { type?: string } } }).domain?.shape?.type ?? "box";
+  const colors = /"output": "color"/.test(text);
+  if (grid?.raw && info?.grids.length === 1 && shape === "box" && (grid.scalar || colors)) {
+    const numbers = (values: readonly number[]): string => values.map((x) => Number(x.toPrecision(6))).join(" ");
+    const look = ramp && !colors ? ` --ramp ${quoted(ramp)}` : "";
+    commands.push(`vdbnoise slice --recipe recipe.json --origin ${numbers(plane.origin)} --normal ${numbers(plane.normal)} --up ${numbers(plane.up)} --width ${numbers([plane.width])} --resolution ${pixels.value.join(" ")}${look} --out slice.png`);
+  }
+  commands.push(`vdbnoise --recipe ${quoted(addressOf(state.value))} --out noise.vdb`);
+  return commands;
 }

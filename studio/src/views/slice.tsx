@@ -3,10 +3,11 @@ import type { JSX } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { drawSlice, rangeOf, SliceMaker, type SlicePicture } from "../engine/slice.ts";
 import { engine } from "../engine/engine.ts";
-import { commit, type Plane, state, time, type Vector } from "../store.ts";
+import { commit, pixels, type Plane, state, time, timeOf, type Vector } from "../store.ts";
+import { Fingers } from "./fingers.ts";
 import { paint } from "./paint.ts";
 
-// A plane through one of the noises: dragged with the mouse, zoomed with the wheel, turned with the right button or Alt; by keys, too.
+// A plane through one of the noises: dragged with the mouse, zoomed with the wheel or two fingers, turned with the right button or Alt; by keys, too.
 
 const add = (a: Vector, b: Vector, k = 1): Vector => [a[0] + k * b[0], a[1] + k * b[1], a[2] + k * b[2]];
 const cross = (a: Vector, b: Vector): Vector => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
@@ -81,7 +82,10 @@ export function SliceView({ index }: { index: number }): JSX.Element {
       tell({ ms: picture.milliseconds, range: rangeOf(picture), sharp, size: `${picture.columns} × ${picture.rows}` });
       engine.times.slice = picture.milliseconds;
       canvas.current?.dispatchEvent(new CustomEvent("pictured", { bubbles: true, detail: { sharp, picture, side: Math.max(picture.columns, picture.rows) } }));
-    }, (error) => fail(error.message));
+    }, (error) => {
+      fail(error.message);
+      tell(undefined);
+    });
     const observer = new ResizeObserver(([entry]) => {
       const ratio = Math.min(2, devicePixelRatio);
       const limit = Math.min(1, 1100 / Math.max(entry!.contentRect.width * ratio, entry!.contentRect.height * ratio));
@@ -97,7 +101,7 @@ export function SliceView({ index }: { index: number }): JSX.Element {
   const want = (): void => {
     const noise = state.value.noises[index];
     if (!noise?.text || size[0] < 8 || size[1] < 8) return;
-    maker.current?.want({ noise, plane: state.value.plane, time: time.value, columns: size[0], rows: size[1] });
+    maker.current?.want({ noise, plane: state.value.plane, time: timeOf(noise), columns: size[0], rows: size[1] });
   };
   useSignalEffect(() => {
     state.value;
@@ -108,11 +112,31 @@ export function SliceView({ index }: { index: number }): JSX.Element {
   useEffect(() => {
     draw();
     want();
+    if (size[0] > 0) pixels.value = size;
   }, [size]);
 
+  const fingers = useRef(new Fingers());
   const drag = useRef<{ x: number; y: number; plane: Plane; turns: boolean } | undefined>(undefined);
   const unitsPerPixel = (): number => state.value.plane.width / (canvas.current?.clientWidth || 1);
+  // What lies at a place of the page stays there.
+  const zoomAt = (clientX: number, clientY: number, factor: number): void => {
+    const box = canvas.current!.getBoundingClientRect();
+    const { plane } = state.value;
+    const { right, up } = axesOf(plane);
+    const k = unitsPerPixel() * (1 - factor);
+    const x = clientX - box.left - box.width / 2;
+    const y = box.top + box.height / 2 - clientY;
+    setPlane({ ...plane, width: Number((plane.width * factor).toPrecision(5)), origin: tidy(add(add(plane.origin, right, x * k), up, y * k)) }, "zoom");
+  };
   const onMove = (event: PointerEvent): void => {
+    const pinch = fingers.current.move(event);
+    if (pinch) {
+      const { plane } = state.value;
+      const { right, up } = axesOf(plane);
+      const k = unitsPerPixel();
+      setPlane({ ...plane, origin: tidy(add(add(plane.origin, right, -pinch.dx * k), up, pinch.dy * k)) }, "zoom");
+      return zoomAt(pinch.x, pinch.y, pinch.factor);
+    }
     const begin = drag.current;
     if (begin) {
       const dx = event.clientX - begin.x;
@@ -130,19 +154,18 @@ export function SliceView({ index }: { index: number }): JSX.Element {
     const at = column * picture.rows + row;
     setValue(picture.channels.map((channel) => channel[at]?.toFixed(3) ?? "").join(" "));
   };
+  const onUp = (event: PointerEvent): void => {
+    fingers.current.up(event);
+    drag.current = undefined;
+  };
   const onWheel = (event: WheelEvent): void => {
     event.preventDefault();
-    const box = canvas.current!.getBoundingClientRect();
-    const { plane } = state.value;
-    const { right, up, normal } = axesOf(plane);
     if (event.shiftKey) {
+      const { plane } = state.value;
+      const { normal } = axesOf(plane);
       return setPlane({ ...plane, origin: tidy(add(plane.origin, normal, Math.sign(event.deltaY || event.deltaX) * plane.width * 0.01)) }, "depth");
     }
-    const factor = Math.exp(event.deltaY * 0.0015);
-    const k = unitsPerPixel() * (1 - factor);
-    const x = event.clientX - box.left - box.width / 2;
-    const y = box.top + box.height / 2 - event.clientY;
-    setPlane({ ...plane, width: Number((plane.width * factor).toPrecision(5)), origin: tidy(add(add(plane.origin, right, x * k), up, y * k)) }, "zoom");
+    zoomAt(event.clientX, event.clientY, Math.exp(event.deltaY * 0.0015));
   };
   useEffect(() => {
     const element = canvas.current!;
@@ -178,9 +201,10 @@ export function SliceView({ index }: { index: number }): JSX.Element {
         aria-label="A slice of the noise. Arrow keys move it, with Shift they turn it; plus and minus zoom, page keys go deeper."
         onPointerDown={(event) => {
           event.currentTarget.setPointerCapture(event.pointerId);
-          drag.current = { x: event.clientX, y: event.clientY, plane: state.value.plane, turns: event.altKey || event.button === 2 };
+          fingers.current.down(event);
+          drag.current = fingers.current.several ? undefined : { x: event.clientX, y: event.clientY, plane: state.value.plane, turns: event.altKey || event.button === 2 };
         }}
-        onPointerMove={onMove} onPointerUp={() => { drag.current = undefined; }} onPointerLeave={() => setValue("")}
+        onPointerMove={onMove} onPointerUp={onUp} onPointerCancel={onUp} onPointerLeave={() => setValue("")}
         onContextMenu={(event) => event.preventDefault()} onKeyDown={onKey} />
       {failure && <p class="failure" role="alert">{failure}</p>}
       <figcaption>

@@ -3,7 +3,7 @@ import type { JSX } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { engine } from "../engine/engine.ts";
 import { Dropped } from "../engine/pool.ts";
-import { activeNoise, state } from "../store.ts";
+import { activeNoise, state, timeOf } from "../store.ts";
 import { paint } from "./paint.ts";
 
 // The spectrum of the slice: its periodogram, and the mean over directions over what the noise's closed form says.
@@ -26,13 +26,14 @@ export function SpectrumView(): JSX.Element {
   useSignalEffect(() => {
     const noise = activeNoise();
     const { plane } = state.value;
+    const when = timeOf(noise);
     if (!noise.text) return;
     clearTimeout(waiting.current);
     waiting.current = setTimeout(async () => {
       engine.modeller.drop("spectrum");
       try {
         const { json, floats } = await engine.modeller.ask("spectrum", {
-          do: "spectrum", recipe: noise.text, grid: noise.grid, plane: { ...plane, columns: kSide, rows: kSide },
+          do: "spectrum", recipe: noise.text, grid: noise.grid, plane: { ...plane, columns: kSide, rows: kSide }, ...(when === undefined ? {} : { time: when }),
         });
         setSpectrum({ picture: floats[0]!, frequencies: floats[1]!, powers: floats[2]!, expected: floats[3], nyquist: Number(json.nyquist) });
       } catch (error) {
@@ -42,8 +43,9 @@ export function SpectrumView(): JSX.Element {
   });
 
   useEffect(() => {
-    if (!canvas.current || !spectrum) return;
+    if (!canvas.current) return;
     const context = paint(canvas.current);
+    if (!spectrum) return context.clearRect(0, 0, kSide, kSide);
     const image = context.createImageData(kSide, kSide);
     let highest = 0;
     for (const value of spectrum.picture) highest = Math.max(highest, value);
@@ -73,6 +75,7 @@ const kWidth = 300;
 const kHeight = 150;
 const kLeft = 26;
 const kBottom = 18;
+const kTop = 32; // of the words
 
 function Chart({ spectrum }: { spectrum: Spectrum }): JSX.Element {
   const { frequencies, powers, expected } = spectrum;
@@ -88,7 +91,7 @@ function Chart({ spectrum }: { spectrum: Spectrum }): JSX.Element {
   if (end < 0) end = frequencies.length - 1;
   const most = Math.min(spectrum.nyquist, 1.25 * (frequencies[end] ?? 1));
   const x = (f: number): number => kLeft + (f / most) * (kWidth - kLeft - 6);
-  const y = (value: number): number => kHeight - kBottom - (value / highest) * (kHeight - kBottom - 8);
+  const y = (value: number): number => kHeight - kBottom - (value / highest) * (kHeight - kBottom - kTop);
   const points = Array.from(frequencies, (f, i) => [f, i] as const).filter(([f]) => f <= most);
   const ticks = [0.25, 0.5, 0.75, 1].map((t) => Number((t * most).toPrecision(2)));
   return (

@@ -1,9 +1,10 @@
 import { useSignalEffect } from "@preact/signals";
 import type { JSX } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
+import { dragging, onFile } from "../drop.ts";
 import { engine } from "../engine/engine.ts";
 import { Follower } from "../engine/follower.ts";
-import { commit, state, time } from "../store.ts";
+import { activeNoise, commit, state, time, timeOf } from "../store.ts";
 import { Orbit } from "./orbit.ts";
 import { SceneCanvas, useScene } from "./scene.tsx";
 import { SurfaceRenderer } from "./surface_renderer.ts";
@@ -38,7 +39,6 @@ async function bytesOf(name: string): Promise<Uint8Array<ArrayBuffer>> {
 export function SurfaceView(): JSX.Element {
   const [told, tell] = useState("");
   const [plain, setPlain] = useState(false);
-  const [over, setOver] = useState(false);
   const scene = useScene((canvas) => new SurfaceRenderer(canvas), new Orbit(0.6, 0.3, 2.05), () => Math.min(2, devicePixelRatio), (renderer, eye) => {
     const dark = document.documentElement.dataset.theme === "dark";
     renderer.render(eye, plain, dark ? [0.05, 0.055, 0.065] : [0.8, 0.79, 0.76]);
@@ -55,7 +55,7 @@ export function SurfaceView(): JSX.Element {
       await engine.modeller.ask("surface", { do: "mesh", name: mesh }, { bytes: await bytesOf(mesh) });
       inWorker = mesh;
     }
-    const when = time.value;
+    const when = timeOf(activeNoise());
     const { json, floats } = await engine.modeller.ask("surface", { do: "bake", recipe: text, ...(when === undefined ? {} : { time: when }) });
     if (!renderer.current) return;
     renderer.current.load({ positions: floats[0]!, normals: floats[1]!, colors: floats[2]!, corners: new Uint32Array(floats[3]!.buffer) });
@@ -77,18 +77,26 @@ export function SurfaceView(): JSX.Element {
     time.value;
     follower.current?.want({});
   });
+  // What is no mesh is said, and the one that was there stays.
   const take = async (file: File | undefined): Promise<void> => {
     if (!file) return;
-    await keep(file.name, new Uint8Array(await file.arrayBuffer()));
+    const bytes = new Uint8Array(await file.arrayBuffer());
     inWorker = "";
-    commit({ ...state.value, mesh: file.name }, "mesh");
+    try {
+      await engine.modeller.ask("surface", { do: "mesh", name: file.name }, { bytes: bytes.slice() });
+    } catch (error) {
+      return setTrouble((error as Error).message);
+    }
+    inWorker = file.name;
+    await keep(file.name, bytes);
+    if (state.value.mesh === file.name) follower.current?.want({});
+    else commit({ ...state.value, mesh: file.name }, "mesh");
   };
+  useEffect(() => onFile("mesh", (file) => void take(file)), []);
   const names = [...kMeshes, ...dropped.keys()];
   if (!names.includes(state.value.mesh)) names.push(state.value.mesh);
   return (
-    <figure class={`view surface${over ? " over" : ""}`}
-      onDragOver={(event) => { event.preventDefault(); setOver(true); }} onDragLeave={() => setOver(false)}
-      onDrop={(event) => { event.preventDefault(); setOver(false); void take(event.dataTransfer?.files[0]); }}>
+    <figure class={`view surface${dragging.value ? " over" : ""}`}>
       <SceneCanvas scene={scene} what="The surface" />
       <div class="overlay">
         <select aria-label="Mesh" value={state.value.mesh} onChange={(event) => commit({ ...state.value, mesh: event.currentTarget.value }, "mesh")}>

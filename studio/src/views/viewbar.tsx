@@ -14,6 +14,7 @@ const kFaces: [string, Partial<Plane>][] = [
 export function ViewBar(): JSX.Element {
   const { plane, mode, noises, ramp } = state.value;
   const info = infoOf(activeNoise());
+  const raw = info?.grids.some((grid) => grid.raw) ?? false;
   const set = (part: Partial<Plane>, tag: string): void => commit({ ...state.value, plane: { ...plane, ...part } }, tag);
   return (
     <div class="viewbar" role="toolbar" aria-label="View">
@@ -21,7 +22,7 @@ export function ViewBar(): JSX.Element {
       {mode === "slice" && (
         <button title="All of the box" onClick={() => set(across(info?.box ?? [-1, -1, -1, 1, 1, 1], 1.25), "fit")}>Fit</button>
       )}
-      {mode !== "surface" && <label class="inline">Colours
+      {mode !== "surface" && (mode === "slice" || raw) && <label class="inline">Colours
         <select value={ramp} onChange={(event) => commit({ ...state.value, ramp: event.currentTarget.value }, "ramp")}>
           <option value="">as they are</option>
           {[...engine.ramps.keys()].map((name) => <option key={name} value={name}>{name}</option>)}
@@ -38,28 +39,44 @@ export function ViewBar(): JSX.Element {
 
 function Player({ changes }: { changes: boolean }): JSX.Element {
   const [playing, setPlaying] = useState(false);
+  // From where it was held, or from the recipe's own time.
   useEffect(() => {
-    if (!playing) {
-      time.value = undefined;
-      return;
-    }
+    if (!playing) return;
+    const from = time.value ?? Number(/"time": (-?[\d.e+-]+)/.exec(activeNoise().text)?.[1] ?? 0);
     const begin = performance.now();
     let frame = 0;
     const tick = (): void => {
-      time.value = Number(((performance.now() - begin) / 1000).toFixed(3));
+      time.value = Number((from + (performance.now() - begin) / 1000).toFixed(3));
       frame = requestAnimationFrame(tick);
     };
     tick();
     return () => cancelAnimationFrame(frame);
   }, [playing]);
-  const toggle = async (): Promise<void> => {
-    // A noise that stands still gets a fourth dimension.
-    if (!changes && !playing) await edit([{ path: ["dims"], value: "4" }], "dims");
-    setPlaying(!playing);
+  const reset = (): void => {
+    setPlaying(false);
+    time.value = undefined;
   };
+  useEffect(() => reset, []);
+  // What stands still has no time; so it is after undo, and for another recipe.
+  useEffect(() => {
+    if (!changes) reset();
+  }, [changes]);
+  const toggle = async (): Promise<void> => {
+    // A noise that stands still gets a fourth dimension; on surfaces most evolve instead.
+    if (!changes) {
+      const onSurface = state.value.mode === "surface";
+      const evolves = onSurface && !/"noise": "kensler-solid"/.test(activeNoise().text);
+      await edit([evolves ? { path: ["surface", "evolve"], value: "0.5" } : { path: onSurface ? ["surface", "dims"] : ["dims"], value: "4" }], "moves");
+    }
+    setPlaying(!playing && (infoOf(activeNoise())?.changes ?? false));
+  };
+  const held = !playing && time.value !== undefined;
   return (
-    <button aria-pressed={playing} title={changes ? "Play time" : "Make it a noise of four dimensions, and play time"} onClick={() => void toggle()}>
-      {playing ? "❚❚ Time" : "▶ Time"}
-    </button>
+    <>
+      <button aria-pressed={playing} title={changes ? "Play time, or hold it" : "Make it a noise that changes, and play time"} onClick={() => void toggle()}>
+        {playing ? "❚❚ Time" : "▶ Time"}
+      </button>
+      {held && <button class="icon" aria-label="Back to the recipe's time" title="Back to the recipe's time" onClick={reset}>↺</button>}
+    </>
   );
 }

@@ -3,7 +3,7 @@ import type { JSX } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { engine } from "../engine/engine.ts";
 import { Dropped } from "../engine/pool.ts";
-import { activeNoise, colorsOf, infoOf, state, time } from "../store.ts";
+import { activeNoise, colorsOf, infoOf, state, time, timeOf } from "../store.ts";
 import { Orbit } from "./orbit.ts";
 import { SceneCanvas, useScene } from "./scene.tsx";
 import { turned, type VolumeLook, VolumeRenderer } from "./volume_renderer.ts";
@@ -33,7 +33,7 @@ export function VolumeView(): JSX.Element {
     const begin = performance.now();
     try {
       for (const dim of [32, 64, 128]) {
-        const when = time.value;
+        const when = timeOf(noise);
         const question = { recipe: noise.text, grid: noise.grid, dim, ...(when === undefined ? {} : { time: when }) };
         const box = info.box;
         const sides = [0, 1, 2].map((axis) => box[axis + 3]! - box[axis]!);
