@@ -47,9 +47,6 @@ FitSize fit_size(const std::vector<Exemplar<Dim>>& exemplars, const FitOptions& 
 // Throws std::runtime_error if a fit may take more than is allowed.
 void require_fit_cost(const FitOptions& options, const FitSize& size);
 
-extern template FitSize fit_size(const std::vector<Exemplar<2>>&, const FitOptions&);
-extern template FitSize fit_size(const std::vector<Exemplar<3>>&, const FitOptions&);
-
 // Parses and applies the flags, and checks what they say. Throws UsageError.
 void parse_fit(FlagSet& flags, const std::vector<std::string>& arguments, FitOptions& options);
 

@@ -1,11 +1,9 @@
 #pragma once
 
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "common/flag_set.h"
-#include "common/run_tool.h"
 #include "solidnoise/volume/volume_recipe.h"
 #include "vdbnoise/make_options.h"
 #include "vdbnoise/volume_flags.h"
@@ -32,15 +30,5 @@ class MakeArguments {
 
   std::vector<std::string> noise_flags_;
 };
-
-// Runs what may throw std::invalid_argument about one of the flags' fields; it becomes a UsageError.
-template <typename Run>
-auto explained(const FlagSet& flags, const Run& run) {
-  try {
-    return run();
-  } catch (const std::invalid_argument& error) {
-    throw UsageError(explain(flags, error.what()));
-  }
-}
 
 }  // namespace solidnoise

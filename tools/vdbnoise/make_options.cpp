@@ -2,10 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <string_view>
-#include <utility>
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "common/field_flags.h"

@@ -3,8 +3,6 @@
 #include <filesystem>
 #include <regex>
 
-#include <fmt/format.h>
-
 #include "common/outputs.h"
 #include "common/run_tool.h"
 #include "vdbnoise/nvdb_output.h"

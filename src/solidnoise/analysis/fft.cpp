@@ -1,7 +1,6 @@
 #include "solidnoise/analysis/fft.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <stdexcept>
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <complex>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -80,12 +79,5 @@ PowerSpectrum<Dim> welch_spectrum(const DenseField<Dim>& field, const glm::vec<D
 // The periodogram of the whole field as one block.
 template <int Dim>
 PowerSpectrum<Dim> periodogram(const DenseField<Dim>& field, const PeriodogramOptions& options = {});
-
-extern template struct PowerSpectrum<1>;
-extern template struct PowerSpectrum<2>;
-extern template struct PowerSpectrum<3>;
-extern template class PeriodogramAverage<1>;
-extern template class PeriodogramAverage<2>;
-extern template class PeriodogramAverage<3>;
 
 }  // namespace solidnoise

@@ -89,8 +89,4 @@ void sort_by_key(std::vector<KeyedPoint>& points, int bits);
 template <int Dim>
 std::vector<std::size_t> spatial_order(const Points<Dim>& points);
 
-extern template std::vector<std::size_t> spatial_order(const Points<2>&);
-extern template std::vector<std::size_t> spatial_order(const Points<3>&);
-extern template std::vector<std::size_t> spatial_order(const Points<4>&);
-
 }  // namespace solidnoise

@@ -1,6 +1,5 @@
 #include "solidnoise/field/layered_field.h"
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <memory>

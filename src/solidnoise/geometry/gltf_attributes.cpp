@@ -6,7 +6,6 @@
 #include <limits>
 #include <set>
 #include <stdexcept>
-#include <utility>
 
 #include <fmt/format.h>
 

@@ -31,8 +31,6 @@ struct HalfEdges {
 
   // Throws std::invalid_argument: a face without vertices, more half-edges than an int32 can number.
   explicit HalfEdges(const PolygonMesh& mesh);
-
-  std::size_t edge_count() const { return halfedges.size() / 2; }
 };
 
 // Shows a PolygonMesh to OpenMesh's writers: positions, faces, and the normals, colours and texture

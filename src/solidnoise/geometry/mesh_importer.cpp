@@ -1,8 +1,6 @@
 #include "solidnoise/geometry/mesh_importer.h"
 
 #include <cmath>
-#include <limits>
-#include <span>
 #include <stdexcept>
 #include <utility>
 

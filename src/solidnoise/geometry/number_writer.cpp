@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <ostream>
 
 #include "solidnoise/geometry/scalar_type.h"
 

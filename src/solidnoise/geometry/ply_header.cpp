@@ -1,7 +1,6 @@
 #include "solidnoise/geometry/ply_header.h"
 
 #include <array>
-#include <limits>
 #include <set>
 #include <stdexcept>
 #include <utility>

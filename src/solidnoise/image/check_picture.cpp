@@ -1,7 +1,6 @@
 #include "solidnoise/image/check_picture.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <stdexcept>
 
 #include <fmt/format.h>

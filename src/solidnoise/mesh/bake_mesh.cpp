@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -16,7 +15,6 @@
 #include <tbb/parallel_reduce.h>
 
 #include "solidnoise/core/bounds.h"
-#include "solidnoise/image/color.h"
 #include "solidnoise/mesh/bake_cost.h"
 #include "solidnoise/mesh/bake_values.h"
 #include "solidnoise/mesh/displace.h"

@@ -1,7 +1,6 @@
 #include "solidnoise/mesh/bake_recipe_json.h"
 
 #include <algorithm>
-#include <stdexcept>
 #include <string>
 
 #include <nlohmann/json.hpp>

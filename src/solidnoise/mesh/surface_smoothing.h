@@ -1,7 +1,6 @@
 #pragma once
 
 #include <complex>
-#include <cstddef>
 #include <vector>
 
 #include "solidnoise/mesh/smoothing_level.h"

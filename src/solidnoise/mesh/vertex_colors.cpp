@@ -8,7 +8,6 @@
 
 #include <tbb/parallel_for.h>
 
-#include "solidnoise/core/check.h"
 #include "solidnoise/image/color.h"
 #include "solidnoise/mesh/curvature.h"
 #include "solidnoise/mesh/surface_mesh.h"

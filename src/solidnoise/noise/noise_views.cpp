@@ -1,6 +1,5 @@
 #include "solidnoise/noise/noise_views.h"
 
-#include <cmath>
 #include <utility>
 #include <vector>
 

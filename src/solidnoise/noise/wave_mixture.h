@@ -72,9 +72,4 @@ struct WeightedDirection {
 template <int Dim>
 std::vector<WeightedDirection<Dim>> mirrored_directions();
 
-extern template struct WaveMixture<1>;
-extern template struct WaveMixture<2>;
-extern template struct WaveMixture<3>;
-extern template struct WaveMixture<4>;
-
 }  // namespace solidnoise

@@ -2,7 +2,6 @@
 
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "solidnoise/field/field_tables.h"
 #include "solidnoise/field/layer.h"

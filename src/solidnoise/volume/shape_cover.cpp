@@ -1,11 +1,9 @@
 #include "solidnoise/volume/shape_cover.h"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <utility>
 #include <variant>
-#include <vector>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

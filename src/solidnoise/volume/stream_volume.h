@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <string>
 
 #include "solidnoise/volume/make_volume.h"
 #include "solidnoise/volume/vdb/streamed_grid.h"

@@ -21,9 +21,4 @@ template <int Dim>
 std::vector<PowerSpectrum<Dim>> channel_spectra(const CrossSpectra<Dim>& spectra,
                                                 const ExemplarChannels& channels);
 
-extern template std::vector<PowerSpectrum<2>> channel_spectra<2>(const CrossSpectra<2>&,
-                                                                 const ExemplarChannels&);
-extern template std::vector<PowerSpectrum<3>> channel_spectra<3>(const CrossSpectra<3>&,
-                                                                 const ExemplarChannels&);
-
 }  // namespace solidnoise

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <complex>
-#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -42,10 +41,5 @@ struct CrossSpectra {
 template <int Dim>
 CrossSpectra<Dim> cross_spectra(std::span<const Exemplar<Dim>> exemplars, int patch = 0,
                                 Progress* progress = nullptr);
-
-extern template struct CrossSpectra<2>;
-extern template struct CrossSpectra<3>;
-extern template CrossSpectra<2> cross_spectra<2>(std::span<const Exemplar<2>>, int, Progress*);
-extern template CrossSpectra<3> cross_spectra<3>(std::span<const Exemplar<3>>, int, Progress*);
 
 }  // namespace solidnoise

@@ -70,11 +70,4 @@ struct ExemplarChannels {
 template <int Dim>
 ExemplarChannels exemplar_channels(const CrossSpectra<Dim>& spectra, ColorAxes axes);
 
-extern template AxisMatrix color_axes<2>(const CrossSpectra<2>&, ColorAxes);
-extern template AxisMatrix color_axes<3>(const CrossSpectra<3>&, ColorAxes);
-extern template double channel_dependence<2>(const CrossSpectra<2>&, const AxisMatrix&);
-extern template double channel_dependence<3>(const CrossSpectra<3>&, const AxisMatrix&);
-extern template ExemplarChannels exemplar_channels<2>(const CrossSpectra<2>&, ColorAxes);
-extern template ExemplarChannels exemplar_channels<3>(const CrossSpectra<3>&, ColorAxes);
-
 }  // namespace solidnoise

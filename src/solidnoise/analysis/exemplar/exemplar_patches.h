@@ -42,9 +42,4 @@ void for_each_patch(std::span<const Exemplar<Dim>> exemplars, const glm::vec<Dim
   }
 }
 
-extern template std::vector<glm::ivec2> patch_origins<2>(const Exemplar<2>&, const glm::ivec2&);
-extern template std::vector<glm::ivec3> patch_origins<3>(const Exemplar<3>&, const glm::ivec3&);
-extern template DenseField<2> cut_patch<2>(const DenseField<2>&, const glm::ivec2&, const glm::ivec2&);
-extern template DenseField<3> cut_patch<3>(const DenseField<3>&, const glm::ivec3&, const glm::ivec3&);
-
 }  // namespace solidnoise

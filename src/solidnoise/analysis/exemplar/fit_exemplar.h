@@ -42,9 +42,4 @@ template <int Dim>
 ExemplarFit<Dim> fit_exemplar(std::span<const Exemplar<Dim>> exemplars,
                               const ExemplarFitOptions& options = {}, Progress* progress = nullptr);
 
-extern template ExemplarFit<2> fit_exemplar<2>(std::span<const Exemplar<2>>, const ExemplarFitOptions&,
-                                               Progress*);
-extern template ExemplarFit<3> fit_exemplar<3>(std::span<const Exemplar<3>>, const ExemplarFitOptions&,
-                                               Progress*);
-
 }  // namespace solidnoise

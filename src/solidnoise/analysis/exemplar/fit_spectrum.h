@@ -52,9 +52,4 @@ template <int Dim>
 SpectrumFit fit_spectrum(const PowerSpectrum<Dim>& periodogram, double variance,
                          const SpectrumFitOptions& options = {}, Progress* progress = nullptr);
 
-extern template SpectrumFit fit_spectrum<2>(const PowerSpectrum<2>&, double, const SpectrumFitOptions&,
-                                            Progress*);
-extern template SpectrumFit fit_spectrum<3>(const PowerSpectrum<3>&, double, const SpectrumFitOptions&,
-                                            Progress*);
-
 }  // namespace solidnoise

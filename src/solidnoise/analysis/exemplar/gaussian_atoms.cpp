@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
-#include <string>
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "solidnoise/analysis/dense_field.h"
 #include "solidnoise/analysis/exemplar/exemplar.h"
@@ -18,9 +17,6 @@ namespace solidnoise {
 // The mean stays; the variance can go either way. Every axis has one sample or more.
 template <int Dim>
 DenseField<Dim> periodic_component(const DenseField<Dim>& field);
-
-extern template DenseField<2> periodic_component<2>(const DenseField<2>&);
-extern template DenseField<3> periodic_component<3>(const DenseField<3>&);
 
 // A density on the frequencies of a periodogram: that of the spectrum and, as samples fold it, of its images
 // beyond the highest frequency of the samples, which isotropic ones are taken to have none of.
@@ -46,12 +42,5 @@ Exemplar<2> gaussian_texture(const ExemplarModel& model, const glm::ivec2& count
 
 // Colours from the values of a model's channels.
 Exemplar<2> compose(const ExemplarModel& model, std::span<const DenseField<2>> channels);
-
-extern template PowerSpectrum<2> sampled_density<2>(const GaborSpectrum&, const glm::ivec2&, const Vec<2>&);
-extern template PowerSpectrum<3> sampled_density<3>(const GaborSpectrum&, const glm::ivec3&, const Vec<3>&);
-extern template Exemplar<2> gaussian_version<2>(const Exemplar<2>&, std::uint64_t);
-extern template Exemplar<3> gaussian_version<3>(const Exemplar<3>&, std::uint64_t);
-extern template DenseField<2> gaussian_field<2>(const PowerSpectrum<2>&, std::uint64_t);
-extern template DenseField<3> gaussian_field<3>(const PowerSpectrum<3>&, std::uint64_t);
 
 }  // namespace solidnoise

@@ -1,7 +1,6 @@
 #include "solidnoise/noise/cellular/cellular_statistics.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>

@@ -45,9 +45,4 @@ class CellularStatistics {
   Feature feature_;
 };
 
-extern template class CellularStatistics<1>;
-extern template class CellularStatistics<2>;
-extern template class CellularStatistics<3>;
-extern template class CellularStatistics<4>;
-
 }  // namespace solidnoise

@@ -52,9 +52,4 @@ class ImpulseBlock {
   std::vector<std::uint32_t> starts_;  // of each cell's impulses, and the end of the last
 };
 
-extern template class ImpulseBlock<1>;
-extern template class ImpulseBlock<2>;
-extern template class ImpulseBlock<3>;
-extern template class ImpulseBlock<4>;
-
 }  // namespace solidnoise

@@ -1,6 +1,5 @@
 #include "solidnoise/noise/convolution/impulse_process.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 

@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <functional>
-#include <span>
-#include <utility>
 #include <vector>
 
 #include "solidnoise/core/cell_grid.h"
@@ -214,11 +211,6 @@ class ImpulseProcess {
   std::vector<std::uint64_t> cumulative_;  // of counts 0, 1, ... in 2^-64
   int guide_ = 0;                          // where the search starts
 };
-
-extern template class ImpulseProcess<1>;
-extern template class ImpulseProcess<2>;
-extern template class ImpulseProcess<3>;
-extern template class ImpulseProcess<4>;
 
 // Moves to the next cell of a range, last axis fastest; false after the last one.
 template <int Dim>

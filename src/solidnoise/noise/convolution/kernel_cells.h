@@ -47,13 +47,4 @@ RadialPolynomial to_single_precision(const CompactKernel& kernel, int most_degre
 // Streams of random numbers that a noise derives from its seed.
 enum SeedStream : std::uint64_t { kImpulseStream = 1, kOctaveStream = 1000, kChannelStream = 2000 };
 
-extern template ImpulseLayout<1> make_layout<1>(const StrataChoice&, double, ImpulseSpread, double,
-                                                const Vec<4>&);
-extern template ImpulseLayout<2> make_layout<2>(const StrataChoice&, double, ImpulseSpread, double,
-                                                const Vec<4>&);
-extern template ImpulseLayout<3> make_layout<3>(const StrataChoice&, double, ImpulseSpread, double,
-                                                const Vec<4>&);
-extern template ImpulseLayout<4> make_layout<4>(const StrataChoice&, double, ImpulseSpread, double,
-                                                const Vec<4>&);
-
 }  // namespace solidnoise

@@ -78,9 +78,4 @@ std::array<float, kRoles> support_scale(const std::array<double, Dim>& radius) {
   return scale;
 }
 
-extern template class SparseConvolution<1>;
-extern template class SparseConvolution<2>;
-extern template class SparseConvolution<3>;
-extern template class SparseConvolution<4>;
-
 }  // namespace solidnoise

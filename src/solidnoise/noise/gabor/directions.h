@@ -52,9 +52,4 @@ class DirectionCone {
   Vec<Dim> mirror_;  // reflection that takes the first axis to axis_: x - 2 (x.m) m; 0 for none
 };
 
-extern template class DirectionCone<1>;
-extern template class DirectionCone<2>;
-extern template class DirectionCone<3>;
-extern template class DirectionCone<4>;
-
 }  // namespace solidnoise

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <vector>
 
 #include "solidnoise/noise/convolution/sparse_convolution.h"
 #include "solidnoise/noise/gabor/gabor_options.h"

@@ -79,7 +79,4 @@ class ComponentDraw {
   std::optional<DirectionCone<Dim>> directions_;
 };
 
-extern template class ComponentDraw<2>;
-extern template class ComponentDraw<3>;
-
 }  // namespace solidnoise

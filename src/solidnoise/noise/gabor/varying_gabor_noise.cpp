@@ -5,7 +5,6 @@
 #include <glm/geometric.hpp>
 
 #include "solidnoise/core/check.h"
-#include "solidnoise/core/special_functions.h"
 #include "solidnoise/noise/convolution/kernel_cells.h"
 #include "solidnoise/noise/kernel/gabor_parameters.h"
 #include "solidnoise/noise/kernel/impulse_statistics.h"

@@ -100,8 +100,4 @@ class VaryingGaborNoise {
   std::shared_ptr<const PointConvolution<Dim>> varying_;
 };
 
-extern template class VaryingGaborNoise<2>;
-extern template class VaryingGaborNoise<3>;
-extern template class VaryingGaborNoise<4>;
-
 }  // namespace solidnoise

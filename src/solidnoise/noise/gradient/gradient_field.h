@@ -69,9 +69,4 @@ template <int Dim>
 void evaluate_gradient_noise(const GradientField<Dim>& field, const Points<Dim>& points,
                              const Samples<Dim>& samples);
 
-extern template class GradientField<1>;
-extern template class GradientField<2>;
-extern template class GradientField<3>;
-extern template class GradientField<4>;
-
 }  // namespace solidnoise

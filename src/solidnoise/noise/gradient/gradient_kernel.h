@@ -83,9 +83,4 @@ class GradientKernel {
   double radial_peak_ = 0.0;
 };
 
-extern template class GradientKernel<1>;
-extern template class GradientKernel<2>;
-extern template class GradientKernel<3>;
-extern template class GradientKernel<4>;
-
 }  // namespace solidnoise

@@ -71,9 +71,4 @@ class GradientLattice {
   std::array<Vec<Dim>, kGradients> gradients_;
 };
 
-extern template class GradientLattice<1>;
-extern template class GradientLattice<2>;
-extern template class GradientLattice<3>;
-extern template class GradientLattice<4>;
-
 }  // namespace solidnoise

@@ -1,7 +1,6 @@
 #include "solidnoise/noise/interpolation/axis_weights.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>

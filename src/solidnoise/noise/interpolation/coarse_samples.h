@@ -7,7 +7,6 @@
 #include <map>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -77,9 +76,6 @@ class CoarseStore {
   std::map<Place, typename Recent::iterator> tiles_;
 };
 
-extern template class CoarseStore<2>;
-extern template class CoarseStore<3>;
-
 // A box of samples of a lattice, by their indices.
 template <int Dim>
 struct SampleRange {
@@ -116,8 +112,5 @@ class CoarseSamples {
   std::unique_ptr<float[]> samples_;  // of all bricks; none where that is too much to keep
   std::vector<bool> fetched_;         // per brick
 };
-
-extern template class CoarseSamples<2>;
-extern template class CoarseSamples<3>;
 
 }  // namespace solidnoise

@@ -89,7 +89,4 @@ class InterpolationPlanner {
   std::vector<NoisePart<Dim>> parts_;
 };
 
-extern template class InterpolationPlanner<2>;
-extern template class InterpolationPlanner<3>;
-
 }  // namespace solidnoise

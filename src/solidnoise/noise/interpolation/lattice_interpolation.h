@@ -3,7 +3,6 @@
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "solidnoise/noise/interpolation/axis_weights.h"
@@ -75,10 +74,5 @@ class LatticeInterpolator {
   Arrays from_;
   Arrays to_;
 };
-
-extern template class LatticeInterpolation<2>;
-extern template class LatticeInterpolation<3>;
-extern template class LatticeInterpolator<2>;
-extern template class LatticeInterpolator<3>;
 
 }  // namespace solidnoise

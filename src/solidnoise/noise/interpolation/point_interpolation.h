@@ -1,10 +1,7 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <memory>
 #include <span>
-#include <vector>
 
 #include "solidnoise/core/vec.h"
 #include "solidnoise/noise/interpolation/coarse_samples.h"

@@ -22,13 +22,4 @@ template <int Dim>
 CompactKernel compact_with_gradient(const IsotropicGaborKernel<Dim>& kernel, double error);
 CompactKernel compact_with_gradient(double a, double frequency, int dimensions, double error);
 
-extern template double gradient_error(const IsotropicGaborKernel<1>&, const CompactKernel&);
-extern template double gradient_error(const IsotropicGaborKernel<2>&, const CompactKernel&);
-extern template double gradient_error(const IsotropicGaborKernel<3>&, const CompactKernel&);
-extern template double gradient_error(const IsotropicGaborKernel<4>&, const CompactKernel&);
-extern template CompactKernel compact_with_gradient(const IsotropicGaborKernel<1>&, double);
-extern template CompactKernel compact_with_gradient(const IsotropicGaborKernel<2>&, double);
-extern template CompactKernel compact_with_gradient(const IsotropicGaborKernel<3>&, double);
-extern template CompactKernel compact_with_gradient(const IsotropicGaborKernel<4>&, double);
-
 }  // namespace solidnoise

@@ -103,9 +103,4 @@ CompactKernel compact_gaussian(double a, int dimensions, double error);
 template <int Dim>
 CompactKernel compact_kernel(const IsotropicGaborKernel<Dim>& kernel, double radius, double error);
 
-extern template CompactKernel compact_kernel(const IsotropicGaborKernel<1>&, double);
-extern template CompactKernel compact_kernel(const IsotropicGaborKernel<2>&, double);
-extern template CompactKernel compact_kernel(const IsotropicGaborKernel<3>&, double);
-extern template CompactKernel compact_kernel(const IsotropicGaborKernel<4>&, double);
-
 }  // namespace solidnoise

@@ -125,10 +125,6 @@ RandomPhaseGaborKernel<M> RandomPhaseGaborKernel<Dim>::sliced() const {
   return {amplitude_ * std::pow(std::numbers::sqrt2 * a_, 0.5 * (M - Dim)), a_, projected};
 }
 
-extern template class GaborKernel<1>;
-extern template class GaborKernel<2>;
-extern template class GaborKernel<3>;
-extern template class GaborKernel<4>;
 extern template class RandomPhaseGaborKernel<1>;
 extern template class RandomPhaseGaborKernel<2>;
 extern template class RandomPhaseGaborKernel<3>;

@@ -85,9 +85,4 @@ class IsotropicGaborKernel {
   double peak_;
 };
 
-extern template class IsotropicGaborKernel<1>;
-extern template class IsotropicGaborKernel<2>;
-extern template class IsotropicGaborKernel<3>;
-extern template class IsotropicGaborKernel<4>;
-
 }  // namespace solidnoise

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "solidnoise/noise/convolution/impulse_sums.h"
 
 namespace solidnoise {

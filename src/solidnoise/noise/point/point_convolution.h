@@ -111,8 +111,4 @@ inline int parts_for_points(double side, double radius) {
 double layer_window(double u);
 double layer_window_moment(int power);  // integral of h^power from -1 to 1
 
-extern template class PointConvolution<2>;
-extern template class PointConvolution<3>;
-extern template class PointConvolution<4>;
-
 }  // namespace solidnoise

@@ -95,11 +95,4 @@ class PickedParameters {
 template <int Dim>
 void require_finite_positions(const Points<Dim>& points);
 
-extern template struct VaryingParameters<2>;
-extern template struct VaryingParameters<3>;
-extern template struct VaryingParameters<4>;
-extern template void require_finite_positions(const Points<2>&);
-extern template void require_finite_positions(const Points<3>&);
-extern template void require_finite_positions(const Points<4>&);
-
 }  // namespace solidnoise

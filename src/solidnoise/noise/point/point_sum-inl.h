@@ -8,7 +8,6 @@
 #include "solidnoise/noise/convolution/point_terms-inl.h"
 #include "solidnoise/noise/point/point_cluster.h"
 #include "solidnoise/noise/point/point_polynomial-inl.h"
-#include "solidnoise/noise/point/scale_transition.h"
 
 #if defined(SOLIDNOISE_POINT_SUM_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef SOLIDNOISE_POINT_SUM_INL

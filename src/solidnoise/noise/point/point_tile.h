@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -143,12 +142,5 @@ void for_each_reaching_cell(const PointCull& cull, const Visit& visit) {
   };
   visit_axis.template operator()<0>(visit_axis, 0.0f, 0.0f);
 }
-
-extern template struct PointTile<2>;
-extern template struct PointTile<3>;
-extern template struct PointTile<4>;
-extern template PointCull bounds(std::span<const LocatedPoint<2>>, const KernelExtent&);
-extern template PointCull bounds(std::span<const LocatedPoint<3>>, const KernelExtent&);
-extern template PointCull bounds(std::span<const LocatedPoint<4>>, const KernelExtent&);
 
 }  // namespace solidnoise

@@ -1,6 +1,5 @@
 #include "solidnoise/volume/modify/distance_spline.h"
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 

@@ -1,7 +1,6 @@
 #include "solidnoise/volume/modify/move_surface.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <memory>

@@ -1,9 +1,7 @@
 #include "solidnoise/volume/sky/sky_grid.h"
 
-#include <algorithm>
 #include <cmath>
 #include <memory>
-#include <utility>
 #include <vector>
 
 #include <glm/common.hpp>

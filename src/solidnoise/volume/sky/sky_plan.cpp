@@ -18,7 +18,6 @@
 #include "solidnoise/core/numerics.h"
 #include "solidnoise/volume/make_volume.h"
 #include "solidnoise/volume/sky/sky_grid.h"
-#include "solidnoise/volume/topology/topology.h"
 #include "solidnoise/volume/vdb/grid_file.h"
 #include "solidnoise/volume/volume_cost.h"
 

@@ -3,7 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "solidnoise/core/choices.h"
 #include "solidnoise/volume/sky/sky_plan.h"
 
 namespace solidnoise {

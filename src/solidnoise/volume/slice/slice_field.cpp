@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <stdexcept>
-#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>

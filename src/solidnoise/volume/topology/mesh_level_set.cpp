@@ -6,7 +6,6 @@
 #include <memory>
 #include <stdexcept>
 
-#include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <openvdb/tools/LevelSetUtil.h>
 #include <openvdb/tools/MeshToVolume.h>

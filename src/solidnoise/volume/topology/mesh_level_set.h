@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstdint>
-
 #include "solidnoise/core/progress.h"
 #include "solidnoise/noise/interpolation/noise_cost.h"
 #include "solidnoise/volume/topology/topology.h"

@@ -38,7 +38,4 @@ class GridChecksum {
   Hash hash_;
 };
 
-extern template class GridChecksum<openvdb::FloatGrid>;
-extern template class GridChecksum<openvdb::Vec3SGrid>;
-
 }  // namespace solidnoise

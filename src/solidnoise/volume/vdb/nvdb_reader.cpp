@@ -7,8 +7,6 @@
 #include <stdexcept>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "solidnoise/volume/vdb/cancellable_file.h"
 #include "solidnoise/volume/vdb/nvdb_check.h"
 

@@ -13,9 +13,4 @@ namespace solidnoise {
 template <typename Leaf>
 void write_leaves(std::ostream& stream, std::span<const Leaf* const> leaves, const openvdb::GridBase& grid);
 
-extern template void write_leaves(std::ostream&, std::span<const openvdb::FloatTree::LeafNodeType* const>,
-                                  const openvdb::GridBase&);
-extern template void write_leaves(std::ostream&, std::span<const openvdb::Vec3STree::LeafNodeType* const>,
-                                  const openvdb::GridBase&);
-
 }  // namespace solidnoise
