@@ -17,6 +17,8 @@
 namespace solidnoise {
 namespace {
 
+constexpr double kFeaturesAlongDiagonal = 24.0;
+
 // Those of a bake itself cannot be taken by others.
 void require_property_name(const std::string& name) {
   constexpr std::string_view kOwn[] = {"x",   "y",     "z",    "nx",    "ny",   "nz",
@@ -111,14 +113,9 @@ std::uint64_t default_vertex_budget(std::size_t vertices) {
   return std::clamp<std::uint64_t>(4 * std::uint64_t{vertices}, 200'000, 4'000'000);
 }
 
-double default_feature_size(double diagonal) {
-  constexpr double kFeaturesAlongDiagonal = 24.0;
-  return diagonal / kFeaturesAlongDiagonal;
-}
-
 double feature_size_of(const BakeRecipe& recipe, double diagonal) {
   if (recipe.frequency) return 1.0 / std::sqrt(recipe.frequency->from * recipe.frequency->to);
-  const double size = recipe.feature_size.value_or(default_feature_size(diagonal));
+  const double size = recipe.feature_size.value_or(diagonal / kFeaturesAlongDiagonal);
   return size > 0.0 ? size : 1.0;  // any will do where nothing has a size
 }
 

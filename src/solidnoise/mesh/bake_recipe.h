@@ -71,7 +71,7 @@ struct BakeRecipe {
   NamedLayers properties{};
   LayerUnit layer_unit = LayerUnit::world;
   std::optional<ParameterRange> frequency{};  // cycles per world unit; unset: one per feature_size
-  std::optional<double> feature_size{};       // world units, > 0; unset: default_feature_size() of the mesh
+  std::optional<double> feature_size{};       // world units, > 0; unset: 24 lie along the box's diagonal
   ParameterRange detail{1.0, 1.0};            // over one cycle per feature_size; 0.001 to 1000
   ParameterRange bandwidth{1.0, 1.0};         // octaves; 0.1 to 4
   ParameterRange magnitude{1.0, 1.0};         // standard deviation; >= 0
@@ -105,9 +105,6 @@ struct BakeRecipe {
 
 // What stands for the surface's noise where noises of layers have seeds mixed with its own.
 NoiseRecipe noise_of_layers(const SurfaceNoiseRecipe& recipe);
-
-// 24 features lie along the diagonal of a mesh's box, > 0, however it is cut up. World units.
-double default_feature_size(double diagonal);
 
 // Size of a feature on a mesh whose box has this diagonal, 0 or more: feature_size, what stands for it, or
 // where there is a frequency one cycle of it, of a range of the middle in octaves. World units.

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <span>
 #include <stdexcept>
-#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -144,6 +143,41 @@ BakePlan some_of(const BakePlan& plan, const std::vector<std::uint32_t>& numbers
   return some;
 }
 
+// The plan of texels as if they were vertices: their places and what the recipe varies there, unfiltered.
+BakePlan plan_of_texels(const TexturePlan& plan, const TextureTile& tile, std::span<const Texel> texels) {
+  const std::size_t count = texels.size();
+  const VertexGuides& guides = plan.bake.guides;
+  const VertexParameters& parameters = plan.bake.parameters;
+  BakePlan result;
+  result.feature_size = plan.bake.feature_size;
+  result.bounds = plan.bake.bounds;
+  result.mesh.positions.resize(count);
+  result.guides.normals.resize(count);
+  result.guides.smooth_normals.resize(guides.smooth_normals.empty() ? 0 : count);
+  result.guides.directions.resize(guides.directions.empty() ? 0 : count);
+  result.guides.steering.weights.resize(guides.steering.weights.empty() ? 0 : count);
+  for (const auto parameter : kParameters)
+    result.parameters.*parameter = number_of_texels(parameters.*parameter, count);
+  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+    const TextureTriangle& triangle = plan.triangles[texels[i].triangle];
+    const Vec<3> weights = weights_at(plan, tile, texels[i]);
+    const Vec<3> inner = inside(weights);
+    result.mesh.positions[i] = place_of(plan, triangle, weights);
+    result.guides.normals[i] = mixed(guides.normals, triangle, inner);
+    if (!guides.smooth_normals.empty())
+      result.guides.smooth_normals[i] = mixed(guides.smooth_normals, triangle, inner);
+    if (!guides.directions.empty())
+      result.guides.directions[i] = mixed_lines(guides.directions, triangle, inner);
+    if (!guides.steering.weights.empty())
+      result.guides.steering.weights[i] = mixed(guides.steering.weights, triangle, inner);
+    for (const auto parameter : kParameters) {
+      const VertexNumber& number = parameters.*parameter;
+      if (number.varies()) (result.parameters.*parameter).values[i] = mixed(number.values, triangle, inner);
+    }
+  });
+  return result;
+}
+
 // The texels of a tile, some at a time.
 class TileBake {
  public:
@@ -243,8 +277,6 @@ class TileBake {
   std::vector<Vec<3>> slopes_;
 };
 
-}  // namespace
-
 std::vector<std::string> texture_map_names(const BakeRecipe& recipe) {
   std::vector<std::string> names{"color", "normal", "height", "noise"};
   for (const auto& [name, layer] : recipe.properties) {
@@ -252,6 +284,8 @@ std::vector<std::string> texture_map_names(const BakeRecipe& recipe) {
   }
   return names;
 }
+
+}  // namespace
 
 TextureMap texture_map(std::string_view name, const BakeRecipe& recipe) {
   const std::string text(name);
@@ -266,40 +300,6 @@ TextureMap texture_map(std::string_view name, const BakeRecipe& recipe) {
 double height_of_normals(const BakePlan& plan, const BakeRecipe& recipe) {
   constexpr double kFeatureShare = 0.1;
   return recipe.displace != 0.0 ? recipe.displace : kFeatureShare * plan.feature_size;
-}
-
-BakePlan plan_of_texels(const TexturePlan& plan, const TextureTile& tile, std::span<const Texel> texels) {
-  const std::size_t count = texels.size();
-  const VertexGuides& guides = plan.bake.guides;
-  const VertexParameters& parameters = plan.bake.parameters;
-  BakePlan result;
-  result.feature_size = plan.bake.feature_size;
-  result.bounds = plan.bake.bounds;
-  result.mesh.positions.resize(count);
-  result.guides.normals.resize(count);
-  result.guides.smooth_normals.resize(guides.smooth_normals.empty() ? 0 : count);
-  result.guides.directions.resize(guides.directions.empty() ? 0 : count);
-  result.guides.steering.weights.resize(guides.steering.weights.empty() ? 0 : count);
-  for (const auto parameter : kParameters)
-    result.parameters.*parameter = number_of_texels(parameters.*parameter, count);
-  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
-    const TextureTriangle& triangle = plan.triangles[texels[i].triangle];
-    const Vec<3> weights = weights_at(plan, tile, texels[i]);
-    const Vec<3> inner = inside(weights);
-    result.mesh.positions[i] = place_of(plan, triangle, weights);
-    result.guides.normals[i] = mixed(guides.normals, triangle, inner);
-    if (!guides.smooth_normals.empty())
-      result.guides.smooth_normals[i] = mixed(guides.smooth_normals, triangle, inner);
-    if (!guides.directions.empty())
-      result.guides.directions[i] = mixed_lines(guides.directions, triangle, inner);
-    if (!guides.steering.weights.empty())
-      result.guides.steering.weights[i] = mixed(guides.steering.weights, triangle, inner);
-    for (const auto parameter : kParameters) {
-      const VertexNumber& number = parameters.*parameter;
-      if (number.varies()) (result.parameters.*parameter).values[i] = mixed(number.values, triangle, inner);
-    }
-  });
-  return result;
 }
 
 FilterLevels::FilterLevels(double least, double greatest) {

@@ -25,10 +25,8 @@ struct TextureMap {
   std::string property{};  // of a number; empty: the noise
 };
 
-// Those of a recipe, by name: color, normal, height (the property of this name, else the noise), noise, and
-// its properties.
-std::vector<std::string> texture_map_names(const BakeRecipe& recipe);
-// Throws std::invalid_argument for another name.
+// One of a recipe, by name: color, normal, height (the property of this name, else the noise), noise, and its
+// properties. Throws std::invalid_argument for another name.
 TextureMap texture_map(std::string_view name, const BakeRecipe& recipe);
 
 // How far a height of 1 moves the surface in normal maps, world units: as the recipe displaces it, or, where
@@ -55,9 +53,6 @@ struct BakedTile {
 // Throws Cancelled.
 BakedTile bake_tile(const TexturePlan& plan, const BakeRecipe& recipe, const std::vector<TextureMap>& maps,
                     const TextureTile& tile, Progress* progress = nullptr);
-
-// The plan of texels as if they were vertices: their places and what the recipe varies there, unfiltered.
-BakePlan plan_of_texels(const TexturePlan& plan, const TextureTile& tile, std::span<const Texel> texels);
 
 // Deviations of filters, increasing, in whose place others are mixed.
 class FilterLevels {

@@ -11,13 +11,13 @@
 
 #include "solidnoise/analysis/expected_spectrum.h"
 #include "solidnoise/analysis/radial_spectrum.h"
+#include "solidnoise/core/named_error.h"
 #include "solidnoise/noise/gabor/gabor_noise.h"
 #include "solidnoise/noise/gabor/oriented_gabor_noise.h"
 #include "solidnoise/noise/kernel/impulse_statistics.h"
 #include "solidnoise/volume/finish_volume.h"
 #include "solidnoise/volume/stored_recipe.h"
 #include "solidnoise/volume/topology/grid_frame.h"
-#include "solidnoise/volume/vdb/as_file_error.h"
 #include "solidnoise/volume/vdb/grid_values.h"
 #include "solidnoise/volume/volume_field.h"
 
@@ -35,25 +35,25 @@ bool all_active(const openvdb::FloatGrid& grid, const openvdb::CoordBBox& box) {
   return true;
 }
 
-// The middle of a box, its sides scaled and then cut to a length.
-openvdb::CoordBBox middle_of(const openvdb::CoordBBox& box, double scale, int longest_side) {
+// The middle of a box, its sides scaled and then cut to kLongestBlock.
+openvdb::CoordBBox middle_of(const openvdb::CoordBBox& box, double scale) {
   openvdb::CoordBBox middle;
   for (int axis = 0; axis < 3; ++axis) {
     const int length = box.dim()[axis];
-    const int side = std::min(static_cast<int>(length * scale), longest_side);
+    const int side = std::min(static_cast<int>(length * scale), kLongestBlock);
     middle.min()[axis] = box.min()[axis] + (length - side) / 2;
     middle.max()[axis] = middle.min()[axis] + side - 1;
   }
   return middle;
 }
 
-}  // namespace
-
-std::optional<DenseField<3>> dense_block(const openvdb::FloatGrid& grid, int longest_side) {
+// The values of a block from the middle of a grid, of which all voxels are active: as large as the grid and
+// kLongestBlock allow. None where it would be under 8 voxels wide, too little to measure a spectrum.
+std::optional<DenseField<3>> dense_block(const openvdb::FloatGrid& grid) {
   const openvdb::CoordBBox bounds = grid.evalActiveVoxelBoundingBox();
   constexpr double kStep = 0.93;
   for (double scale = 1.0; !bounds.empty(); scale *= kStep) {
-    const openvdb::CoordBBox box = middle_of(bounds, scale, longest_side);
+    const openvdb::CoordBBox box = middle_of(bounds, scale);
     const openvdb::Coord sides = box.dim();
     if (std::min({sides.x(), sides.y(), sides.z()}) < kShortestSide) break;
     if (!all_active(grid, box)) continue;
@@ -66,8 +66,6 @@ std::optional<DenseField<3>> dense_block(const openvdb::FloatGrid& grid, int lon
   }
   return std::nullopt;
 }
-
-namespace {
 
 constexpr int kHistogramBins = 80;
 constexpr double kHistogramReach = 5.0;  // sigmas on each side of the mean
@@ -239,7 +237,7 @@ AnalysisSubject analysis_subject(openvdb::FloatGrid::Ptr grid, const std::string
   if (subject.recipe && holds_noise_itself(*subject.recipe, subject.grid->getName())) {
     subject.noise = make_volume_noise(*subject.recipe);
   }
-  subject.block = dense_block(*subject.grid, kLongestBlock);
+  subject.block = dense_block(*subject.grid);
   return subject;
 }
 

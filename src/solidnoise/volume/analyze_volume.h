@@ -19,11 +19,6 @@
 
 namespace solidnoise {
 
-// The values of a block from the middle of a grid, of which all voxels are active: as large as the grid
-// allows, and `longest_side` voxels at most. None where it would be under 8 voxels wide, too little to
-// measure a spectrum.
-std::optional<DenseField<3>> dense_block(const openvdb::FloatGrid& grid, int longest_side);
-
 // What there is to say about a grid.
 struct AnalysisSubject {
   openvdb::FloatGrid::Ptr grid;

@@ -140,8 +140,13 @@ class DistanceMeasurer {
   FloatGrid::Ptr result_;
 };
 
-}  // namespace
-
+// A level set of the zeros of `values`, in a band as wide as the background of that, in its frame. Cubic
+// voxels; any values that have a slope at their zeros, active at least two voxels (to faces and edges) around
+// each voxel that has one of the other side beside it, and everywhere of the right sign.
+//
+// Each voxel takes the distance to its closest point, found as by ClosestPointFinder, layer by layer from the
+// zeros on; OpenVDB's LevelSetTracker then makes |gradient| 1 where that cannot be, around details of the
+// size of a voxel. In parallel; the same to the last bit for any number of threads. Throws Cancelled.
 FloatGrid::Ptr measure_distances(const FloatGrid& values, Progress* progress) {
   constexpr double kMeasured = 0.7;  // share of the time
   constexpr int kSteps = 3;
@@ -158,11 +163,6 @@ FloatGrid::Ptr measure_distances(const FloatGrid& values, Progress* progress) {
   return grid;
 }
 
-namespace {
-
-using openvdb::FloatGrid;
-using openvdb::FloatTree;
-using openvdb::MaskTree;
 using Leaves = openvdb::tree::LeafManager<FloatTree>;
 
 // Cuts the band to values under `background`, which takes the background's place. Tiles are not in it.

@@ -18,7 +18,7 @@
 namespace solidnoise {
 namespace {
 
-using MaskLeaf = GridSink::MaskLeaf;
+using MaskLeaf = openvdb::MaskTree::LeafNodeType;
 using LeafMask = MaskLeaf::NodeMaskType;
 
 // The voxel's value in a leaf's values, one component after the other.
@@ -31,12 +31,23 @@ Value gather(std::span<const float> values, std::size_t voxel) {
   }
 }
 
+// Where the values of one grid go during a fill, leaf by leaf. Leaves may be stored in any order and by any
+// thread, each index once.
+class GridSink {
+ public:
+  virtual ~GridSink() = default;
+
+  virtual void store_zeros(std::size_t index, const MaskLeaf& mask) = 0;
+  // `values` has a leaf's values of one component after the other.
+  virtual void store(std::size_t index, const MaskLeaf& mask, std::span<const float> values) = 0;
+  // The grid of what was stored, its leaves in the order of their indices; once.
+  virtual MeasuredGrid collect(const GridFrame& frame) = 0;
+};
+
 template <typename Tree>
 class TypedSink final : public GridSink {
  public:
   TypedSink(std::size_t leaves, Sparsity sparsity) : sparsity_(sparsity), leaves_(leaves), moments_(leaves) {}
-
-  std::size_t components() const override { return kComponents; }
 
   void store_zeros(std::size_t index, const MaskLeaf& mask) override {
     if (sparsity_ == Sparsity::drop) return;
@@ -108,15 +119,11 @@ class TypedSink final : public GridSink {
   std::vector<std::array<Moments, kComponents>> moments_;
 };
 
-}  // namespace
-
 std::unique_ptr<GridSink> make_grid_sink(int components, std::size_t leaves, Sparsity sparsity) {
   if (components == 1) return std::make_unique<TypedSink<openvdb::FloatTree>>(leaves, sparsity);
   if (components == 3) return std::make_unique<TypedSink<openvdb::Vec3STree>>(leaves, sparsity);
   throw std::invalid_argument(fmt::format("a grid of {} components; it must have 1 or 3", components));
 }
-
-namespace {
 
 using MaskLeaf = openvdb::MaskTree::LeafNodeType;
 
