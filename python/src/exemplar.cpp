@@ -24,6 +24,7 @@
 #include "solidnoise/analysis/exemplar/fit_fields.h"
 #include "solidnoise/analysis/exemplar/prepare_exemplars.h"
 #include "solidnoise/core/check.h"
+#include "solidnoise/core/extension.h"
 #include "solidnoise/core/output_file.h"
 #include "solidnoise/core/printable.h"
 #include "solidnoise/recipe/exemplar_model_json.h"
@@ -137,7 +138,7 @@ Groups are those of group_names.
       "write",
       [](const ExemplarModel& model, py::handle path, bool force) {
         const std::filesystem::path target = path_of(path);
-        if (target.extension() != ".json") {
+        if (extension_of(target) != ".json") {
           throw std::invalid_argument(
               fmt::format("path is {}; it must end in .json", printable(target.string())));
         }

@@ -12,6 +12,7 @@
 #include "call.h"
 #include "documentation.h"
 #include "json.h"
+#include "solidnoise/core/extension.h"
 #include "solidnoise/core/format_bytes.h"
 #include "solidnoise/recipe/recipe_file.h"
 #include "solidnoise/volume/make_volume.h"
@@ -26,7 +27,7 @@ namespace solidnoise::python {
 
 VolumeRecipe volume_recipe_of(py::handle recipe, const py::dict& keywords) {
   const auto text_in = [](const std::filesystem::path& path) {
-    return path.extension() == ".vdb" ? recipe_text_in(path) : read_text_file(path);
+    return extension_of(path) == ".vdb" ? recipe_text_in(path) : read_text_file(path);
   };
   VolumeRecipe result;
   use_recipe(

@@ -13,6 +13,7 @@
 #include "call.h"
 #include "json.h"
 #include "solidnoise/core/check.h"
+#include "solidnoise/core/extension.h"
 #include "solidnoise/image/image_file.h"
 #include "solidnoise/volume/slice/grid_slice.h"
 #include "solidnoise/volume/slice/slice_image.h"
@@ -57,7 +58,7 @@ struct SliceArguments {
 };
 
 bool has_grids(const std::filesystem::path& path) {
-  return path.extension() == ".vdb" || path.extension() == ".nvdb";
+  return extension_of(path) == ".vdb" || extension_of(path) == ".nvdb";
 }
 
 // What would be given for nothing.

@@ -12,6 +12,7 @@
 #include "call.h"
 #include "json.h"
 #include "solidnoise/core/check.h"
+#include "solidnoise/core/extension.h"
 #include "solidnoise/core/printable.h"
 #include "solidnoise/volume/make_volume.h"
 #include "solidnoise/volume/preview/picture.h"
@@ -51,8 +52,8 @@ struct FrameNote {
 void write_volume_object(const VolumeObject& volume, py::handle path, bool force, const FrameNote& note,
                          const Call& call) {
   const std::filesystem::path target = path_of(path);
-  const bool is_nvdb = target.extension() == ".nvdb";
-  if (!is_nvdb && target.extension() != ".vdb") {
+  const bool is_nvdb = extension_of(target) == ".nvdb";
+  if (!is_nvdb && extension_of(target) != ".vdb") {
     throw std::invalid_argument(
         fmt::format("path is {}; it must end in .vdb or .nvdb", printable(target.string())));
   }

@@ -16,6 +16,7 @@ namespace {
 TEST(ParseGridFile, SplitsFileAndGrid) {
   EXPECT_EQ(parse_grid_file("a.vdb"), (GridFile{"a.vdb"}));
   EXPECT_EQ(parse_grid_file("a.vdb:heat"), (GridFile{"a.vdb", "heat"}));
+  EXPECT_EQ(parse_grid_file("A.VDB:Heat"), (GridFile{"A.VDB", "Heat"}));
   EXPECT_EQ(parse_grid_file("b.vdb/a.vdb:two words"), (GridFile{"b.vdb/a.vdb", "two words"}));
   EXPECT_EQ(parse_grid_file("a:b.vdb"), (GridFile{"a:b.vdb"}));
   EXPECT_EQ(parse_grid_file("a.vdb:x:y"), (GridFile{"a.vdb", "x:y"}));

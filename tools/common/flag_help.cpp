@@ -1,13 +1,12 @@
 #include "common/flag_help.h"
 
 #include <algorithm>
-#include <cctype>
 #include <sstream>
-#include <string_view>
 
 #include <fmt/format.h>
 
 #include "common/run_tool.h"
+#include "solidnoise/core/extension.h"
 #include "solidnoise/core/printable.h"
 
 namespace solidnoise {
@@ -15,12 +14,6 @@ namespace {
 
 constexpr std::size_t kTextColumn = 36;  // characters
 constexpr std::size_t kWidth = 118;
-
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return text;
-}
 
 std::string text_of(const Flag& flag) {
   const std::string standard = flag.standard ? flag.standard() : std::string();
@@ -86,7 +79,7 @@ std::string usage(const HelpPage& page, const std::deque<Argument>& arguments) {
 std::string found_rows(const std::string& word, const std::deque<Flag>& flags) {
   std::string text;
   for (const Flag& flag : flags) {
-    if (lower(flag.name + ' ' + text_of(flag)).find(lower(word)) != std::string::npos) text += row(flag);
+    if (lowered(flag.name + ' ' + text_of(flag)).find(lowered(word)) != std::string::npos) text += row(flag);
   }
   return text;
 }

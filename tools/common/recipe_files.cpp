@@ -1,8 +1,6 @@
 #include "common/recipe_files.h"
 
-#include <cerrno>
 #include <iostream>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -12,6 +10,7 @@
 #include "common/parse_value.h"
 #include "common/recipe_link.h"
 #include "common/run_tool.h"
+#include "solidnoise/core/extension.h"
 
 namespace solidnoise {
 namespace {
@@ -55,7 +54,7 @@ void load_recipe(const FlagSet& flags, const RecipeSource& from,
     const std::filesystem::path path = linked ? "the link's recipe" : *file;
     const auto text = [&] {
       if (linked) return *linked;
-      return path.extension() == ".json" ? read_text_file(path) : from.text_in(path);
+      return extension_of(path) == ".json" ? read_text_file(path) : from.text_in(path);
     };
     const std::string warning = read_recipe(path, text(), use);
     if (warning.empty() || flags.given("--quiet")) return;

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "solidnoise/core/extension.h"
 #include "solidnoise/volume/volume_field.h"
 
 namespace solidnoise {
@@ -29,7 +30,7 @@ std::string round_up(double bound) {
 }  // namespace
 
 bool is_nvdb(const MakeOptions& options) {
-  return std::filesystem::path(options.out).extension() == ".nvdb";
+  return extension_of(options.out) == ".nvdb";
 }
 
 void check_format(const FlagSet& flags, const MakeOptions& options) {

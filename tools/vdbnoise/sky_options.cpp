@@ -12,6 +12,7 @@
 #include "common/outputs.h"
 #include "common/recipe_files.h"
 #include "common/run_tool.h"
+#include "solidnoise/core/extension.h"
 #include "solidnoise/core/printable.h"
 #include "solidnoise/recipe/recipe_file.h"
 #include "solidnoise/volume/sky/sky_tables.h"
@@ -27,7 +28,7 @@ namespace {
 // What `VALUE` of --cloud names: a preset of volumes, or a file.
 VolumeRecipe read_cloud(const std::string& value) {
   const std::filesystem::path path = value;
-  if (path.extension() == ".json" || path.extension() == ".vdb") {
+  if (extension_of(path) == ".json" || extension_of(path) == ".vdb") {
     VolumeRecipe cloud;
     read_recipe(path, recipe_text_of(path), [&](const Json& json) { cloud = volume_recipe_from_json(json); });
     return cloud;

@@ -5,6 +5,7 @@
 
 #include "common/flag_set.h"
 #include "common/run_options.h"
+#include "solidnoise/core/extension.h"
 #include "solidnoise/volume/sky/sky_plan.h"
 
 namespace solidnoise {
@@ -18,7 +19,7 @@ struct SkyOptions : RunOptions {
   bool skip_existing = false;
   std::optional<Box<3>> region;  // of one grid
 
-  SkyForm form() const { return out.ends_with(".vdb") ? SkyForm::grid : SkyForm::instances; }
+  SkyForm form() const { return extension_of(out) == ".vdb" ? SkyForm::grid : SkyForm::instances; }
 };
 
 // Declares all flags. Before they are applied the caller puts the recipe that they override into `options`.

@@ -1,9 +1,6 @@
 #include "vdbnoise/volume_flags.h"
 
 #include <filesystem>
-#include <optional>
-#include <stdexcept>
-#include <string_view>
 #include <variant>
 
 #include <fmt/format.h>
@@ -15,6 +12,7 @@
 #include "common/recipe_files.h"
 #include "common/run_tool.h"
 #include "solidnoise/core/check.h"
+#include "solidnoise/core/extension.h"
 #include "solidnoise/core/printable.h"
 #include "solidnoise/recipe/noise_recipe_json.h"
 #include "solidnoise/volume/stored_recipe.h"
@@ -24,7 +22,7 @@
 namespace solidnoise {
 
 std::string recipe_text_of(const std::filesystem::path& path) {
-  return path.extension() == ".vdb" ? recipe_text_in(path) : read_text_file(path);
+  return extension_of(path) == ".vdb" ? recipe_text_in(path) : read_text_file(path);
 }
 
 VolumeRecipe choose_volume_recipe(const FlagSet& flags, const std::string& standard) {

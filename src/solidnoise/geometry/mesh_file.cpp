@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -14,6 +14,7 @@
 
 #include <fmt/format.h>
 
+#include "solidnoise/core/extension.h"
 #include "solidnoise/core/input_file.h"
 #include "solidnoise/geometry/mesh_codecs.h"
 #include "solidnoise/geometry/read_points.h"
@@ -31,9 +32,7 @@ constexpr std::array<std::pair<std::string_view, MeshFormat>, 8> kExtensions{{{"
                                                                               {".usda", MeshFormat::usda}}};
 
 std::optional<MeshFormat> find_format(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = extension_of(path);
   for (const auto& [name, format] : kExtensions) {
     if (extension == name) return format;
   }
@@ -60,6 +59,7 @@ bool is_mesh_path(const std::filesystem::path& path) {
 namespace {
 
 constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 36;
+constexpr double kFarthest = 1e12;  // world units
 
 MeshReading read_format(std::string_view bytes, MeshFormat format, const std::string& name) {
   switch (format) {
@@ -89,6 +89,13 @@ MeshReading read_bytes(std::string_view bytes, MeshFormat format, const std::str
   MeshReading reading = read_format(bytes, format, name);
   const PolygonMesh& mesh = reading.mesh;
   if (mesh.positions.empty()) throw std::runtime_error(fmt::format("{}: the mesh has no vertices", name));
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    const Vec<3>& p = mesh.positions[v];
+    const double farthest = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    if (farthest <= kFarthest) continue;
+    throw std::runtime_error(fmt::format("{}: vertex {} has a coordinate of {:g}; it must be within +-{:g}",
+                                         name, v, farthest, kFarthest));
+  }
   if (mesh.face_count() == 0 && faces == Faces::required) {
     throw std::runtime_error(
         fmt::format("{}: the mesh has {} vertices but no faces", name, mesh.positions.size()));

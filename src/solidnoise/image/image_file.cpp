@@ -14,6 +14,7 @@
 
 #include <fmt/format.h>
 
+#include "solidnoise/core/extension.h"
 #include "solidnoise/core/input_file.h"
 #include "solidnoise/image/check_picture.h"
 #include "solidnoise/image/image_module.h"
@@ -56,14 +57,8 @@ int module_type(SampleType type) {
   }
 }
 
-std::string lower_extension(const fs::path& path) {
-  std::string extension = path.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
-}
-
 const Format& format_to_write(const fs::path& path) {
-  const std::string extension = lower_extension(path);
+  const std::string extension = extension_of(path);
   for (const Format& format : formats()) {
     if (format.extension == extension) return format;
   }

@@ -4,15 +4,13 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
-#include <utility>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include "solidnoise/core/extension.h"
 #include "solidnoise/core/input_file.h"
 #include "solidnoise/core/printable.h"
 #include "solidnoise/geometry/read_points.h"
@@ -174,7 +172,7 @@ std::vector<SkyPoint> read_ply(const std::filesystem::path& path, const SkyPoint
 
 std::vector<SkyPoint> read_points(const std::filesystem::path& path, const SkyPoint& others) {
   const std::string name = path.string();
-  const std::string extension = path.extension().string();
+  const std::string extension = extension_of(path);
   if (extension != ".csv" && extension != ".ply")
     throw std::runtime_error(name + ": points are read from .csv and .ply");
   std::error_code ignored;  // by which pipes have no size; what cannot be read is said below

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "solidnoise/core/extension.h"
 #include "solidnoise/volume/vdb/grid_values.h"
 
 namespace solidnoise {
@@ -16,9 +17,10 @@ void GridFile::validate() const {
 std::optional<GridFile> parse_grid_file(std::string_view text) {
   if (text == "-") return GridFile{"-"};
   if (text.starts_with("-:") && text.size() > 2) return GridFile{"-", std::string(text.substr(2))};
+  const std::string small = lowered(text);
   for (const std::string_view kind : {".vdb", ".nvdb"}) {
-    if (text.size() > kind.size() && text.ends_with(kind)) return GridFile{std::string(text)};
-    const std::size_t extension = text.rfind(std::string(kind) + ':');
+    if (small.size() > kind.size() && small.ends_with(kind)) return GridFile{std::string(text)};
+    const std::size_t extension = small.rfind(std::string(kind) + ':');
     if (extension == std::string_view::npos || extension == 0) continue;
     const std::size_t colon = extension + kind.size();
     if (colon + 1 == text.size()) return std::nullopt;
