@@ -81,9 +81,12 @@ void add_edits(ModelClass& of) {
       [](const ExemplarModel& model, double lower, double upper, double direction, double spread,
          const std::string& name, std::optional<std::string> group, std::optional<int> channel) {
         const ComponentSelection selection{lower, upper, direction, spread};
-        return edited(model, {group, channel}, false, [&](GaborSpectrum& spectrum, std::size_t) {
-          select_group(spectrum, group, selection, name);
+        int count = 0;
+        const auto result = edited(model, {group, channel}, false, [&](GaborSpectrum& spectrum, std::size_t) {
+          count += select_group(spectrum, group, selection, name);
         });
+        if (count == 0) throw std::invalid_argument("there are no such components");
+        return result;
       },
       "lower"_a, "upper"_a, py::kw_only(), "direction"_a = 0.0, "spread"_a = 180.0, "name"_a = "selected",
       "group"_a = py::none(), "channel"_a = py::none(),

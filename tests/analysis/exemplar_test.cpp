@@ -215,6 +215,23 @@ TEST(FitExemplar, ToleratesChannelsWithoutAnything) {
   EXPECT_LT(fit.model.channels[2].variance(), 1e-10 * fit.model.channels[0].variance());
 }
 
+// Axes of nothing are not turned with those that have something: their spectra are rounding.
+TEST(FitExemplar, TakesPicturesOfTwoColors) {
+  Image image = random_image(48, 48, 3);
+  for (int i = 0; i < 48 * 48; ++i) {
+    const bool light = image.at(i % 48, i / 48, 0) > 0.7f;
+    const std::array<float, 3> color =
+        light ? std::array{217.0f, 195.0f, 173.0f} : std::array{38.0f, 34.0f, 31.0f};
+    for (int c = 0; c < 3; ++c) image.at(i % 48, i / 48, c) = color[static_cast<std::size_t>(c)] / 255.0f;
+  }
+  const Exemplar<2> exemplar = exemplar_of_image(image, {.raw_values = true}, "it");
+  const ExemplarFit<2> fit = fit_exemplar<2>(std::vector{exemplar});
+  EXPECT_NO_THROW(fit.model.validate());
+  ASSERT_TRUE(fit.dependence);
+  EXPECT_TRUE(std::isfinite(fit.dependence->independent));
+  expect_colors(fit.model, exemplar);
+}
+
 struct StopsAfter final : Progress {
   explicit StopsAfter(int questions) : left(questions) {}
   void advance(std::uint64_t, std::uint64_t) override {}

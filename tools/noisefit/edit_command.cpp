@@ -37,6 +37,7 @@ struct Operation {
 };
 
 struct EditCommand : RunOptions {
+  int selected = 0;  // components of all channels, by --select
   std::string in;
   std::string out;
   std::string preview;
@@ -133,9 +134,10 @@ void declare_flags(FlagSet& flags, EditCommand& command) {
           selection.direction = v[2];
           selection.spread = v[3];
         }
-        command.operations.push_back({"--select", [selection](GaborSpectrum& spectrum, std::size_t) {
-                                        select_group(spectrum, {}, selection, "selected");
-                                      }});
+        command.operations.push_back(
+            {"--select", [selection, &command](GaborSpectrum& spectrum, std::size_t) {
+               command.selected += select_group(spectrum, {}, selection, "selected");
+             }});
       });
   declare_number(
       flags, command, "--rotate", "DEGREES", "Turn counterclockwise (in 3D about the z axis)",
@@ -219,6 +221,8 @@ int run_edit(const std::vector<std::string>& arguments) {
       }
     }
   });
+  if (flags.given("--select") && command.selected == 0)
+    throw UsageError(fmt::format("--select: {}: there are no such components", command.in));
   if (!edited) throw UsageError(fmt::format("{} has no group {}", command.in, *command.group));
   require_cost(command, before, model);
   OutputGroup outputs;

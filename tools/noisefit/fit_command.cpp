@@ -1,9 +1,7 @@
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <filesystem>
 #include <iostream>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -18,6 +16,7 @@
 #include "solidnoise/analysis/exemplar/exemplar_sheet.h"
 #include "solidnoise/analysis/exemplar/prepare_exemplars.h"
 #include "solidnoise/analysis/exemplar/solid_spectrum.h"
+#include "solidnoise/core/named_error.h"
 
 namespace solidnoise {
 namespace {
@@ -134,7 +133,7 @@ int fit_planar(const FitCommand& command, const std::vector<Exemplar<2>>& exempl
   {
     TaskProgress progress(command.visibility());
     progress.begin("fitting");
-    fit = fit_exemplar<2>(exemplars, command.fit, &progress);
+    fit = in_file(command.inputs.front(), [&] { return fit_exemplar<2>(exemplars, command.fit, &progress); });
   }
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
   if (fit.interrupted) return keep_last_solution(command.outputs, fit.model);

@@ -68,12 +68,10 @@ template FitSize fit_size(const std::vector<Exemplar<3>>&, const FitOptions&);
 void parse_fit(FlagSet& flags, const std::vector<std::string>& arguments, FitOptions& options) {
   flags.footer("A Ctrl-C ends the fit early and keeps the last solution.");
   flags.parse(arguments);
-  try {
+  flags.explained([&] {
     flags.apply();
     options.fit.validate();
-  } catch (const std::invalid_argument& error) {
-    throw UsageError(flags.name_flag(error.what()));
-  }
+  });
   options.outputs.existing = options.existing();
 }
 

@@ -15,6 +15,7 @@
 #include "noisefit/fit_flags.h"
 #include "solidnoise/analysis/exemplar/describe_fit.h"
 #include "solidnoise/analysis/exemplar/exemplar_sheet.h"
+#include "solidnoise/core/named_error.h"
 #include "solidnoise/volume/topology/grid_frame.h"
 #include "solidnoise/volume/vdb/vdb_read.h"
 
@@ -89,11 +90,7 @@ VolumeBox read_box(const VolumeCommand& command) {
   if (!box.empty()) {
     for (auto voxel = box.begin(); voxel; ++voxel) *value++ = accessor.getValue(*voxel);
   }
-  try {
-    exemplar.validate(command.in);
-  } catch (const std::invalid_argument& error) {
-    throw std::runtime_error(error.what());
-  }
+  as_file_error([&] { exemplar.validate(command.in); });
   return result;
 }
 

@@ -171,8 +171,8 @@ void copy_group(GaborSpectrum& spectrum, const GaborSpectrum& from, const GroupC
   spectrum = std::move(result);
 }
 
-void select_group(GaborSpectrum& spectrum, const GroupChoice& within, const ComponentSelection& selection,
-                  const std::string& name) {
+int select_group(GaborSpectrum& spectrum, const GroupChoice& within, const ComponentSelection& selection,
+                 const std::string& name) {
   require_at_least("the lowest frequency", selection.from, 0.0, "cycles per unit");
   if (!(selection.to > selection.from)) {
     throw std::invalid_argument(fmt::format("the highest frequency is {}; it must be above the lowest, {}",
@@ -204,8 +204,8 @@ void select_group(GaborSpectrum& spectrum, const GroupChoice& within, const Comp
       ++count;
     }
   }
-  if (count == 0) throw std::invalid_argument("there are no such components");
   spectrum = std::move(result);
+  return count;
 }
 
 void rename_group(GaborSpectrum& spectrum, const std::string& group, const std::string& name) {

@@ -53,10 +53,11 @@ struct ComponentSelection {
       0.0;  // degrees counterclockwise from the first axis; either sign of a frequency is the same
   double spread = 180.0;  // how far from it at most, degrees, 0 to 180: 90 and more are all directions
 };
-// Puts these components, of a group or of all, into a group that is made if it is not there. Throws
-// std::invalid_argument also if there are none, and for directions of isotropic or 3D spectra.
-void select_group(GaborSpectrum& spectrum, const GroupChoice& within, const ComponentSelection& selection,
-                  const std::string& name);
+// Puts these components, of a group or of all, into a group that is made if it is not there, and gives their
+// number: one channel of several may have none. Throws std::invalid_argument also for directions of isotropic
+// or 3D spectra.
+int select_group(GaborSpectrum& spectrum, const GroupChoice& within, const ComponentSelection& selection,
+                 const std::string& name);
 // Gives a group another name; the components join the group of that name if there is one.
 void rename_group(GaborSpectrum& spectrum, const std::string& group, const std::string& name);
 

@@ -13,7 +13,9 @@
 
 #include "solidnoise/analysis/exemplar/gaussian_field.h"
 #include "solidnoise/core/check.h"
+#include "solidnoise/core/extension.h"
 #include "solidnoise/core/moments.h"
+#include "solidnoise/core/named_error.h"
 #include "solidnoise/image/color.h"
 #include "solidnoise/image/image_file.h"
 
@@ -51,11 +53,8 @@ bool is_grey(const Image& image) {
 }  // namespace
 
 bool holds_linear_light(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   constexpr std::string_view kLinear[] = {".exr", ".hdr", ".rgbe", ".pic"};
-  return std::ranges::find(kLinear, extension) != std::end(kLinear);
+  return std::ranges::find(kLinear, extension_of(path)) != std::end(kLinear);
 }
 
 template <int Dim>
@@ -115,11 +114,7 @@ Exemplar<2> read_exemplar(const std::filesystem::path& path, const ExemplarReadi
   ExemplarReading as_stored = reading;
   if (holds_linear_light(path)) as_stored.raw_values = true;
   const Image image = read_image(path, progress);
-  try {
-    return exemplar_of_image(image, as_stored, path.string());
-  } catch (const std::invalid_argument& error) {
-    throw std::runtime_error(error.what());
-  }
+  return as_file_error([&] { return exemplar_of_image(image, as_stored, path.string()); });
 }
 
 Exemplar<2> middle_slice(const Exemplar<3>& volume) {
@@ -259,7 +254,6 @@ GaussianityReport test_gaussianity(const DenseField<2>& field, int versions, std
     const double excess = difference_kurtosis(periodic, kDistances[d]) - mean;
     if (std::abs(excess) <= std::abs(report.structure)) continue;
     report.structure = excess;
-    report.structure_distance = kDistances[d];
     report.significance = std::abs(excess) / std::sqrt(variance * (1.0 + 1.0 / versions) + 1e-12);
   }
 

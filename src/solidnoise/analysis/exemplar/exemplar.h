@@ -50,9 +50,6 @@ Exemplar<2> middle_slice(const Exemplar<3>& volume);
 // A picture of an exemplar's kind back as pixels, not encoded; 3 channels, grey ones equal.
 Image image_of_exemplar(const Exemplar<2>& exemplar);
 
-extern template struct Exemplar<2>;
-extern template struct Exemplar<3>;
-
 // How far a texture is from a Gaussian one, which is all that noise can be: its spectrum says everything
 // about a Gaussian texture, while in a structured one (bricks, leaves) the phases matter.
 struct GaussianityReport {
@@ -62,8 +59,7 @@ struct GaussianityReport {
   // versions, for the distance at which it is largest: rare strong edges make it large, phases at random do
   // not. 0 for a Gaussian texture.
   double structure = 0.0;
-  int structure_distance = 1;  // samples
-  double significance = 0.0;   // of `structure`, in standard deviations of that of the Gaussian versions
+  double significance = 0.0;  // of `structure`, in standard deviations of that of the Gaussian versions
   // How much more the strength of detail varies from place to place than in the Gaussian versions, 1 for a
   // Gaussian texture: the coefficient of variation of the energy, over a neighbourhood, of what differs from
   // the mean of the four samples at a distance of 1, 2 or 4, over that of the versions; the second largest of

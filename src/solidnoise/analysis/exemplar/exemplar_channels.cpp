@@ -76,13 +76,14 @@ double best_angle(const std::vector<Matrix>& matrices, std::size_t p, std::size_
   return 0.25 * std::atan2(2.0 * mixed, along - across);
 }
 
-void diagonalize_jointly(std::vector<Matrix>& matrices, AxisMatrix& axes) {
+// Turns the first `live` axes among each other.
+void diagonalize_jointly(std::vector<Matrix>& matrices, AxisMatrix& axes, std::size_t live) {
   constexpr int kSweeps = 50;
   constexpr double kStill = 1e-9;  // radians
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     double largest = 0.0;
-    for (std::size_t p = 0; p < 2; ++p) {
-      for (std::size_t q = p + 1; q < 3; ++q) {
+    for (std::size_t p = 0; p < live; ++p) {
+      for (std::size_t q = p + 1; q < live; ++q) {
         const double angle = best_angle(matrices, p, q);
         rotate(matrices, axes, p, q, angle);
         largest = std::max(largest, std::abs(angle));
@@ -108,6 +109,15 @@ AxisMatrix principal_axes(const CrossSpectra<Dim>& spectra) {
   return result;
 }
 
+// How many of these are of a colour that varies: of colours on a line, or in a plane, there are 1 or 2.
+std::size_t live_axes(const AxisMatrix& principal) {
+  const auto variance = [&](std::size_t k) { return glm::dot(principal[k], principal[k]); };
+  const double total = variance(0) + variance(1) + variance(2);
+  std::size_t live = 0;
+  while (live < 3 && variance(live) > kNoVariance * total) ++live;
+  return live;
+}
+
 }  // namespace
 
 AxisMatrix channel_directions(const AxisMatrix& axes) {
@@ -130,7 +140,7 @@ AxisMatrix color_axes(const CrossSpectra<Dim>& spectra, ColorAxes kind) {
   axes = principal_axes(spectra);
   if (kind == ColorAxes::independent) {
     std::vector<Matrix> matrices = rotated_matrices(spectra, channel_directions(axes));
-    diagonalize_jointly(matrices, axes);
+    diagonalize_jointly(matrices, axes, live_axes(axes));
   }
   for (Vec<3>& axis : axes) {
     if (axis.x + axis.y + axis.z < 0.0) axis = -axis;
@@ -147,12 +157,14 @@ double channel_dependence(const CrossSpectra<Dim>& spectra, const AxisMatrix& di
   for (std::size_t k = 0; k < 3; ++k) {
     variance[k] = spectra.variance(std::array{directions[k].x, directions[k].y, directions[k].z});
   }
+  const double total = variance[0] + variance[1] + variance[2];
   double off = 0.0;
   double all = 0.0;
   for (const Matrix& m : rotated_matrices(spectra, directions)) {
     for (std::size_t i = 0; i < 9; ++i) {
+      // Channels of nothing depend on nothing.
+      if (std::min(variance[i / 3], variance[i % 3]) <= kNoVariance * total) continue;
       const double scale = variance[i / 3] * variance[i % 3];
-      if (!(scale > 0.0)) continue;
       all += std::norm(m[i]) / scale;
       if (i % 4 != 0) off += std::norm(m[i]) / scale;
     }
