@@ -133,6 +133,8 @@ TEST(ReadGltf, RefusesInOneLine) {
   EXPECT_TRUE(has(changed("/nodes/2/children", json{1}), "nodes[1] has two parents"));
   EXPECT_TRUE(has(changed("/nodes/1/scale", json{1, 2}), "nodes[1].scale must be 3 numbers"));
   EXPECT_TRUE(has(changed("/extensionsRequired", json{"KHR_draco_mesh_compression"}), "are compressed"));
+  EXPECT_TRUE(has(changed("/extensionsRequired", json{"KHR_evil"}), "it requires KHR_evil"));
+  EXPECT_TRUE(has(changed("/asset/minVersion", "9.0"), "asset.minVersion is 9.0"));
   EXPECT_TRUE(
       has(message_of<std::runtime_error>([] { read_mesh("{}x", MeshFormat::gltf, "a"); }), "no JSON object"));
   const std::string deep = std::string(R"({"asset":{"version":"2.0"},"extras":)") + std::string(5000, '[');

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "meshnoise/run_meshnoise.h"
@@ -39,6 +40,38 @@ TEST(RoundTrip, AnObjKeepsItsLinesAndAPlyItsElements) {
   const ToolResult ply = run_in(folder, {"bake", "in.ply", "--out", "out.ply"});
   ASSERT_EQ(ply.status, 0) << ply.err;
   EXPECT_TRUE(folder.read("out.ply").ends_with("\n3 0 1 2 42\n"));
+}
+
+TEST(RoundTrip, APlyOfTextStaysOne) {
+  const TemporaryFolder folder;
+  const std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "property float mass\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
+  folder.write("in.ply", header + "0 0 0 1\n1 0 0 2\n0 1 0 3\n3 0 1 2\n");
+  ASSERT_EQ(run_in(folder, {"bake", "in.ply", "--noise", "solid", "--out", "out.ply"}).status, 0);
+  EXPECT_TRUE(folder.read("out.ply").starts_with("ply\nformat ascii 1.0\n"));
+  // What another format has no place for is said.
+  const ToolResult result = run_in(folder, {"bake", "in.ply", "--noise", "solid", "--out", "out.obj"});
+  EXPECT_NE(result.err.find("the vertices' mass are dropped"), std::string::npos) << result.err;
+}
+
+TEST(RoundTrip, NumbersThatAreNoneAreRefused) {
+  const TemporaryFolder folder;
+  const auto refusal = [&](const char* x, const char* heat) {
+    folder.write("in.ply",
+                 fmt::format("ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty float y\n"
+                             "property float z\nproperty float heat\nelement face 1\n"
+                             "property list uchar int vertex_indices\nend_header\n"
+                             "0 0 0 1\n{} 0 0 {}\n0 1 0 3\n3 0 1 2\n",
+                             x, heat));
+    const ToolResult result =
+        run_in(folder, {"bake", "in.ply", "--bias", "0..1", "--by", "heat", "--out", "out.ply"});
+    EXPECT_NE(result.status, 0);
+    EXPECT_EQ(folder.names().count("out.ply"), 0u);
+    return result.err;
+  };
+  EXPECT_NE(refusal("1", "nan").find("is nan at vertex 1"), std::string::npos) << refusal("1", "nan");
+  EXPECT_NE(refusal("1e300", "2").find("in.ply: vertex 1 has a coordinate of 1e+300"), std::string::npos);
 }
 
 TEST(RoundTrip, PointsAreBakedAsPoints) {

@@ -98,5 +98,19 @@ TEST(MeshSequence, RefusesWhatIsNoSequence) {
   EXPECT_EQ(folder.names(), (std::set<std::string>{"in.ply", "other.ply"}));
 }
 
+TEST(MeshSequence, SaysThatALoopIsItsOwnNegative) {
+  const TemporaryFolder folder;
+  write_sample(folder, "in.ply", sample_torus());
+  const auto said = [&](const char* rate) {
+    const ToolResult result = run_meshnoise({"bake", "in.ply", "--noise", "solid", "--frequency", "3",
+                                             "--evolve", rate, "--loop", "2", "--force", "--out", "out.ply"},
+                                            {.folder = folder.path()});
+    EXPECT_EQ(result.status, 0) << result.err;
+    return result.err;
+  };
+  EXPECT_NE(said("0.4").find("much like its own negative"), std::string::npos);
+  EXPECT_EQ(said("1").find("negative"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace solidnoise::sequence_test

@@ -90,8 +90,8 @@ TEST_F(Textures, AreDescribedBeforeWork) {
   const auto textures = nlohmann::json::parse(result.out).at("textures");
   EXPECT_EQ(textures.at("files"), nlohmann::json({"x.1001.png", "x.1012.png"}));
   EXPECT_NEAR(textures.at("texels").get<double>(), 2 * 0.64 * 512 * 512, 1.0);
-  EXPECT_TRUE(
-      has(refusal({"--uv", "x.<UDIM>.png", "--uv-size", "16384", "--max-memory", "1G"}), "--max-memory"));
+  EXPECT_TRUE(has(refusal({"--uv", "x.<UDIM>.png", "--uv-size", "16384", "--max-memory", "1G"}),
+                  "--max-memory allows 1.0 GiB; make --uv-size smaller"));
 }
 
 TEST_F(Textures, RefuseWhatCannotBe) {

@@ -14,6 +14,7 @@
 #include "common/recipe_files.h"
 #include "common/run_tool.h"
 #include "solidnoise/core/check.h"
+#include "solidnoise/core/extension.h"
 #include "solidnoise/core/printable.h"
 #include "solidnoise/noise/registry/noise_entries.h"
 #include "solidnoise/recipe/exemplar_file.h"
@@ -66,7 +67,7 @@ void change_noise_type(NoiseRecipe& recipe, const std::string& type) {
 
 std::vector<std::string> declare_noise_flags(FlagSet& flags, NoiseRecipe& recipe) {
   const auto choose = [&recipe](const std::string& noise) {
-    if (noise.ends_with(".json")) return change_noise(recipe, noise_by_example(noise));
+    if (extension_of(noise) == ".json") return change_noise(recipe, noise_by_example(noise));
     const std::vector<std::string_view> names = noise_names(kIsNamed);
     if (std::find(names.begin(), names.end(), noise) == names.end()) {
       throw UsageError(fmt::format("--noise is {}; it must be one of {}, or FILE.json of noisefit",
@@ -105,6 +106,19 @@ void declare_generator_flag(FlagSet& flags, NoiseRecipe& recipe, const int& dims
                "gabor, gabor-oriented without anisotropy: the noise that is named, or of the two the one "
                "that is cheaper at the same likeness to a Gaussian field (default named)",
                choose);
+}
+
+std::string loop_warning(const Evolution& evolution) {
+  constexpr double kLeastCorrelation = -0.25;
+  constexpr double kTurns = 2.0;  // of which the correlation is -0.20
+  if (evolution.loop == 0.0) return {};
+  const double correlation = evolution_correlation(evolution, 0.5 * evolution.loop);
+  if (correlation > kLeastCorrelation) return {};
+  return fmt::format(
+      "half a loop later the noise is much like its own negative (correlation {:.2f}), for its impulses turn "
+      "about "
+      "once; --evolve {:.3g} or --loop {:.3g} has less of that\n",
+      correlation, kTurns / evolution.loop, kTurns / evolution.rate);
 }
 
 }  // namespace solidnoise

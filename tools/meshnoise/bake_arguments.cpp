@@ -43,7 +43,7 @@ void check_consistency(const FlagSet& flags, const BakeRecipe& recipe) {
 void check_sequence(const FlagSet& flags, const std::string& in, const BakeOptions& options) {
   if (options.has_rest() && options.recipe.refine.mode != RefineRecipe::Mode::off) {
     throw UsageError(
-        "--rest is a mesh of the same vertices; leave --refine out, or refine both meshes before");
+        "--rest and --rest-property are of the same vertices; leave --refine out, or refine before");
   }
   if (options.has_rest() && options.recipe.displace != 0.0) {
     throw UsageError("--rest does not go with --displace, which moves vertices from where they are at rest");

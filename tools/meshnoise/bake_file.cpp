@@ -5,7 +5,6 @@
 #include <iostream>
 #include <optional>
 #include <stdexcept>
-#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -14,6 +13,7 @@
 #include <nlohmann/json.hpp>
 #include <tbb/task_arena.h>
 
+#include "common/noise_flags.h"
 #include "common/outputs.h"
 #include "common/progress.h"
 #include "common/run_tool.h"
@@ -196,11 +196,16 @@ BakePlan plan_within_memory(PolygonMesh mesh, const BakeOptions& options) {
   }
 }
 
+BakeCost cost_of(const BakePlan& plan, const BakeOptions& options) {
+  const BakeCost bake = bake_cost(plan, options.recipe);
+  return options.preview.empty() ? bake : with_preview(bake, options.view.size);
+}
+
 // And within --max-time.
 BakePlan plan_within(PolygonMesh mesh, const BakeOptions& options) {
   BakePlan plan = plan_within_memory(std::move(mesh), options);
   const double seconds =
-      bake_cost(plan, options.recipe).seconds / static_cast<double>(tbb::this_task_arena::max_concurrency());
+      cost_of(plan, options).seconds / static_cast<double>(tbb::this_task_arena::max_concurrency());
   options.require_cost(fmt::format("{} vertices", plan.mesh.positions.size()), {0.0, seconds});
   return plan;
 }
@@ -222,7 +227,10 @@ Json describe_frame(const BakeFrame& frame) {
     check_textures(options);
     textures = plan_texture_job(frame.in, reading, options);
   }
-  Json json = describe_bake(plan_within(std::move(reading.mesh), options), options.recipe);
+  const BakePlan plan = plan_within(std::move(reading.mesh), options);
+  Json json = describe_bake(plan, options.recipe);
+  const BakeCost cost = cost_of(plan, options);
+  json["cost"] = {{"seconds_of_one_core", cost.seconds}, {"memory_bytes", cost.bytes}};
   if (textures) json["textures"] = describe_textures(*textures, options);
   return json;
 }
@@ -247,12 +255,18 @@ void bake_frame(const BakeFrame& frame) {
     }
     return outputs.appear();
   }
-  const bool keeps = keeps_the_rest(in, options.out) && has_rest(reading) &&
+  const bool is_ply = is_mesh_path(in) && mesh_format(in) == MeshFormat::ply;  // whose encoding stays, too
+  const bool keeps = keeps_the_rest(in, options.out) && (is_ply || has_rest(reading)) &&
                      options.recipe.refine.mode == RefineRecipe::Mode::off &&
                      (options.recipe.displace == 0.0 || !has_scene(in));
   if (keeps) require_files_beside(in, options.out, reading);
   if (!keeps && !options.quiet) print_dropped(in, reading);
+  if (!options.quiet) print_dropped_numbers(in, reading.mesh, options.out);
   warn_of_points(reading.mesh, in, options);
+  if (is_first && !options.quiet) {
+    const std::string warning = loop_warning(options.recipe.noise.evolution());
+    if (!warning.empty()) std::cerr << "meshnoise: warning: " << warning;
+  }
   options.times->begin("plan");
   const BakePlan plan = plan_within(std::move(reading.mesh), options);
   if (!options.quiet && is_first) print_plan(plan, options.recipe.by, options.recipe.refine.mode);

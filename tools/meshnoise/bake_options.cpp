@@ -1,11 +1,8 @@
 #include "meshnoise/bake_options.h"
 
 #include <algorithm>
-#include <concepts>
 #include <cstdint>
-#include <memory>
 #include <sstream>
-#include <stdexcept>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -17,6 +14,7 @@
 #include "common/recipe_files.h"
 #include "common/run_tool.h"
 #include "solidnoise/core/check.h"
+#include "solidnoise/core/extension.h"
 #include "solidnoise/core/printable.h"
 #include "solidnoise/image/color.h"
 #include "solidnoise/mesh/bake_fields.h"
@@ -41,9 +39,7 @@ struct FlagForm<ParameterRange> {
     try {
       return {parse_number(flag, text.substr(0, dots)), parse_number(flag, text.substr(dots + 2))};
     } catch (const UsageError&) {
-      throw UsageError(
-          fmt::format("{} is {}; it must be a number, or two with dots between them, such as 4..32", flag,
-                      text.empty() ? "empty" : printable(text)));
+      refuse_value(flag, text, "a number, or two with dots between them, such as 4..32");
     }
   }
   static std::string write(const ParameterRange& range) {
@@ -73,10 +69,7 @@ void set_refine(RefineRecipe& refine, const std::string& text) {
     refine.mode = RefineRecipe::Mode::automatic;
   } else {
     const bool is_number = !text.empty() && text.find_first_not_of("+-0123456789") == std::string::npos;
-    if (!is_number) {
-      throw UsageError(fmt::format("--refine is {}; it must be auto, off or a number of rounds",
-                                   text.empty() ? "empty" : printable(text)));
-    }
+    if (!is_number) refuse_value("--refine", text, "auto, off or a number of rounds");
     refine.mode = RefineRecipe::Mode::rounds;
     refine.rounds = parse_integer("--refine", text);
   }
@@ -87,8 +80,7 @@ std::vector<std::string> parse_names(const std::string& flag, const std::string&
   std::istringstream stream(text);
   for (std::string name; std::getline(stream, name, ',');) names.push_back(name);
   if (names.empty() || std::count(names.begin(), names.end(), "") > 0) {
-    throw UsageError(fmt::format("{} is {}; it must be names with commas between them", flag,
-                                 text.empty() ? "empty" : printable(text)));
+    refuse_value(flag, text, "names with commas between them");
   }
   return names;
 }
@@ -145,7 +137,7 @@ void take_example(BakeRecipe& recipe, const std::string& file) {
 }
 
 void choose_noise(BakeRecipe& recipe, const std::string& noise) {
-  if (noise.ends_with(".json")) return take_example(recipe, noise);
+  if (extension_of(noise) == ".json") return take_example(recipe, noise);
   std::vector<std::string_view> names = names_of(kSurfaceNoiseChoices);
   names.pop_back();  // an exemplar is given by its file
   const auto found = std::find(names.begin(), names.end(), noise);

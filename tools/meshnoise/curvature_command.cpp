@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <iostream>
 #include <optional>
 #include <stdexcept>
@@ -27,13 +26,13 @@ constexpr char kCurvatureDescription[] =
 
 // Measured: a vertex takes the four curvatures more than a bake does, and 4 microseconds; a picture half a
 // second.
-void require_cost(const RunOptions& options, const PolygonMesh& mesh, bool is_shown) {
+void require_cost(const RunOptions& options, const PolygonMesh& mesh, int picture_side) {
   const auto vertices = static_cast<double>(mesh.positions.size());
   const double bytes =
       bake_memory(vertices, static_cast<double>(mesh.face_count())) + 4.0 * sizeof(double) * vertices;
-  RunOptions::Needs needs{bytes, 4e-6 * vertices};
-  if (is_shown) needs = {kPreviewMemory * needs.bytes + kImageMemory, needs.seconds + 0.5};
-  options.require_cost(fmt::format("{} vertices", mesh.positions.size()), needs);
+  BakeCost cost{4e-6 * vertices, bytes};
+  if (picture_side > 0) cost = with_preview(cost, picture_side);
+  options.require_cost(fmt::format("{} vertices", mesh.positions.size()), {cost.bytes, cost.seconds});
 }
 
 }  // namespace
@@ -59,12 +58,10 @@ int run_curvature(const std::vector<std::string>& arguments) {
   declare_fields(flags, recipe);
   declare_fields(flags, options, {"force", "max_memory", "max_time", "quiet"});
   flags.parse(arguments);
-  try {
+  flags.explained([&] {
     flags.apply();
     recipe.validate();
-  } catch (const std::invalid_argument& error) {
-    throw UsageError(flags.name_flag(error.what()));
-  }
+  });
   if (out.empty() && preview.empty())
     throw UsageError("--out is missing; say where the mesh goes: --out c.ply");
   if (!out.empty()) require_mesh_name(out, Shows::colors);
@@ -73,7 +70,7 @@ int run_curvature(const std::vector<std::string>& arguments) {
 
   catch_interrupts();
   const MeshReading reading = read_input_mesh(in, options.quiet ? Notes::keep_quiet : Notes::print);
-  require_cost(options, reading.mesh, !preview.empty());
+  require_cost(options, reading.mesh, preview.empty() ? 0 : view.size);
   const bool keeps = keeps_the_rest(in, out) && has_rest(reading);
   if (!keeps && !options.quiet) print_dropped(in, reading);
   TaskProgress progress(TaskProgress::Visibility::hidden);

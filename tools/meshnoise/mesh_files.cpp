@@ -60,6 +60,21 @@ void print_dropped(const std::string& path, const MeshReading& reading) {
   }
 }
 
+void print_dropped_numbers(const std::string& path, const PolygonMesh& mesh, const std::string& out) {
+  if (out.empty() || holds_numbers(out)) return;
+  std::vector<std::string> names;
+  for (const VertexProperty& property : mesh.properties) {
+    const auto is_known = [&](const auto& known) {
+      return std::ranges::find(known, property.name) != known.end();
+    };
+    if (!is_known(kNormalNames) && !is_known(kColorNames) && !is_known(kTextureNames))
+      names.push_back(property.name);
+  }
+  if (names.empty()) return;
+  std::cerr << fmt::format("meshnoise: {}: the vertices' {} are dropped; a .ply keeps them\n", path,
+                           fmt::join(names, ", "));
+}
+
 void require_mesh_name(const std::string& out, Shows shows) {
   require_no_terminal("--out", out);
   if (out == "-") return;

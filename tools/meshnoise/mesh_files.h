@@ -33,8 +33,9 @@ bool has_rest(const MeshReading& reading);
 // Refuses an output that would have the names of files which are not beside it: throws std::runtime_error.
 void require_files_beside(const std::string& in, const std::string& out, const MeshReading& reading);
 
-// Says what is lost where it is not kept.
+// Says what is lost where it is not kept: beside the mesh, and numbers of vertices that `out` does not hold.
 void print_dropped(const std::string& path, const MeshReading& reading);
+void print_dropped_numbers(const std::string& path, const PolygonMesh& mesh, const std::string& out);
 
 // What a file is to show: an .stl has no colours.
 enum class Shows { colors, shape };

@@ -14,6 +14,8 @@
 #include "common/frames.h"
 #include "common/outputs.h"
 #include "common/run_tool.h"
+#include "solidnoise/core/extension.h"
+#include "solidnoise/core/named_error.h"
 #include "solidnoise/core/printable.h"
 #include "solidnoise/geometry/texture_coordinates.h"
 #include "solidnoise/image/image_file.h"
@@ -36,7 +38,7 @@ std::string texture_path(const BakeOptions& options, const TextureMap& map, cons
 }
 
 bool is_exr(const std::string& path) {
-  return std::filesystem::path(path).extension() == ".exr";
+  return extension_of(path) == ".exr";
 }
 
 // Whole numbers hold colours as sRGB, and numbers around 0 from -4 to 4.
@@ -125,12 +127,10 @@ TextureJob plan_texture_job(const std::string& in, const MeshReading& reading, c
   TextureJob job;
   job.maps = maps_of(options);
   const bool has_tiles = options.uv.find(kUdim) != std::string::npos;
-  try {
-    job.plan = plan_textures(std::move(bake), corners, has_tiles ? TextureTiles::udim : TextureTiles::one,
-                             options.textures);
-  } catch (const std::invalid_argument& error) {
-    throw std::runtime_error(fmt::format("{}: {}", in, error.what()));
-  }
+  job.plan = in_file(in, [&] {
+    return plan_textures(std::move(bake), corners, has_tiles ? TextureTiles::udim : TextureTiles::one,
+                         options.textures);
+  });
   const double vertices = static_cast<double>(reading.mesh.positions.size());
   const double faces = static_cast<double>(reading.mesh.face_count());
   const int size = options.textures.size;

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <initializer_list>
 #include <limits>
 #include <stdexcept>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -49,6 +49,7 @@ class GltfCheck {
         !member(*asset, "version")->is_string() ||
         !member(*asset, "version")->get_ref<const std::string&>().starts_with("2."))
       refuse_gltf(name_, "asset.version must be \"2.0\"");
+    refuse_version(json);
     refuse_extensions(json);
     counts_ = {list("buffers").size(), list("bufferViews").size(), list("accessors").size(),
                list("meshes").size(), list("nodes").size()};
@@ -148,6 +149,23 @@ class GltfCheck {
       if (word == "KHR_draco_mesh_compression" || word == "EXT_meshopt_compression") {
         refuse_gltf(name_, fmt::format("its meshes are compressed ({}); only plain ones are read", word));
       }
+      // Materials, lights and animations do not move a mesh.
+      constexpr std::string_view kHarmless[] = {"KHR_materials_", "KHR_texture_",   "KHR_lights_",
+                                                "EXT_texture_",   "KHR_animation_", "KHR_mesh_quantization",
+                                                "KHR_xmp"};
+      if (std::ranges::none_of(kHarmless, [&](std::string_view start) { return word.starts_with(start); })) {
+        refuse_gltf(name_, fmt::format("it requires {}, which is not known here", printable(word)));
+      }
+    }
+  }
+
+  void refuse_version(const Source& json) const {
+    const Source* const asset = member(json, "asset");
+    const Source* const least = asset == nullptr ? nullptr : member(*asset, "minVersion");
+    if (least == nullptr) return;
+    const std::string version = least->is_string() ? least->get<std::string>() : "";
+    if (version != "2.0") {
+      refuse_gltf(name_, fmt::format("asset.minVersion is {}; glTF 2.0 is read", printable(version)));
     }
   }
 

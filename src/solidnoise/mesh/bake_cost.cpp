@@ -38,7 +38,7 @@ double count_lone_octaves(const BakePlan& plan, const FractalOptions& fractal) {
 // bytes for a vertex and its faces, 335 with directions, ranges and what --keep names, 560 with meshnoise's
 // preview; 76 for a face where a million share three vertices.
 double bake_memory(double vertices, double faces) {
-  constexpr double kProgram = 18.0 * 0x1p20;
+  constexpr double kProgram = 22.0 * 0x1p20;
   constexpr double kVertex = 190.0;
   constexpr double kFace = 80.0;
   return kProgram + kVertex * vertices + kFace * faces;
@@ -82,6 +82,15 @@ BakeCost bake_cost(const BakePlan& plan, const BakeRecipe& recipe) {
   return {vertices * (kSecondsPerVertex + channels * impulses * of_impulse + making),
           bake_memory(vertices, static_cast<double>(plan.mesh.face_count())) +
               impulse_memory(recipe.noise.kind, impulses)};
+}
+
+// Measured at 256 to 1024 pixels.
+BakeCost with_preview(const BakeCost& bake, int side) {
+  constexpr double kSecondsPerPixel = 7e-6;
+  constexpr double kBytesPerPixel = 40.0;
+  const double pixels = static_cast<double>(side) * side;
+  return {bake.seconds + 0.3 + kSecondsPerPixel * pixels,
+          kPreviewMemory * bake.bytes + kImageMemory + kBytesPerPixel * pixels};
 }
 
 }  // namespace solidnoise

@@ -20,4 +20,7 @@ inline constexpr double kImageMemory = 128.0 * 0x1p20;
 // Of a plan, from here to the file, without a preview.
 BakeCost bake_cost(const BakePlan& plan, const BakeRecipe& recipe);
 
+// And of a square picture of the mesh, of so many pixels a side.
+BakeCost with_preview(const BakeCost& bake, int side);
+
 }  // namespace solidnoise

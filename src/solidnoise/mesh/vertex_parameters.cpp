@@ -146,7 +146,14 @@ std::vector<Vec<3>> curvature_directions(const SurfaceMesh& surface, const Curva
 namespace {
 
 const std::vector<double>& attribute_of(const PolygonMesh& mesh, const std::string& name) {
-  if (const VertexProperty* const property = mesh.property(name)) return property->values;
+  if (const VertexProperty* const property = mesh.property(name)) {
+    const auto fits = [](double number) { return std::abs(number) <= kLargestOption; };
+    const auto found = std::ranges::find_if_not(property->values, fits);
+    if (found == property->values.end()) return property->values;
+    throw std::invalid_argument(
+        fmt::format("attribute is {}; it is {} at vertex {} and must be a finite number", name, *found,
+                    found - property->values.begin()));
+  }
   std::vector<std::string> names;
   for (const VertexProperty& property : mesh.properties) names.push_back(property.name);
   throw std::invalid_argument(

@@ -2,12 +2,14 @@
 
 #include "common/run_tool.h"
 #include "meshnoise/mesh_files.h"
+#include "solidnoise/core/extension.h"
 #include "solidnoise/render/render_mesh.h"
 
 namespace solidnoise {
 
 void require_preview(const std::string& path) {
-  if (!path.ends_with(".png")) throw UsageError(fmt::format("--preview is {}; it must end in .png", path));
+  if (extension_of(path) != ".png")
+    throw UsageError(fmt::format("--preview is {}; it must end in .png", path));
 }
 
 Image render_mesh_preview(const PolygonMesh& mesh, std::span<const Vec<3>> normals,
