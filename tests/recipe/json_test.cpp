@@ -98,5 +98,12 @@ TEST(Json, MessagesShowLittleOfALongValueAndNoControlCharacters) {
   EXPECT_LT(message_of("{\"a\": \"" + value).size(), 250u);
 }
 
+TEST(ParseJson, RefusesTextsThatWouldEndOrBreakNames) {
+  const std::string message = message_of("{\n\"name\": \"a\\u0000b\"}");
+  EXPECT_NE(message.find("line 2"), std::string::npos) << message;
+  EXPECT_NE(message.find("\"a\\x00b\" has a control character"), std::string::npos) << message;
+  EXPECT_EQ(parse_json("{\"description\": \"two\\nlines\"}").at("description"), "two\nlines");
+}
+
 }  // namespace
 }  // namespace solidnoise::json_test

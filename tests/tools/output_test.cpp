@@ -328,5 +328,55 @@ TEST(VdbnoiseOutput, AnalyzeRefusesVectors) {
   EXPECT_NE(result.err.find("has no grid of floats; it has 'vel' (vec3s)"), std::string::npos) << result.err;
 }
 
+TEST(VdbnoiseOutput, MayHaveItsEndingInCapitals) {
+  const TemporaryFolder folder;
+  const auto run = [&](const std::vector<std::string>& arguments) {
+    return run_vdbnoise(arguments, {.folder = folder.path()});
+  };
+  ASSERT_EQ(run({"--raw", "--dim", "12", "--out", "A.VDB", "--preview", "A.PNG"}).status, 0);
+  ASSERT_EQ(run({"--raw", "--shape", "A.VDB:density", "--out", "B.NVDB"}).status, 0);
+  ASSERT_EQ(run({"slice", "A.VDB", "--out", "S.EXR"}).status, 0);
+  EXPECT_EQ(run({"--recipe", "A.VDB", "--write-recipe", "R.JSON", "--out", "C.vdb"}).status, 0);
+  EXPECT_EQ(run({"info", "B.NVDB"}).status, 0);
+}
+
+TEST(VdbnoiseOutput, IsNoInputButTheGridThatItChanges) {
+  const TemporaryFolder folder;
+  const auto run = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), {"--force", "--quiet"});
+    return run_vdbnoise(arguments, {.folder = folder.path()});
+  };
+  ASSERT_EQ(run({"--preset", "smoke", "--dim", "12", "--out", "in.vdb"}).status, 0);
+  const std::string before = folder.read("in.vdb");
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"--raw", "--shape", "in.vdb", "--out", "in.vdb"},
+        {"--raw", "--dim", "12", "--frequency-grid", "in.vdb", "--frequency-map", "0", "1", "2", "4", "--out",
+         "./in.vdb"}}) {
+    const ToolResult result = run(arguments);
+    EXPECT_EQ(result.status, 2);
+    EXPECT_NE(result.err.find("in.vdb is an input, which this output would replace"), std::string::npos)
+        << result.err;
+    EXPECT_EQ(folder.read("in.vdb"), before);
+  }
+  EXPECT_EQ(run({"--on", "in.vdb", "--out", "in.vdb"}).status, 0);
+  EXPECT_NE(folder.read("in.vdb"), before);
+}
+
+TEST(VdbnoiseOutput, HasANameThatScenesAndJobsCanHold) {
+  const TemporaryFolder folder;
+  const auto refusal = [&](const std::vector<std::string>& arguments) {
+    const ToolResult result = run_vdbnoise(arguments, {.folder = folder.path()});
+    EXPECT_NE(result.status, 0);
+    EXPECT_TRUE(folder.names().empty());
+    return result.err;
+  };
+  const std::string name = "a\ntouch PWNED\n#b.vdb";
+  EXPECT_NE(refusal({"--raw", "--dim", "12", "--usd", "--out", name}).find("control characters"),
+            std::string::npos);
+  EXPECT_NE(
+      refusal({"farm", "--raw", "--dim", "12", "--parts", "2", "--out", name}).find("control characters"),
+      std::string::npos);
+}
+
 }  // namespace
 }  // namespace solidnoise::output_test

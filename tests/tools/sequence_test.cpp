@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "solidnoise/volume/vdb/vdb_read.h"
+#include "solidnoise/volume/vdb/vdb_write.h"
 #include "support/paths.h"
 #include "tools/run_vdbnoise.h"
 #include "tools/same_grid.h"
@@ -75,6 +77,33 @@ TEST(Sequence, KeepsFramesThatAreWholeAndOfTheSameRecipe) {
   const ToolResult cut = frames("1-3", {"--skip-existing"});
   EXPECT_EQ(cut.status, 1);
   EXPECT_NE(cut.err.find("s.02.vdb: exists already, and is damaged"), std::string::npos) << cut.err;
+}
+
+// Readable, of this recipe, and yet not what was made.
+TEST(Sequence, KeepsNoFrameWhoseVoxelsAreOthers) {
+  const TemporaryFolder folder;
+  const auto frame = [&](const std::vector<std::string>& more) {
+    return run_vdbnoise(with(with(kEvolving, {"--skip-existing", "--frames", "1", "--out", "s.#.vdb"}), more),
+                        {.folder = folder.path()});
+  };
+  for (const bool half : {false, true}) {
+    const std::vector<std::string> more =
+        half ? std::vector<std::string>{"--half"} : std::vector<std::string>{};
+    std::filesystem::remove(folder.file("s.1.vdb"));
+    ASSERT_EQ(frame(more).status, 0);
+    ASSERT_EQ(frame(more).status, 0) << "it is kept";
+    const auto changed = [&](const auto& change) {
+      const openvdb::FloatGrid::Ptr grid = read_float_grid(folder.file("s.1.vdb"));
+      change(*grid);
+      VdbWriteOptions options;
+      options.existing = Existing::replace;
+      write_vdb(folder.file("s.1.vdb"), {grid}, options);
+    };
+    changed([](openvdb::FloatGrid& grid) { grid.beginValueOn().setValue(5.0f); });
+    EXPECT_EQ(frame(more).status, 1);
+    changed([](openvdb::FloatGrid& grid) { grid.clear(); });
+    EXPECT_EQ(frame(more).status, 1);
+  }
 }
 
 TEST(Sequence, LastFramesSuccessorIsTheFirstToTheLastBit) {

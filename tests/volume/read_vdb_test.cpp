@@ -36,6 +36,16 @@ TEST(ReadVdb, RefusesVoxelsWhoseDistanceHasNoIndex) {
   }
 }
 
+TEST(ReadVdb, ShowsNamesOfGridsWithoutWhatTurnsTheDirectionOfWriting) {
+  const TemporaryFolder folder;
+  const auto grid = openvdb::FloatGrid::create();
+  grid->setName("a\u202eb");
+  write_vdb(folder / "a.vdb", {grid}, {});
+  const std::string message =
+      message_of<std::runtime_error>([&] { read_float_grid(folder / "a.vdb", "density"); });
+  EXPECT_TRUE(contains(message, "'a\\xe2\\x80\\xaeb'")) << message;
+}
+
 // Asks to stop at the nth question.
 class Stop final : public Progress {
  public:

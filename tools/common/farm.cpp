@@ -1,7 +1,6 @@
 #include "common/farm.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
@@ -121,6 +120,11 @@ int create_farm_job(MakeFarmWork make_work, const std::vector<std::string>& argu
   job.threads = plan.threads;
   job.at_once = plan.options.at_once;
   chunk_tasks(plan.options, job.steps);
+  for (const std::string& name : {job.folder.string(), job.directory.string()}) {
+    if (std::ranges::none_of(name, [](char c) { return c >= 0 && c < ' '; })) continue;
+    throw std::runtime_error(fmt::format(
+        "{} has control characters in its name, which a job's scripts cannot hold", printable(name)));
+  }
   if (!plan.replaces && fs::exists(job.folder / "job.json")) {
     throw std::runtime_error(fmt::format(
         "{} has a job already; --force replaces it, and keeps what is made already of the same recipe",

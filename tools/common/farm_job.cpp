@@ -69,6 +69,8 @@ FarmJob read_farm_job(const std::filesystem::path& folder) {
                            std::max(1, step.at("tasks_per_job").get<int>())});
     }
     return job;
+  } catch (const Json::exception&) {
+    throw std::runtime_error(fmt::format("{}: is no job for a farm: it lacks what a job has", file.string()));
   } catch (const std::exception& error) {
     throw std::runtime_error(fmt::format("{}: is no job for a farm: {}", file.string(), error.what()));
   }

@@ -5,6 +5,7 @@
 #include <functional>
 #include <initializer_list>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -85,6 +86,15 @@ class FlagSet {
   // A message of the library about one of its fields ("optical_depth is -1; ..."), with the field's name as
   // the flag where it was given as one ("--optical-depth is -1; ...").
   std::string name_flag(const std::string& message) const;
+  // Runs what may refuse the value of such a field (std::invalid_argument); it becomes a UsageError.
+  template <typename Run>
+  auto explained(const Run& run) const {
+    try {
+      return run();
+    } catch (const std::invalid_argument& error) {
+      throw UsageError(name_flag(error.what()));
+    }
+  }
 
  private:
   const Flag* find(std::string_view name) const;

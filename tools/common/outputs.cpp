@@ -11,6 +11,7 @@
 #include <fmt/ranges.h>
 
 #include "common/run_tool.h"
+#include "solidnoise/core/extension.h"
 #include "solidnoise/core/printable.h"
 
 namespace solidnoise {
@@ -23,8 +24,6 @@ std::filesystem::path file_of_input(const std::string& path) {
   return error ? std::filesystem::path() : file;
 }
 
-}  // namespace
-
 void require_output(const std::string& path, Existing existing) {
   try {
     require_writable(path, existing);
@@ -32,6 +31,8 @@ void require_output(const std::string& path, Existing existing) {
     throw std::runtime_error(path + " exists; --force replaces it");
   }
 }
+
+}  // namespace
 
 void require_outputs(const std::vector<OutputPath>& outputs, Existing existing,
                      const std::vector<std::string>& inputs) {
@@ -55,7 +56,13 @@ std::string usd_path(const std::string& out) {
 }
 
 void require_usd(const std::string& out) {
-  if (!out.empty() && out != "-" && std::filesystem::path(out).extension() != ".usda") return;
+  const std::string name = std::filesystem::path(out).filename().string();
+  if (printable(name, std::string::npos) != name || name.find("@@@") != std::string::npos) {
+    throw UsageError(fmt::format(
+        "--usd puts the name of --out into a scene, which cannot hold control characters or @@@: {}",
+        printable(name)));
+  }
+  if (!out.empty() && out != "-" && extension_of(out) != ".usda") return;
   throw UsageError(fmt::format("--usd puts a .usda beside the file of --out, which is {}",
                                out.empty() ? "missing" : printable(out)));
 }
@@ -63,7 +70,7 @@ void require_usd(const std::string& out) {
 void require_extension(const std::string& flag, const std::string& path,
                        std::initializer_list<std::string_view> extensions, StandardOutput standard_output) {
   const bool may_be_standard = standard_output == StandardOutput::allowed;
-  const auto ends_path = [&](std::string_view extension) { return path.ends_with(extension); };
+  const auto ends_path = [&](std::string_view extension) { return extension == extension_of(path); };
   if (path.empty() || (may_be_standard && path == "-")) return;
   if (std::any_of(extensions.begin(), extensions.end(), ends_path)) return;
   throw UsageError(fmt::format("{} is {}; it must end in {}{}", flag, printable(path),

@@ -10,10 +10,6 @@
 
 namespace solidnoise {
 
-// Refuses a file that could not be written in the end, before any work. "-" always passes. Throws
-// std::runtime_error naming the path, and --force where that would help.
-void require_output(const std::string& path, Existing existing);
-
 // An output of a run, and the input that it may take the place of, which is of its kind.
 struct OutputPath {
   OutputPath(std::string output_path, std::string replaceable = {})
@@ -23,8 +19,9 @@ struct OutputPath {
   std::string may_replace;
 };
 
-// The same for all outputs of a run; empty paths are none. Throws UsageError if two of them are one file,
-// links followed, or if one is an input.
+// Refuses files that could not be written in the end, before any work. "-" always passes; empty paths are
+// none. Throws std::runtime_error naming the path, and --force where that would help; UsageError if two of
+// them are one file, links followed, or if one is an input.
 void require_outputs(const std::vector<OutputPath>& outputs, Existing existing,
                      const std::vector<std::string>& inputs = {});
 

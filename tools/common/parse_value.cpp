@@ -14,12 +14,13 @@
 #include "solidnoise/core/printable.h"
 
 namespace solidnoise {
-namespace {
 
-[[noreturn]] void refuse(const std::string& flag, const std::string& text, std::string_view allowed) {
+void refuse_value(const std::string& flag, const std::string& text, std::string_view allowed) {
   throw UsageError(
       fmt::format("{} is {}; it must be {}", flag, text.empty() ? "empty" : printable(text), allowed));
 }
+
+namespace {
 
 // Reads the text from `begin` as far as it is a value; returns where it stopped, or nullptr if it is none.
 template <typename Value>
@@ -32,7 +33,7 @@ const char* read_value(const std::string& text, Value& value) {
 template <typename Value>
 Value parse_whole(const std::string& flag, const std::string& text, std::string_view allowed) {
   Value value{};
-  if (read_value(text, value) != text.data() + text.size()) refuse(flag, text, allowed);
+  if (read_value(text, value) != text.data() + text.size()) refuse_value(flag, text, allowed);
   return value;
 }
 
@@ -40,7 +41,7 @@ Value parse_whole(const std::string& flag, const std::string& text, std::string_
 
 double parse_number(const std::string& flag, const std::string& text) {
   const double value = parse_whole<double>(flag, text, "a number");
-  if (!std::isfinite(value)) refuse(flag, text, "a finite number");
+  if (!std::isfinite(value)) refuse_value(flag, text, "a finite number");
   return value;
 }
 
@@ -61,7 +62,7 @@ std::vector<double> parse_numbers(const std::string& flag, const std::vector<std
 std::size_t parse_word(const std::string& flag, const std::string& text,
                        const std::vector<std::string_view>& words) {
   const auto found = std::find(words.begin(), words.end(), text);
-  if (found == words.end()) refuse(flag, text, fmt::format("one of {}", fmt::join(words, ", ")));
+  if (found == words.end()) refuse_value(flag, text, fmt::format("one of {}", fmt::join(words, ", ")));
   return static_cast<std::size_t>(found - words.begin());
 }
 
@@ -69,7 +70,7 @@ std::uint64_t parse_bytes(const std::string& flag, const std::string& text) {
   constexpr std::string_view kAllowed = "a number of bytes, such as 500M or 8G";
   double number = 0.0;
   const char* const end = read_value(text, number);
-  if (!end || !std::isfinite(number) || number <= 0.0) refuse(flag, text, kAllowed);
+  if (!end || !std::isfinite(number) || number <= 0.0) refuse_value(flag, text, kAllowed);
 
   std::string_view unit(end, static_cast<std::size_t>(text.data() + text.size() - end));
   if (!unit.empty() && (unit.back() == 'B' || unit.back() == 'b')) unit.remove_suffix(1);
@@ -78,10 +79,10 @@ std::uint64_t parse_bytes(const std::string& flag, const std::string& text) {
   double scale = 1.0;
   if (!unit.empty()) {
     const std::size_t power = kPowersOf1024.find(static_cast<char>(unit[0] & ~0x20));
-    if (unit.size() != 1 || power == std::string_view::npos) refuse(flag, text, kAllowed);
+    if (unit.size() != 1 || power == std::string_view::npos) refuse_value(flag, text, kAllowed);
     scale = std::pow(1024.0, static_cast<double>(power + 1));
   }
-  if (number * scale >= 0x1p63) refuse(flag, text, "below 8 million TiB");
+  if (number * scale >= 0x1p63) refuse_value(flag, text, "below 8 million TiB");
   return static_cast<std::uint64_t>(number * scale);
 }
 
@@ -148,11 +149,11 @@ std::vector<int> parse_frames(const std::string& flag, const std::string& text) 
     if (take(rest, 'x')) step = take_number(rest);
   }
   if (!first || !last || !step || !rest.empty() || *step < 1) {
-    refuse(flag, text, "frames from 0 on, such as 1001-1048, 1001-1100x2 or 1001");
+    refuse_value(flag, text, "frames from 0 on, such as 1001-1048, 1001-1100x2 or 1001");
   }
-  if (*last < *first) refuse(flag, text, "a frame and one that does not come before it");
+  if (*last < *first) refuse_value(flag, text, "a frame and one that does not come before it");
   const std::size_t count = static_cast<std::size_t>((*last - *first) / *step) + 1;
-  if (count > kMostFrames) refuse(flag, text, fmt::format("{} frames at most", kMostFrames));
+  if (count > kMostFrames) refuse_value(flag, text, fmt::format("{} frames at most", kMostFrames));
   std::vector<int> frames(count);
   for (std::size_t i = 0; i < count; ++i) frames[i] = *first + static_cast<int>(i) * *step;
   return frames;

@@ -9,6 +9,7 @@ namespace solidnoise {
 
 // Values of flags, read strictly: the whole text must be the value. Each throws UsageError, which names the
 // flag, the text and what is allowed. Not-a-number, infinity and hexadecimal are refused.
+[[noreturn]] void refuse_value(const std::string& flag, const std::string& text, std::string_view allowed);
 double parse_number(const std::string& flag, const std::string& text);
 int parse_integer(const std::string& flag, const std::string& text);
 std::uint64_t parse_unsigned(const std::string& flag, const std::string& text);

@@ -8,8 +8,8 @@
 
 #include "common/field_flags.h"
 #include "common/noise_flags.h"
+#include "common/parse_value.h"
 #include "common/run_tool.h"
-#include "solidnoise/core/printable.h"
 #include "solidnoise/geometry/mesh_file.h"
 #include "solidnoise/volume/modify/modification.h"
 #include "solidnoise/volume/volume_recipe_json.h"
@@ -18,11 +18,7 @@ namespace solidnoise {
 
 GridFile FlagForm<GridFile>::read(const std::string& flag, const std::vector<std::string>& texts) {
   std::optional<GridFile> source = parse_grid_file(texts[0]);
-  if (!source) {
-    throw UsageError(
-        fmt::format("{} is {}; it must be FILE.vdb or FILE.vdb:GRID, or - for the standard input", flag,
-                    texts[0].empty() ? "empty" : printable(texts[0])));
-  }
+  if (!source) refuse_value(flag, texts[0], "FILE.vdb or FILE.vdb:GRID, or - for the standard input");
   if (source->file != "-") source->file = std::filesystem::absolute(source->file).string();
   return *source;
 }
@@ -38,10 +34,8 @@ Shape FlagForm<Shape>::read(const std::string& flag, const std::vector<std::stri
   if (text == "ellipsoid") return EllipsoidShape{};
   if (is_mesh_path(text)) return MeshShape{std::filesystem::absolute(text).string()};
   if (parse_grid_file(text)) return FlagForm<GridFile>::read(flag, texts);
-  throw UsageError(
-      fmt::format("{} is {}; it must be box, sphere, ellipsoid, FILE.obj (or .ply, .off, .stl, .om), "
-                  "FILE.vdb or FILE.vdb:GRID",
-                  flag, text.empty() ? "empty" : printable(text)));
+  refuse_value(flag, text,
+               "box, sphere, ellipsoid, FILE.obj (or .ply, .off, .stl, .om), FILE.vdb or FILE.vdb:GRID");
 }
 
 std::string FlagForm<Shape>::write(const Shape& shape) {

@@ -5,7 +5,9 @@
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -32,6 +34,18 @@ Target target_of(const MakeOptions& options) {
   return options.out == "-" || is_nvdb(options) ? Target::pipe : Target::file;
 }
 
+namespace {
+
+// The files that a recipe reads.
+void add_files(const Json& json, std::vector<std::string>& files) {
+  for (const auto& item : json.items()) {
+    if (item.key() == "file" && item.value().is_string()) files.push_back(item.value());
+    if (item.value().is_structured()) add_files(item.value(), files);
+  }
+}
+
+}  // namespace
+
 void check_outputs(const MakeOptions& options) {
   if (options.out.empty() && options.preview.empty() && options.write_recipe.empty()) {
     throw UsageError("--out is missing; say where the grid goes: --out cloud.vdb");
@@ -45,8 +59,12 @@ void check_outputs(const MakeOptions& options) {
   }
   const bool has_scene = options.usd && !options.frame;
   const std::string scene = has_scene ? usd_scene_path(options.out) : std::string();
-  require_outputs({unless_kept(options.out), unless_kept(options.preview), options.write_recipe, scene},
-                  options.existing());
+  std::vector<std::string> inputs;
+  add_files(to_json(options.recipe), inputs);
+  const std::string changed = options.recipe.modification ? options.recipe.modification->on.file : "";
+  require_outputs(
+      {{unless_kept(options.out), changed}, unless_kept(options.preview), options.write_recipe, scene},
+      options.existing(), inputs);
 }
 
 namespace {
@@ -60,7 +78,7 @@ Making check_cost(const MakeOptions& options, const VolumeRecipe& recipe, const 
   const openvdb::Coord voxels = plan.voxels.dim();
   options.require_cost(fmt::format("{} x {} x {} voxels", voxels.x(), voxels.y(), voxels.z()),
                        {cost.bytes, cost.seconds / threads},
-                       plan.modification ? "" : "; make --dim smaller or --voxel larger");
+                       plan.modification ? "" : "make --dim smaller or --voxel larger");
   return making;
 }
 

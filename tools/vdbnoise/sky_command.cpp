@@ -1,6 +1,5 @@
 #include <filesystem>
 #include <iostream>
-#include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -78,7 +77,7 @@ void check_cost(const SkyOptions& options, const SkyPlan& plan) {
   const int threads = max_threads();
   const Cost cost = sky_cost(plan, threads);
   options.require_cost(fmt::format("a sky of {} different clouds", plan.clouds.size()),
-                       {cost.bytes, cost.seconds / threads}, "; make --voxel larger, or --kinds fewer");
+                       {cost.bytes, cost.seconds / threads}, "make --voxel larger, or --kinds fewer");
 }
 
 void warn_of_nothing(const std::string& what) {
@@ -262,14 +261,12 @@ int run_sky(const std::vector<std::string>& arguments) {
   FlagSet flags("vdbnoise sky", kSkyDescription);
   declare_sky_flags(flags, options);
   flags.parse(arguments);
-  try {
+  return flags.explained([&] {
     options.recipe = choose_sky_recipe(flags);
     flags.apply();
     check_sky_options(flags, options);
     return make(flags, options);
-  } catch (const std::invalid_argument& error) {
-    throw UsageError(flags.name_flag(error.what()));
-  }
+  });
 }
 
 }  // namespace solidnoise

@@ -12,6 +12,7 @@
 #include "common/outputs.h"
 #include "common/progress.h"
 #include "common/run_tool.h"
+#include "solidnoise/core/extension.h"
 #include "solidnoise/core/moments.h"
 #include "solidnoise/image/image_file.h"
 #include "solidnoise/noise/interpolation/noise_cost.h"
@@ -114,7 +115,7 @@ void write_slice(const SliceOptions& options, const SliceField& field,
   OutputGroup outputs;
   ImageFileOptions file{.existing = options.existing(), .group = &outputs};
   const auto form_of = [&](const std::string& path) {
-    const bool floats = path.ends_with(".exr");
+    const bool floats = extension_of(path) == ".exr";
     file.color_space = floats ? ColorSpace::linear : ColorSpace::srgb;
     return floats ? PixelForm::values : PixelForm::shown;
   };
@@ -170,9 +171,10 @@ void make_slice(SliceOptions options) {
   std::cerr << fmt::format("{}: {} x {} samples, {:.6g} world units apart\n",
                            options.out.empty() ? options.spectrum : options.out, channels.front().count.x,
                            channels.front().count.y, options.plane.pixel);
-  for (const DenseField<2>& channel : channels) {
-    const Moments moments = Moments::of(channel.values);
-    std::cerr << fmt::format("min {:.6g}  max {:.6g}  mean {:.6g}  sigma {:.6g}\n", moments.min(),
+  for (std::size_t k = 0; k < channels.size(); ++k) {
+    const Moments moments = Moments::of(channels[k].values);
+    const std::string name = channels.size() > 1 ? fmt::format("channel {}: ", k) : std::string();
+    std::cerr << fmt::format("{}min {:.6g}  max {:.6g}  mean {:.6g}  sigma {:.6g}\n", name, moments.min(),
                              moments.max(), moments.mean(), moments.sigma());
   }
 }
@@ -189,14 +191,12 @@ int run_slice(const std::vector<std::string>& arguments) {
     options.recipe.output = {Output::value};
     options.color = true;
   }
-  try {
+  explained(flags, [&] {
     flags.apply();
     check_layer_flags(flags, options.recipe, noise_flags);
     check_slice_options(flags, options, noise_flags);
     make_slice(options);
-  } catch (const std::invalid_argument& error) {
-    throw UsageError(explain(flags, error.what()));
-  }
+  });
   return kDone;
 }
 

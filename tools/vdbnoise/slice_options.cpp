@@ -15,6 +15,7 @@
 #include "common/recipe_files.h"
 #include "common/run_tool.h"
 #include "solidnoise/core/check.h"
+#include "solidnoise/core/extension.h"
 #include "solidnoise/image/color.h"
 #include "solidnoise/volume/volume_recipe_json.h"
 #include "vdbnoise/volume_flags.h"
@@ -143,7 +144,7 @@ void check_outputs(const SliceOptions& options) {
   }
   require_extension("--out", options.out, {".png", ".exr", ".csv"}, StandardOutput::refused);
   require_extension("--spectrum", options.spectrum, {".png", ".exr"}, StandardOutput::refused);
-  if (options.sample_type != SampleType::automatic && !options.out.ends_with(".png")) {
+  if (options.sample_type != SampleType::automatic && extension_of(options.out) != ".png") {
     throw UsageError("--bits applies to --out FILE.png only");
   }
 }

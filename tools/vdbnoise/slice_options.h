@@ -5,6 +5,7 @@
 
 #include "common/flag_set.h"
 #include "common/run_options.h"
+#include "solidnoise/core/extension.h"
 #include "solidnoise/core/vec.h"
 #include "solidnoise/image/image_file.h"
 #include "solidnoise/volume/slice/slice_view.h"
@@ -17,7 +18,7 @@ struct SliceOptions : SliceRecipe, SliceView, RunOptions {
   std::string spectrum;  // .png or .exr; empty: none
   SampleType sample_type = SampleType::automatic;
 
-  bool is_line() const { return out.ends_with(".csv"); }
+  bool is_line() const { return extension_of(out) == ".csv"; }
 };
 
 // Declares all flags, and returns those of the noise. Before they are applied the caller puts the recipe that

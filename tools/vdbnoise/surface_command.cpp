@@ -1,17 +1,14 @@
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
-
-#include <fmt/format.h>
 
 #include "common/field_flags.h"
 #include "common/outputs.h"
 #include "common/run_options.h"
 #include "common/run_tool.h"
-#include "solidnoise/geometry/mesh_file.h"
 #include "solidnoise/volume/topology/grid_frame.h"
 #include "solidnoise/volume/topology/mesh_level_set.h"
+#include "solidnoise/volume/topology/triangle_mesh.h"
 #include "solidnoise/volume/vdb/grid_values.h"
 #include "vdbnoise/commands.h"
 #include "vdbnoise/volume_output.h"
@@ -51,17 +48,6 @@ void declare(FlagSet& flags, SurfaceOptions& options) {
   declare_fields<RunOptions>(flags, options, {"force", "max_memory", "max_time", "quiet"});
 }
 
-TriangleMesh read_triangles(const std::string& file) {
-  PolygonMesh mesh = read_mesh(file).mesh;
-  TriangleMesh result{std::move(mesh.positions), triangulate(mesh)};
-  try {
-    require_closed(result);
-  } catch (const std::invalid_argument& error) {
-    throw std::runtime_error(fmt::format("{}: {}", file, error.what()));
-  }
-  return result;
-}
-
 }  // namespace
 
 int run_surface(const std::vector<std::string>& arguments) {
@@ -76,21 +62,18 @@ int run_surface(const std::vector<std::string>& arguments) {
   catch_interrupts();
 
   auto ends_at_once = std::make_unique<EndsAtOnce>();
-  const TriangleMesh mesh = read_triangles(options.mesh);
+  const TriangleMesh mesh = read_closed_mesh(options.mesh);
   Volume volume;
   {
     TaskProgress progress(options.visibility());
     progress.begin("distances");
-    openvdb::FloatGrid::Ptr grid;
-    try {
+    const openvdb::FloatGrid::Ptr grid = flags.explained([&] {
       const double voxel = options.voxel ? *options.voxel : voxel_size_for_dim(mesh.bounds(), options.dim);
       const double band = options.band.value_or(3.0 * voxel);
       const Cost cost = level_set_cost(mesh, voxel, band);
-      options.require_cost("the level set", {cost.bytes, cost.seconds}, "; make --dim or --band smaller");
-      grid = mesh_level_set(mesh, voxel, band, &progress);
-    } catch (const std::invalid_argument& error) {
-      throw UsageError(flags.name_flag(error.what()));
-    }
+      options.require_cost("the level set", {cost.bytes, cost.seconds}, "make --dim or --band smaller");
+      return mesh_level_set(mesh, voxel, band, &progress);
+    });
     grid->setName(options.grid);
     grid->setCreator(kVdbnoise);
     volume.grids.push_back({grid, {measure(*grid)}});

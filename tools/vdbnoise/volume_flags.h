@@ -1,11 +1,13 @@
 #pragma once
 
 #include <filesystem>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "common/flag_form.h"
 #include "common/flag_set.h"
+#include "common/run_tool.h"
 #include "solidnoise/volume/volume_recipe.h"
 #include "vdbnoise/grid_flags.h"
 
@@ -56,5 +58,15 @@ void declare_time_flags(FlagSet& flags, VolumeRecipe& recipe);
 // A message of the library by the name of the flag that it is about, as FlagSet::name_flag() has it; also one
 // about a period in time, or about positions that are too far away.
 std::string explain(const FlagSet& flags, const std::string& message);
+
+// Runs what may throw std::invalid_argument about one of the flags' fields; it becomes a UsageError.
+template <typename Run>
+auto explained(const FlagSet& flags, const Run& run) {
+  try {
+    return run();
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(explain(flags, error.what()));
+  }
+}
 
 }  // namespace solidnoise

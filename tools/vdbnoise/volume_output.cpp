@@ -5,11 +5,10 @@
 #include <cstddef>
 #include <iostream>
 #include <ostream>
-#include <utility>
-#include <variant>
 
 #include <fmt/format.h>
 
+#include "common/noise_flags.h"
 #include "common/outputs.h"
 #include "solidnoise/noise/evolution.h"
 #include "solidnoise/noise/interpolation/lattice_frame.h"
@@ -58,20 +57,12 @@ void warn_of_tiles(const VolumeRecipe& recipe, const Vec<3>& voxel, std::ostream
   }
 }
 
-// Impulses that turn about once in a loop are all opposite to themselves in the middle of it.
 void warn_of_loop(const VolumeRecipe& recipe, std::ostream& stream) {
-  constexpr double kLeastCorrelation = -0.25;
-  constexpr double kTurns = 2.0;  // of which the correlation is -0.20
   for (const NoiseRecipe& noise : noises_of(recipe)) {
     const Evolution* const evolution = evolution_of(noise);
-    if (!evolution || evolution->loop == 0.0) continue;
-    const double correlation = evolution_correlation(*evolution, 0.5 * evolution->loop);
-    if (correlation > kLeastCorrelation) continue;
-    stream << fmt::format(
-        "vdbnoise: warning: half a loop later the noise is much like its own negative (correlation {:.2f}), "
-        "for "
-        "its impulses turn about once; --evolve {:.3g} or --loop {:.3g} has less of that\n",
-        correlation, kTurns / evolution->loop, kTurns / evolution->rate);
+    const std::string warning = evolution ? loop_warning(*evolution) : std::string();
+    if (warning.empty()) continue;
+    stream << "vdbnoise: warning: " << warning;
     return;
   }
 }

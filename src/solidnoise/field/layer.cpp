@@ -12,6 +12,7 @@
 
 #include "solidnoise/core/check.h"
 #include "solidnoise/core/choices.h"
+#include "solidnoise/core/named_error.h"
 #include "solidnoise/core/printable.h"
 #include "solidnoise/core/random.h"
 
@@ -41,11 +42,7 @@ void require_unit_variance(const std::string& prefix, const NoiseRecipe& noise) 
 void validate_noise(const std::string& path, const std::optional<NoiseRecipe>& noise,
                     const LayerScope& scope) {
   if (!noise) return require_unit_variance(scope.path_of_own + ".", scope.own);
-  try {
-    noise->validate();
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(path + ".noise." + error.what());
-  }
+  in_field(path + ".noise.", [&] { noise->validate(); });
   require_unit_variance(path + ".noise.", *noise);
 }
 

@@ -8,7 +8,6 @@
 #include <optional>
 #include <stdexcept>
 #include <unordered_set>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -52,7 +51,13 @@ class KeyCheck final : public nlohmann::json_sax<Json> {
   bool number_integer(number_integer_t) override { return true; }
   bool number_unsigned(number_unsigned_t) override { return true; }
   bool number_float(number_float_t, const string_t&) override { return true; }
-  bool string(string_t&) override { return true; }
+  // Names of files and grids end at some of these, or break what they are written into.
+  bool string(string_t& text) override {
+    const auto is_control = [](char c) { return c >= 0 && c < ' ' && c != '\n' && c != '\r' && c != '\t'; };
+    if (std::ranges::none_of(text, is_control)) return true;
+    throw std::invalid_argument(
+        fmt::format("\"{}\" has a control character, which no text may", printable(text)));
+  }
   bool binary(binary_t&) override { return true; }
   bool start_object(std::size_t) override {
     if (++objects_ > kMaxObjects) throw std::invalid_argument("too many objects to be a recipe");

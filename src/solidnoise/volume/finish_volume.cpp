@@ -1,6 +1,9 @@
 #include "solidnoise/volume/finish_volume.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <variant>
 #include <vector>
 
@@ -98,6 +101,37 @@ void note_density_factor(double factor, openvdb::GridBase& grid) {
 
 void note_recipe(const VolumeRecipe& recipe, const std::vector<Moments>& moments, openvdb::GridBase& grid) {
   set_metadata(grid, describe(recipe, moments));
+}
+
+bool is_as_noted(const openvdb::GridBase& grid) {
+  std::vector<Moments> moments;
+  if (const auto* const floats = dynamic_cast<const openvdb::FloatGrid*>(&grid)) {
+    moments = {measure(*floats)};
+  } else if (const auto* const vectors = dynamic_cast<const openvdb::Vec3SGrid*>(&grid)) {
+    const auto of_each = measure(*vectors);
+    moments.assign(of_each.begin(), of_each.end());
+  } else {
+    return true;
+  }
+  const auto count = grid.getMetadata<openvdb::Int64Metadata>(openvdb::GridBase::META_FILE_VOXEL_COUNT);
+  if (count && static_cast<std::uint64_t>(count->value()) != moments[0].count()) return false;
+  const double rounding = grid.saveFloatAsHalf() ? 1e-3 : 1e-12;
+  const auto is_noted = [&](const std::string& name, auto statistic) {
+    for (std::size_t i = 0; i < moments.size(); ++i) {
+      double noted = statistic(moments[i]);
+      if (const auto number = grid.getMetadata<openvdb::DoubleMetadata>(name)) noted = number->value();
+      if (const auto vector = grid.getMetadata<openvdb::Vec3DMetadata>(name)) {
+        noted = vector->value()[static_cast<int>(i)];
+      }
+      const double most = std::max(std::abs(moments[i].min()), std::abs(moments[i].max()));
+      if (!(std::abs(statistic(moments[i]) - noted) <= rounding * most)) return false;
+    }
+    return true;
+  };
+  return is_noted("solidnoise:min", [](const Moments& m) { return m.min(); }) &&
+         is_noted("solidnoise:max", [](const Moments& m) { return m.max(); }) &&
+         is_noted("solidnoise:mean", [](const Moments& m) { return m.mean(); }) &&
+         is_noted("solidnoise:sigma", [](const Moments& m) { return m.sigma(); });
 }
 
 void finish_volume(const VolumeRecipe& recipe, const std::string& creator, Volume& volume) {

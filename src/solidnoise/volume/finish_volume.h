@@ -43,6 +43,10 @@ void drop_below(float least, openvdb::FloatGrid& grid);
 void note_recipe(const VolumeRecipe& recipe, const std::vector<Moments>& moments, openvdb::GridBase& grid);
 void note_density_factor(double factor, openvdb::GridBase& grid);
 
+// Whether a grid that a file held has as many voxels, of the moments, as its metadata say: within rounding,
+// which is that of half floats where it was stored as these. Grids of other types have.
+bool is_as_noted(const openvdb::GridBase& grid);
+
 // Names of the metadata of a grid that hold its recipe, as JSON, and which part of a volume it is.
 inline constexpr char kRecipeKey[] = "solidnoise:recipe";
 inline constexpr char kPartKey[] = "solidnoise:part";

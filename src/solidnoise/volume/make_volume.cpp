@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "solidnoise/geometry/mesh_file.h"
+#include "solidnoise/core/named_error.h"
 #include "solidnoise/volume/finish_volume.h"
 #include "solidnoise/volume/merge_parts.h"
 #include "solidnoise/volume/modified_volume.h"
@@ -20,6 +20,7 @@
 #include "solidnoise/volume/topology/fill.h"
 #include "solidnoise/volume/topology/grid_frame.h"
 #include "solidnoise/volume/topology/topology.h"
+#include "solidnoise/volume/topology/triangle_mesh.h"
 #include "solidnoise/volume/volume_field.h"
 #include "solidnoise/volume/volume_recipe_json.h"
 
@@ -46,11 +47,7 @@ VolumePlan::GridBoundary plan_boundary(const VolumeRecipe& recipe, Progress* pro
   VolumePlan::GridBoundary plan{recipe.boundary, nullptr};
   if (!plan.boundary) return plan;
   const openvdb::FloatGrid::Ptr surface = read_float_grid(*plan.boundary, "--boundary", progress);
-  try {
-    require_level_set(*surface);
-  } catch (const std::invalid_argument& error) {
-    throw std::runtime_error(fmt::format("{}: {}", plan.boundary->file, error.what()));
-  }
+  in_file(plan.boundary->file, [&] { require_level_set(*surface); });
   const double frequency = std::visit([](const auto& noise) { return noise.frequency; }, recipe.noise.noise);
   plan.distance = std::make_shared<DistanceSpline>(surface, recipe.boundary_width.value_or(1.0 / frequency));
   return plan;
@@ -84,13 +81,7 @@ VolumePlan plan_voxels(const VolumeRecipe& recipe, const VolumePart& part, Progr
     return plan;
   }
   if (auto* shape = std::get_if<MeshShape>(&plan.shape)) {
-    PolygonMesh mesh = read_mesh(shape->file).mesh;
-    plan.mesh = TriangleMesh{std::move(mesh.positions), triangulate(mesh)};
-    try {
-      require_closed(*plan.mesh);
-    } catch (const std::invalid_argument& error) {
-      throw std::runtime_error(fmt::format("{}: {}", shape->file, error.what()));
-    }
+    plan.mesh = read_closed_mesh(shape->file);
     plan.box = plan.mesh->bounds();
     note_digest(shape->file, "--shape", shape->digest);
   }
@@ -215,7 +206,9 @@ bool holds_volume(const std::filesystem::path& path, const VolumeRecipe& recipe,
       return text(kRecipeKey) == wanted && text(kPartKey) == part;
     });
     if (!says_so || reading == Reading::headers) return says_so;
-    return plan.part.whole() ? !read_grids(path).grids.empty() : is_sound_part(path);
+    if (!plan.part.whole()) return is_sound_part(path);
+    const openvdb::GridPtrVec whole = read_grids(path).grids;
+    return !whole.empty() && std::ranges::all_of(whole, [](const auto& grid) { return is_as_noted(*grid); });
   } catch (const std::runtime_error&) {
     return false;
   }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,7 +14,7 @@ enum class Output {
   gradient,   // of the noise, per world unit; covariant vectors
   curl,       // a velocity without divergence; contravariant vectors (CurlField)
   color,      // three independent noises; vectors that no transform turns
-  phase,      // of the phasor whose real part is the noise (PhasorField), radians, -pi to pi; floats
+  phase,      // of the phasor whose real part is the noise (Phasor), radians, -pi to pi; floats
   intensity,  // of the phasor: its absolute value, of unit mean square; floats
 };
 

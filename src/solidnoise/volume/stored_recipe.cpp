@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "solidnoise/core/named_error.h"
 #include "solidnoise/volume/finish_volume.h"
 #include "solidnoise/volume/vdb/vdb_read.h"
 #include "solidnoise/volume/volume_recipe_json.h"
@@ -14,11 +15,7 @@ namespace solidnoise {
 std::optional<VolumeRecipe> stored_recipe(const openvdb::GridBase& grid, const std::string& file) {
   const auto metadata = grid.getMetadata<openvdb::StringMetadata>(kRecipeKey);
   if (!metadata) return std::nullopt;
-  try {
-    return volume_recipe_from_json(parse_json(metadata->value()));
-  } catch (const std::invalid_argument& error) {
-    throw std::runtime_error(fmt::format("{}: {}", file, error.what()));
-  }
+  return in_file(file, [&] { return volume_recipe_from_json(parse_json(metadata->value())); });
 }
 
 std::string recipe_text_in(const std::filesystem::path& path) {

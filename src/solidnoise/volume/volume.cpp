@@ -1,10 +1,8 @@
 #include "solidnoise/volume/volume.h"
 
-#include <string>
-
 #include <fmt/format.h>
 
-#include "solidnoise/volume/vdb/as_file_error.h"
+#include "solidnoise/core/named_error.h"
 #include "solidnoise/volume/vdb/grid_values.h"
 
 namespace solidnoise {

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "solidnoise/core/named_error.h"
 #include "solidnoise/core/printable.h"
 #include "solidnoise/volume/volume_recipe_json.h"
 
@@ -113,16 +114,6 @@ void validate_parameters(const VolumeRecipe& recipe) {
   }
 }
 
-// Puts the path before what refusing() says.
-template <typename Run>
-void check_at(const std::string& path, const Run& refusing) {
-  try {
-    refusing();
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(path + error.what());
-  }
-}
-
 // A grid at `path`, and what of the recipe has to go with it. `own` is the path of the grid's noise.
 void validate_grid(const VolumeRecipe& recipe, const std::string& path, const std::string& own = "noise") {
   validate_parameters(recipe);
@@ -136,7 +127,7 @@ void validate_grid(const VolumeRecipe& recipe, const std::string& path, const st
   const LayerScope scope{recipe.noise, recipe.fields, LayerSpace::volume, own};
   validate_layers(recipe.layers, scope, path + "layers");
   if (recipe.within) validate_layer(*recipe.within, scope, path + "within");
-  check_at(path, [&] {
+  in_field(path, [&] {
     std::visit([](const auto& shaped) { shaped.validate(); }, recipe.shaping);
     if (!recipe.layers.empty() && std::holds_alternative<CloudShaping>(recipe.shaping)) {
       throw std::invalid_argument(
@@ -160,7 +151,7 @@ void validate_grids(const VolumeRecipe& recipe) {
   for (std::size_t i = 0; i < each.size(); ++i) {
     const std::string path = fmt::format("grids[{}].", i);
     const std::optional<NoiseRecipe>& own = recipe.grids[i].own;
-    if (own) check_at(path + "noise.", [&] { own->validate(); });
+    if (own) in_field(path + "noise.", [&] { own->validate(); });
     validate_grid(each[i], path, own ? path + "noise" : "noise");
     for (const std::string& name : grid_names(each[i])) {
       if (std::find(names.begin(), names.end(), name) != names.end()) {

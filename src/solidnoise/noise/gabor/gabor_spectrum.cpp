@@ -11,6 +11,7 @@
 #include <glm/geometric.hpp>
 
 #include "solidnoise/core/check.h"
+#include "solidnoise/core/named_error.h"
 #include "solidnoise/core/special_functions.h"
 
 namespace solidnoise {
@@ -194,11 +195,7 @@ void ExemplarModel::validate() const {
         fmt::format("there are {} axes for {} channels; each needs one", axes.size(), channels.size()));
   }
   for (std::size_t k = 0; k < channels.size(); ++k) {
-    try {
-      channels[k].validate();
-    } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument(fmt::format("channels[{}]: {}", k, error.what()));
-    }
+    in_field(fmt::format("channels[{}]: ", k), [&] { channels[k].validate(); });
     const GaborSpectrum& first = channels.front();
     if (channels[k].dimensions != first.dimensions || channels[k].isotropic != first.isotropic) {
       throw std::invalid_argument(fmt::format("channels[{}] is of another kind than channels[0]", k));

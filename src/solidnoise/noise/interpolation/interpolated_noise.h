@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <vector>
 
 #include "solidnoise/noise/interpolation/lattice_interpolation.h"
 #include "solidnoise/noise/interpolation/point_plan.h"
@@ -11,7 +10,7 @@ namespace solidnoise {
 
 // The noise as it is quickest on one lattice: a band-limited field is known from few samples. On blocks of
 // that lattice, each of the noise's parts is evaluated at every m-th sample of an axis and interpolated from
-// these by the weights that are best for its own covariance (AxisWeights), as plan_interpolation() chooses
+// these by the weights that are best for its own covariance (AxisWeights), as InterpolationPlanner chooses
 // within a root mean square error of `error` times the standard deviation; the gradient from values at every
 // so many samples of its own, within `error` times the root mean square of its length. On other lattices and
 // at scattered points it is the noise itself.

@@ -1,6 +1,5 @@
 #include "solidnoise/volume/modify/modify_volume.h"
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -9,13 +8,13 @@
 #include <fmt/format.h>
 #include <openvdb/tools/Prune.h>
 
+#include "solidnoise/core/named_error.h"
 #include "solidnoise/field/pointwise_field.h"
 #include "solidnoise/volume/modify/combine.h"
 #include "solidnoise/volume/modify/displace_level_set.h"
 #include "solidnoise/volume/modify/grid_lookup.h"
 #include "solidnoise/volume/topology/grid_frame.h"
 #include "solidnoise/volume/topology/topology.h"
-#include "solidnoise/volume/vdb/as_file_error.h"
 #include "solidnoise/volume/vdb/grid_values.h"
 
 namespace solidnoise {
@@ -178,22 +177,16 @@ FloatGrid::Ptr combine(const ModificationPlan& plan, const FloatGrid& noise) {
   const std::optional<GridMask> mask = make_mask(plan);
   const Modification& modification = plan.modification;
   const Combination combination{modification.combine, modification.amount, mask ? &*mask : nullptr};
-  try {
-    combine_values(*result, noise, combination);
-  } catch (const std::invalid_argument& error) {
-    throw std::runtime_error(fmt::format("{}: {}", name_of(modification.on, plan.grid()), error.what()));
-  }
+  in_file(name_of(modification.on, plan.grid()), [&] { combine_values(*result, noise, combination); });
   if (plan.grid().tree().hasActiveTiles()) openvdb::tools::prune(result->tree());
   return result;
 }
 
 FloatGrid::Ptr displace(const ModificationPlan& plan, FieldPtr noise, Progress* progress) {
   const MaskedField field(std::move(noise), make_mask(plan), make_rest(plan));
-  try {
+  return in_file(name_of(plan.modification.on, plan.grid()), [&] {
     return displace_level_set(plan.grid(), field, *plan.modification.displace, progress);
-  } catch (const std::invalid_argument& error) {
-    throw std::runtime_error(fmt::format("{}: {}", name_of(plan.modification.on, plan.grid()), error.what()));
-  }
+  });
 }
 
 openvdb::GridPtrVec replace_target(const ModificationPlan& plan, FloatGrid::Ptr changed) {

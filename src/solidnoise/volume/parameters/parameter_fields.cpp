@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "solidnoise/core/named_error.h"
 #include "solidnoise/volume/topology/grid_frame.h"
-#include "solidnoise/volume/vdb/as_file_error.h"
 #include "solidnoise/volume/vdb/grid_values.h"
 
 namespace solidnoise {

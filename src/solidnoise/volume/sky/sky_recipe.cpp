@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "solidnoise/core/check.h"
+#include "solidnoise/core/named_error.h"
 #include "solidnoise/recipe/field_json.h"
 #include "solidnoise/recipe/json_reader.h"
 #include "solidnoise/recipe/noise_recipe_json.h"
@@ -44,11 +44,7 @@ namespace {
 VolumeRecipe cloud_from_json(const Json& json) {
   Json whole = recipe_header();
   whole.update(json);
-  try {
-    return volume_recipe_from_json(whole);
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(fmt::format("cloud.{}", error.what()));
-  }
+  return in_field("cloud.", [&] { return volume_recipe_from_json(whole); });
 }
 
 void require_shape(const VolumeRecipe& cloud) {
@@ -70,18 +66,10 @@ void require_shape(const VolumeRecipe& cloud) {
 
 void SkyRecipe::validate() const {
   require_fields(*this);
-  try {
-    cloud.validate();
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(fmt::format("cloud.{}", error.what()));
-  }
+  in_field("cloud.", [&] { cloud.validate(); });
   require_shape(cloud);
   if (const auto* const scattered = std::get_if<ScatteredPoints>(&points)) {
-    try {
-      scattered->validate();
-    } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument(fmt::format("points.{}", error.what()));
-    }
+    in_field("points.", [&] { scattered->validate(); });
   } else if (std::get<PointsFile>(points).file.empty()) {
     throw std::invalid_argument("points.file is empty; it must name a .csv or .ply");
   }

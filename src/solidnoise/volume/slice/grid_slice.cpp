@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <openvdb/tools/Interpolation.h>
 
+#include "solidnoise/core/named_error.h"
 #include "solidnoise/field/pointwise_field.h"
 #include "solidnoise/volume/topology/grid_frame.h"
 #include "solidnoise/volume/vdb/grid_values.h"
@@ -88,13 +89,9 @@ std::vector<SliceField> make_grid_slices(const SliceRecipe& slice, const openvdb
     static_cast<void>(typed);
   };
   using Grids = openvdb::TypeList<openvdb::FloatGrid, openvdb::Vec3SGrid, openvdb::Vec3DGrid>;
-  try {
-    if (!grid->apply<Grids>(make)) {
-      throw std::runtime_error(fmt::format("{}: grid {} is of {}; it must be of float or vectors", slice.file,
-                                           grid->getName(), grid->valueType()));
-    }
-  } catch (const std::invalid_argument& error) {
-    throw std::runtime_error(error.what());
+  if (!as_file_error([&] { return grid->apply<Grids>(make); })) {
+    throw std::runtime_error(fmt::format("{}: grid {} is of {}; it must be of float or vectors", slice.file,
+                                         grid->getName(), grid->valueType()));
   }
   return fields;
 }

@@ -187,8 +187,20 @@ std::uint64_t estimate_memory(const Topology& topology, int channels) {
   return bytes_for(static_cast<double>(topology.leaf_count()), bytes_of_leaf(channels));
 }
 
+namespace {
+
+// Of a tree's nodes above its leaves, which are large where voxels are far apart.
+std::uint64_t node_bytes(const openvdb::GridBase& grid) {
+  using Lower = openvdb::MaskTree::RootNodeType::ChildNodeType::ChildNodeType;
+  using Upper = openvdb::MaskTree::RootNodeType::ChildNodeType;
+  const std::vector<openvdb::Index32> counts = grid.constBaseTree().nodeCount();  // from the leaves up
+  return counts.size() < 3 ? 0 : counts[1] * sizeof(Lower) + counts[2] * sizeof(Upper);
+}
+
+}  // namespace
+
 std::uint64_t estimate_memory(const openvdb::GridBase& grid, int channels) {
-  return bytes_for(count_leaves(grid), bytes_of_leaf(channels));
+  return bytes_for(count_leaves(grid), bytes_of_leaf(channels)) + 2 * node_bytes(grid);
 }
 
 std::uint64_t estimate_mask_memory(const openvdb::CoordBBox& voxels) {
@@ -196,7 +208,7 @@ std::uint64_t estimate_mask_memory(const openvdb::CoordBBox& voxels) {
 }
 
 std::uint64_t estimate_mask_memory(const openvdb::GridBase& grid) {
-  return bytes_for(count_leaves(grid), kBytesPerMaskLeaf + kBytesOfLists);
+  return bytes_for(count_leaves(grid), kBytesPerMaskLeaf + kBytesOfLists) + node_bytes(grid);
 }
 
 }  // namespace solidnoise

@@ -5,11 +5,14 @@
 #include <cmath>
 #include <cstdint>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "solidnoise/core/named_error.h"
+#include "solidnoise/geometry/mesh_file.h"
 #include "solidnoise/geometry/same_places.h"
 
 namespace solidnoise {
@@ -115,6 +118,13 @@ void require_closed(const TriangleMesh& mesh) {
       "{} triangle{}, and {} edge{} in all {} not between exactly two",
       a.x, a.y, a.z, b.x, b.y, b.z, first_bad_count, first_bad_count == 1 ? "" : "s", bad,
       bad == 1 ? "" : "s", bad == 1 ? "is" : "are"));
+}
+
+TriangleMesh read_closed_mesh(const std::string& file) {
+  PolygonMesh mesh = read_mesh(file).mesh;
+  TriangleMesh result{std::move(mesh.positions), triangulate(mesh)};
+  in_file(file, [&] { require_closed(result); });
+  return result;
 }
 
 }  // namespace solidnoise

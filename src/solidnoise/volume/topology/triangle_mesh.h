@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "solidnoise/core/vec.h"
@@ -20,5 +21,8 @@ struct TriangleMesh {
 // positions, and every edge between exactly two triangles. Vertices at equal positions count as one.
 // Triangles with two equal corners are ignored.
 void require_closed(const TriangleMesh& mesh);
+
+// The mesh of a file that has an inside. Throws std::runtime_error that names the file.
+TriangleMesh read_closed_mesh(const std::string& file);
 
 }  // namespace solidnoise

@@ -1,7 +1,6 @@
 #include "solidnoise/volume/vdb/vdb_read.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <charconv>
 #include <cstdio>
@@ -16,6 +15,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "solidnoise/core/extension.h"
+#include "solidnoise/core/printable.h"
 #include "solidnoise/volume/vdb/nvdb_reader.h"
 #include "solidnoise/volume/vdb/vdb_reader.h"
 
@@ -27,6 +28,10 @@ void require_readable(const std::filesystem::path& path) {
   if (std::filesystem::is_directory(path, error)) {
     throw std::runtime_error(fmt::format("{}: is a folder, not a .vdb", path.string()));
   }
+  if (std::filesystem::is_fifo(path, error)) {
+    throw std::runtime_error(fmt::format(
+        "{}: is a pipe, which is read but once; give - and send it to the standard input", path.string()));
+  }
   const std::ifstream stream(path, std::ios::binary);
   if (!stream) {
     throw std::runtime_error(
@@ -34,15 +39,17 @@ void require_readable(const std::filesystem::path& path) {
   }
 }
 
-// Text of a damaged file, fit for a message of one line.
-std::string printable(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, '?');
-  return text;
+constexpr std::size_t kLongestError = 400;  // bytes of an error of OpenVDB in ours
+
+// Errors of OpenVDB begin with the name of their class.
+std::string_view without_class(std::string_view error) {
+  const std::size_t colon = error.find("Error: ");
+  const bool is_class = colon != std::string_view::npos && error.find(' ') > colon;
+  return is_class ? error.substr(colon + 7) : error;
 }
 
 const char* kind_of(const std::filesystem::path& path) {
-  return path.extension() == ".nvdb" ? ".nvdb" : ".vdb";
+  return extension_of(path) == ".nvdb" ? ".nvdb" : ".vdb";
 }
 
 // Runs `read`; what it throws becomes an error that names the path.
@@ -59,7 +66,7 @@ auto guarded(const std::filesystem::path& path, const Read& read) {
         fmt::format("{}: is not a {}, or damaged: it ends too early", path.string(), kind_of(path)));
   } catch (const std::exception& error) {
     throw std::runtime_error(fmt::format("{}: is not a {}, or damaged: {}", path.string(), kind_of(path),
-                                         printable(error.what())));
+                                         printable(without_class(error.what()), kLongestError)));
   }
 }
 
@@ -111,7 +118,7 @@ std::unique_ptr<GridSource> open_vdb(const std::filesystem::path& path, Progress
   const std::filesystem::path file = path == "-" ? standard_input() : path;
   require_readable(file);
   auto reader = guarded(path, [&]() -> std::unique_ptr<GridSource> {
-    if (path.extension() == ".nvdb") return std::make_unique<NvdbReader>(file, progress);
+    if (extension_of(path) == ".nvdb") return std::make_unique<NvdbReader>(file, progress);
     return std::make_unique<VdbReader>(file, progress);
   });
   if (reader->grid_count() == 0) throw std::runtime_error(fmt::format("{}: holds no grids", path.string()));
