@@ -153,7 +153,7 @@ class GltfCheck {
       constexpr std::string_view kHarmless[] = {"KHR_materials_", "KHR_texture_",   "KHR_lights_",
                                                 "EXT_texture_",   "KHR_animation_", "KHR_mesh_quantization",
                                                 "KHR_xmp"};
-      if (std::ranges::none_of(kHarmless, [&](std::string_view start) { return word.starts_with(start); })) {
+      if (!std::ranges::any_of(kHarmless, [&](std::string_view start) { return word.starts_with(start); })) {
         refuse_gltf(name_, fmt::format("it requires {}, which is not known here", printable(word)));
       }
     }

@@ -148,7 +148,7 @@ namespace {
 const std::vector<double>& attribute_of(const PolygonMesh& mesh, const std::string& name) {
   if (const VertexProperty* const property = mesh.property(name)) {
     const auto fits = [](double number) { return std::abs(number) <= kLargestOption; };
-    const auto found = std::ranges::find_if_not(property->values, fits);
+    const auto found = std::find_if_not(property->values.begin(), property->values.end(), fits);
     if (found == property->values.end()) return property->values;
     throw std::invalid_argument(
         fmt::format("attribute is {}; it is {} at vertex {} and must be a finite number", name, *found,

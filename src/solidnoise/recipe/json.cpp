@@ -54,7 +54,7 @@ class KeyCheck final : public nlohmann::json_sax<Json> {
   // Names of files and grids end at some of these, or break what they are written into.
   bool string(string_t& text) override {
     const auto is_control = [](char c) { return c >= 0 && c < ' ' && c != '\n' && c != '\r' && c != '\t'; };
-    if (std::ranges::none_of(text, is_control)) return true;
+    if (!std::ranges::any_of(text, is_control)) return true;
     throw std::invalid_argument(
         fmt::format("\"{}\" has a control character, which no text may", printable(text)));
   }
