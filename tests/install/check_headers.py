@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """check_headers.py PREFIX PROJECT WORK: the installed library as others include it, with their warnings as errors. By g++, and clang++ where
-it is installed: each header that has no source file of its own alone, all components' headers in one file, the C++ of README and docs/library.md with
-the headers that it names. By pkg-config: a program that CMake knows nothing of is built, and runs. What is not public is not installed."""
+it is installed: all components' headers in one file. By g++: each header that has no source file of its own alone, the C++ of README and
+docs/library.md with the headers that it names. By pkg-config: a program that CMake knows nothing of is built, and runs. What is not public is not installed."""
 
 import concurrent.futures
 import os
@@ -38,10 +38,10 @@ def main():
     faults = [f"{name} is installed, and is not for others" for name in names if name.endswith("-inl.h") or "_simd" in name]
 
     umbrellas = [name for name in names if name.count("/") == 1]
-    sources = {"all components": "".join(f'#include "{name}"\n' for name in umbrellas)}
+    everything = "".join(f'#include "{name}"\n' for name in umbrellas)
+    jobs = [(compiler, "all components", everything) for compiler in COMPILERS]
     for page in ("README.md", "docs/library.md"):
-        sources |= {f"{page}'s block {number}": source for number, source in enumerate(shown_sources(project / page), 1)}
-    jobs = [(compiler, what, source) for compiler in COMPILERS for what, source in sources.items()]
+        jobs += [("g++", f"{page}'s block {number}", source) for number, source in enumerate(shown_sources(project / page), 1)]
     # The others stand alone: they are the first include of their .cpp files.
     jobs += [("g++", name, f'#include "{name}"\n') for name in names
              if name not in umbrellas and not (project / "src" / name).with_suffix(".cpp").exists()]

@@ -5,7 +5,7 @@ file(REMOVE_RECURSE ${WORK})
 
 execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${CMAKE_COMMAND} -S ${CONSUMER} -B ${WORK}/consumer -D CMAKE_PREFIX_PATH=${prefix}
-  -D CMAKE_BUILD_TYPE=Release COMMAND_ERROR_IS_FATAL ANY)
+  COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK}/consumer COMMAND_ERROR_IS_FATAL ANY)
 
 # Every program of the consumer runs. What draws needs the image module, which is not beside it.
