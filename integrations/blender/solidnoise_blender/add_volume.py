@@ -42,12 +42,11 @@ class OBJECT_OT_solidnoise_volume_add(VolumeSettings, bpy.types.Operator):
         recipe = self.recipe()
         path, job = volumes.request(self.preset, recipe)
         self.size = self.size or volumes.longest_side(recipe)
-        scale = self.size / volumes.longest_side(recipe)
         obj = volumes.add_object(context, self.preset.capitalize())
-        obj.scale = (scale,) * 3
+        obj.scale = (self.size / volumes.longest_side(recipe),) * 3
         obj[volumes.RECIPE] = json.dumps(recipe)
         copy(self, obj.solidnoise_volume)
-        obj.data.materials.append(materials.of_volume(obj.name, recipe, scale))
+        obj.data.materials.append(materials.of_volume(obj.name, self.preset, recipe))
         absolute = files.absolute(path)
         volumes.show(obj.data, path, job, lambda _: [volumes.remove_object(user) for user in volumes.users_of(absolute)])
         files.tidy()
@@ -70,7 +69,13 @@ class OBJECT_OT_solidnoise_volume_remake(bpy.types.Operator):
         require_object(obj, "VOLUME")
         if volumes.RECIPE not in obj:
             raise Refused(f"{obj.name} has no recipe; it was not made here")
-        volumes.remake(obj, obj.solidnoise_volume.recipe())
+        recipe, preset, was_sequence = obj.solidnoise_volume.recipe(), obj.solidnoise_volume.preset, obj.data.is_sequence
+        volumes.remake(obj, recipe)
+        slots = obj.data.materials
+        if slots and materials.is_of_another(slots[0], preset):
+            slots[0] = materials.of_volume(obj.name, preset, recipe)
+        if was_sequence:
+            self.report({"INFO"}, f"{obj.name} is a single volume again; Object > Solidnoise > Sequence makes its frames")
         files.tidy()
         return {"FINISHED"}
 

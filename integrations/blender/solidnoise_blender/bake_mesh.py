@@ -5,13 +5,11 @@ import json
 import bpy
 import solidnoise
 
-from . import examples, meshes, worker
+from . import examples, meshes, waits, worker
 from .add_volume import copy
 from .errors import Refused, reported, require_object
 from .settings import BakeSettings
 from .volumes import RECIPE
-
-_WAITS = "solidnoise_waits"  # of an object whose bake goes on behind the window: which
 
 
 class MeshSettings(BakeSettings):
@@ -28,7 +26,7 @@ class MeshSettings(BakeSettings):
         "width": bpy.props.FloatProperty(name="Width", description="Of what the photograph shows; 0: features are a 24th of the object",
                                          default=0.0, min=0.0, unit="LENGTH", options={"SKIP_SAVE"}),
         "patch": bpy.props.IntProperty(name="Patch", description="Average over patches of this size; 0: as large as can be, which takes "
-                                       "longer (pixels)", default=64, min=0, options={"SKIP_SAVE"}),
+                                       "longer (pixels)", default=64, min=0, soft_min=16, options={"SKIP_SAVE"}),
         "solid": bpy.props.BoolProperty(name="Solid", description="An isotropic noise in 3D whose slices look like the photograph",
                                         options={"SKIP_SAVE"}),
         **BakeSettings.__annotations__}
@@ -48,15 +46,25 @@ class SolidnoiseMeshSettings(MeshSettings, bpy.types.PropertyGroup):
     """Of an object: what its noise was made with."""
 
 
+def _written(settings, recipe: dict) -> tuple:
+    """The names of what will be written to a mesh."""
+    if settings.task == "DISPLACE":
+        return (meshes.NOISE,) if settings.becomes == "KEY" else (meshes.NOISE, meshes.DISPLACEMENT)
+    return (meshes.COLOR, meshes.NOISE, *(recipe.get("properties", {}) if settings.task == "BAKE" else ()))
+
+
 def _work(obj, settings):
     """What is to be done, from the scene's data as they are now. Called later, on a thread, it returns what was made and its recipe."""
-    meshes.require_room(obj.data)
     recipe = {**settings.recipe(), "up": meshes.up_of(obj)}
+    written = _written(settings, recipe)
+    meshes.require_room(obj.data, *written)
     vertices, faces = meshes.read(obj)
     attributes = {}
     by = recipe.get("by", {})
     if "attribute" in by:
         by.pop("source", None)
+        if by["attribute"] in written:
+            raise Refused(f"by is {by['attribute']}, which would be written over; rename it")
         attributes = {by["attribute"]: meshes.number(obj, by["attribute"])}
     if settings.task == "DISPLACE":
         recipe["displace"] = settings.height
@@ -83,27 +91,25 @@ def _apply(obj, settings, result) -> None:
 
 def _go_on(obj, job: worker.Job) -> None:
     """Leaves a bake to the timer. It is dropped when it is undone, or when the mesh is another one by then."""
-    name, token, count = obj.name, str(id(job)), len(obj.data.vertices)
-    obj[_WAITS] = token
+    token, count = waits.mark(obj, job), len(obj.data.vertices)
 
-    def waiting():
-        found = bpy.data.objects.get(name)
-        return found if found and found.get(_WAITS) == token and len(found.data.vertices) == count else None
+    def done(result) -> None:
+        found = waits.found(token)
+        waits.forget(token)
+        if not found:
+            return
+        for obj in found:
+            try:
+                require_object(obj, "MESH")
+                if len(obj.data.vertices) != count:
+                    raise Refused(f"{obj.name} has other vertices by now; its noise is dropped")
+                _apply(obj, obj.solidnoise_mesh, result)
+            except Refused as error:
+                return worker.tell(str(error))
+        with bpy.context.temp_override(window=bpy.context.window_manager.windows[0]):
+            bpy.ops.ed.undo_push(message="Noise")
 
-    def ended(result=None) -> None:
-        found = waiting()
-        if found:
-            del found[_WAITS]
-            if result:
-                try:
-                    require_object(found, "MESH")
-                    _apply(found, found.solidnoise_mesh, result)
-                except Refused as error:
-                    return worker.tell(str(error))
-                with bpy.context.temp_override(window=bpy.context.window_manager.windows[0]):
-                    bpy.ops.ed.undo_push(message="Noise")
-
-    job.done, job.failed, job.wanted = ended, lambda _: ended(), lambda: waiting() is not None
+    job.done, job.failed, job.wanted = done, lambda _: waits.forget(token), lambda: bool(waits.found(token))
     worker.go_on(job)
 
 
@@ -130,6 +136,8 @@ class _MeshOperator(MeshSettings):
         bake(context, context.object, self)
         if context.object.modifiers:
             self.report({"INFO"}, f"the noise is that of {context.object.name} without its modifiers")
+        if any(obj.type == "MESH" and obj != context.object for obj in context.selected_objects):
+            self.report({"INFO"}, f"only the active object, {context.object.name}, has got noise")
         return {"FINISHED"}
 
     def draw(self, context):

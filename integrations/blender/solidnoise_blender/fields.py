@@ -155,7 +155,7 @@ def applied(holder, fields: list[Field], recipe: dict) -> dict:
         value = plain(value)
         if _kind(field.schema) == "range" and value[0] == value[1]:
             value = value[0]
-        if "default" not in field.schema and _is_same(getattr(holder, field.name), _default(field)):
+        if "default" not in field.schema and _kind(field.schema) != "enum" and _is_same(getattr(holder, field.name), _default(field)):
             target.pop(field.path[-1], None)
         else:
             target[field.path[-1]] = value

@@ -40,15 +40,25 @@ def _scaled(nodes, links, socket, factor: float, row: int, bias: float = 0.0):
     return node.outputs[0]
 
 
-def of_volume(name: str, recipe: dict, scale: float):
+_PRESET = "solidnoise_preset"  # of a volume's material: whose look it is
+
+
+def is_of_another(material, preset: str) -> bool:
+    """Whether it was made here for another preset."""
+    return bool(material) and material.get(_PRESET, preset) != preset
+
+
+def of_volume(name: str, preset: str, recipe: dict):
     """A Principled Volume. What has temperatures glows as a black body; a nebula glows in its own colours; marble has the colours of its
-    veins, and raw noise and velocities those of their values. An object scaled up is thinner, so that it looks the same."""
+    veins, and raw noise and velocities those of their values. Scaled up it looks the same: the volume's space is the object's, so that
+    Blender makes it thinner by as much."""
     grids = [grid.get("name") or ("vel" if grid.get("output") == "curl" else "density") for grid in recipe["grids"]]
     material, nodes, links = _new(name)
+    material[_PRESET] = preset
     shader = _place(nodes.new("ShaderNodeVolumePrincipled"), 2)
     links.new(shader.outputs["Volume"], _place(nodes.new("ShaderNodeOutputMaterial"), 3).inputs["Volume"])
     inputs = shader.inputs
-    inputs["Density"].default_value = 1 / scale
+    inputs["Density"].default_value = 1.0
     inputs["Anisotropy"].default_value = 0.3
     inputs["Color"].default_value = (0.95, 0.95, 0.95, 1)
     is_raw = recipe["grids"][0].get("shaping", {}).get("type") == "raw" and recipe["grids"][0].get("output", "value") == "value"
@@ -63,16 +73,19 @@ def of_volume(name: str, recipe: dict, scale: float):
         peak = recipe["grids"][0].get("scale", {}).get("optical_depth", 1.0)
         links.new(_scaled(nodes, links, density.outputs["Fac"], 0.5 / peak, 1), glow.inputs["Fac"])
         links.new(glow.outputs["Color"], inputs["Emission Color"])
-        links.new(_scaled(nodes, links, density.outputs["Fac"], 0.2 / scale, 2), inputs["Emission Strength"])
-        inputs["Density"].default_value = 0.3 / scale
+        links.new(_scaled(nodes, links, density.outputs["Fac"], 0.2, 2), inputs["Emission Strength"])
+        inputs["Density"].default_value = 0.3
     elif len(grids) > 1:
         veins = _ramp(nodes, [(0.0, (0.9, 0.88, 0.85)), (1.0, (0.05, 0.06, 0.08))], 0)
         links.new(_attribute(nodes, grids[1], 0).outputs["Fac"], veins.inputs["Fac"])
         links.new(veins.outputs["Color"], inputs["Color"])
     elif "vel" in grids:
-        velocity = _attribute(nodes, "vel", 0)
-        links.new(velocity.outputs["Color"], inputs["Emission Color"])
-        inputs["Emission Strength"].default_value = 1 / scale
+        velocity = _attribute(nodes, "velocity", 0)  # as Cycles has the grid that Blender takes for the volume's velocities: vel
+        sizes = _place(nodes.new("ShaderNodeVectorMath"), 1)
+        sizes.operation = "ABSOLUTE"  # there is no light of less than nothing
+        links.new(velocity.outputs["Color"], sizes.inputs[0])
+        links.new(sizes.outputs["Vector"], inputs["Emission Color"])
+        inputs["Emission Strength"].default_value = 1.0
         inputs["Density Attribute"].default_value = ""
         inputs["Density"].default_value = 0.0
     elif is_raw:
@@ -80,31 +93,46 @@ def of_volume(name: str, recipe: dict, scale: float):
         colors = _ramp(nodes, [(0.0, (0.02, 0.1, 0.8)), (0.5, (0.9, 0.9, 0.9)), (1.0, (0.8, 0.05, 0.02))], 0)
         links.new(_scaled(nodes, links, values.outputs["Fac"], 1 / 6, 1, 0.5), colors.inputs["Fac"])
         links.new(colors.outputs["Color"], inputs["Color"])
-        links.new(_scaled(nodes, links, values.outputs["Fac"], 8 / scale, 2), inputs["Density"])
+        links.new(_scaled(nodes, links, values.outputs["Fac"], 8, 2), inputs["Density"])
         inputs["Density Attribute"].default_value = ""
     return material
 
 
-def of_mesh(name: str, colors: str, noise: str, roughness: str | None):
-    """A Principled BSDF whose colour is a colour attribute, and whose roughness is an attribute, or goes a little with the noise."""
+def of_mesh(name: str, colors: str):
+    """A Principled BSDF whose colour is a colour attribute."""
     material, nodes, links = _new(name)
     shader = _place(nodes.new("ShaderNodeBsdfPrincipled"), 2)
     links.new(shader.outputs["BSDF"], _place(nodes.new("ShaderNodeOutputMaterial"), 3).inputs["Surface"])
     links.new(_attribute(nodes, colors, 0).outputs["Color"], shader.inputs["Base Color"])
-    if roughness:
-        rough = _attribute(nodes, roughness, 1).outputs["Fac"]
-    else:
-        rough = _scaled(nodes, links, _attribute(nodes, noise, 1).outputs["Fac"], 0.1, 1, 0.6)
-        rough.node.use_clamp = True
-    links.new(rough, shader.inputs["Roughness"])
     return material
 
 
-_GREY = "Solidnoise grey"
+_GREY, _ROUGH = "Solidnoise grey", "Solidnoise roughness"
+
+
+def _principled(material):
+    return next((node for node in material.node_tree.nodes if node.type == "BSDF_PRINCIPLED"), None)
+
+
+def set_roughness(material, noise: str, roughness: str) -> None:
+    """Has the roughness be an attribute, or go a little with the noise where there is none, unless it was changed by hand."""
+    shader, nodes, links = _principled(material), material.node_tree.nodes, material.node_tree.links
+    ours = [node for node in nodes if node.name.startswith(_ROUGH)]
+    made = [link.from_node for link in shader.inputs["Roughness"].links] if shader else []
+    if shader is None or (made or ours) and not set(made) & set(ours):
+        return
+    for node in ours:
+        nodes.remove(node)
+    attribute = _attribute(nodes, roughness or noise, 1)
+    rough = attribute.outputs["Fac"] if roughness else _scaled(nodes, links, attribute.outputs["Fac"], 0.1, 1, 0.6)
+    if not roughness:
+        rough.node.use_clamp = True
+    attribute.name = rough.node.name = _ROUGH
+    links.new(rough, shader.inputs["Roughness"])
 
 
 def _base_color(material):
-    shader = next((node for node in material.node_tree.nodes if node.type == "BSDF_PRINCIPLED"), None)
+    shader = _principled(material)
     if shader is None:
         raise Refused(f"{material.name} has no Principled BSDF any more, whose colour could be shown")
     return shader.inputs["Base Color"]

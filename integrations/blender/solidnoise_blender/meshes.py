@@ -7,6 +7,7 @@ from . import materials
 from .errors import Refused
 
 COLOR, NOISE, DISPLACEMENT, KEY = "solidnoise", "noise", "displacement", "Solidnoise"
+_OURS = "solidnoise_attributes"  # of a mesh: the attributes that were made here, a line each
 
 
 def scale_of(obj) -> np.ndarray:
@@ -71,25 +72,34 @@ def _properties(baked: dict) -> dict:
     return {name: numbers for name, numbers in baked.items() if name not in ("vertices", "faces", "normals", "colors", NOISE)}
 
 
-def require_room(mesh, *numbers: str) -> None:
-    """That what is to be written is not there already as something else."""
-    for name, kind in {**_KINDS, **dict.fromkeys(numbers, "FLOAT")}.items():
+def _ours(mesh) -> set[str]:
+    return set(filter(mesh.attributes.get, mesh.get(_OURS, "").split("\n")))
+
+
+def require_room(mesh, *names: str) -> None:
+    """That what is to be written is not there already as something else, or somebody else's."""
+    for name in names:
         found = mesh.attributes.get(name)
-        if found and (found.data_type, found.domain) != (kind, "POINT"):
+        if found and (found.data_type, found.domain) != (_KINDS.get(name, "FLOAT"), "POINT"):
             raise Refused(f"{mesh.name} has an attribute {name} of another kind; rename or remove it")
+        if found and name not in _ours(mesh):
+            raise Refused(f"{mesh.name} has an attribute {name} that was not made here; rename or remove it")
 
 
 def _set(mesh, name: str, key: str, values: np.ndarray) -> None:
     if name not in mesh.attributes:
         mesh.attributes.new(name, _KINDS.get(name, "FLOAT"), "POINT")
     mesh.attributes[name].data.foreach_set(key, values.ravel())
+    mesh[_OURS] = "\n".join(sorted(_ours(mesh) | {name}))
 
 
 def write(obj, baked: dict) -> None:
     """Colours, in linear light as Blender has them, the noise and the recipe's properties, and a material that shows them."""
     mesh = obj.data
     properties = _properties(baked)
-    require_room(mesh, *properties)
+    require_room(mesh, COLOR, NOISE, *properties)
+    for name in _ours(mesh) - _KINDS.keys() - properties.keys():  # of another recipe
+        mesh.attributes.remove(mesh.attributes[name])
     with_alpha = np.ones((len(mesh.vertices), 4), np.float32)
     with_alpha[:, :3] = baked["colors"]
     _set(mesh, COLOR, "color", with_alpha)
@@ -97,9 +107,13 @@ def write(obj, baked: dict) -> None:
         _set(mesh, name, "value", numbers)
     mesh.color_attributes.active_color = mesh.color_attributes[COLOR]
     mesh.color_attributes.render_color_index = mesh.color_attributes.active_color_index
-    if not obj.active_material or not obj.active_material.get(COLOR):
-        obj.active_material = materials.of_mesh(f"{obj.name} noise", COLOR, NOISE, "roughness" if "roughness" in properties else None)
+    before = obj.active_material
+    if not before or not before.get(COLOR):
+        obj.active_material = materials.of_mesh(f"{obj.name} noise", COLOR)
         obj.active_material[COLOR] = True
+        if before and not before.users and not before.library:
+            before.use_fake_user = True  # the user's own, which would go with the next save
+    materials.set_roughness(obj.active_material, NOISE, "roughness" if "roughness" in properties else "")
     materials.set_range(obj.active_material, float(baked["noise"].min()), float(baked["noise"].max()))
     mesh.update()
 
@@ -107,7 +121,7 @@ def write(obj, baked: dict) -> None:
 def displace(obj, baked: dict, as_key: bool) -> None:
     """Moved vertices as a shape key, or how far they move as an attribute for Geometry Nodes; and the noise."""
     mesh = obj.data
-    require_room(mesh)
+    require_room(mesh, NOISE, *([] if as_key else [DISPLACEMENT]))
     moved = np.float32(baked["vertices"] / scale_of(obj))
     _set(mesh, NOISE, "value", baked["noise"])
     if not as_key:

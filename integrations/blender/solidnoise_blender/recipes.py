@@ -10,6 +10,7 @@ import solidnoise
 from . import fields
 
 VOLUME, BAKE, MODIFY = "volume", "bake", "modify"
+RECIPE = "solidnoise_recipe"  # the custom property of an object that keeps its recipe, JSON
 _WIDTH = 32  # letters of a line of the side panel
 _DIM = solidnoise.schema(VOLUME)["properties"]["domain"]["properties"]["dim"]["default"]
 _DETAIL = {"type": "gabor", "bandwidth": 1, "octaves": 3, "lacunarity": 2, "gain": 0.5}

@@ -9,10 +9,11 @@ from typing import Callable, Sequence
 import bpy
 import solidnoise
 
-from . import files, recipes, volumes, worker
+from . import files, recipes, volumes, waits, worker
 from .errors import Refused, reported, require_object
 from .fields import plain
 
+_jobs: list[worker.Job] = []  # of sequences that are being made
 _table = solidnoise.schema("volume")["$defs"]["noise"]["oneOf"][0]["properties"]
 
 
@@ -96,11 +97,13 @@ class OBJECT_OT_solidnoise_sequence(bpy.types.Operator):
             raise Refused(f"{obj.name} has no recipe of its own; it must be a volume of Add > Volume > Solidnoise")
         fps = scene.render.fps / scene.render.fps_base
         self._frames = range(scene.frame_start, scene.frame_end + 1)
-        self._recipe = moving(obj.solidnoise_volume.recipe(), plain(self.evolve), len(self._frames) / fps if self.loops else 0.0)
+        self._recipe = moving(json.loads(obj[volumes.RECIPE]), plain(self.evolve), len(self._frames) / fps if self.loops else 0.0)
         key = {**self._recipe, "frames": [scene.frame_start, scene.frame_end, fps]}
         self._folder = files.path_for(obj.name, recipes.digest(key), "")
         self._name = obj.name
         self._job = worker.Job(self._folder, making(moments(self._recipe), files.absolute(self._folder), self._frames, fps))
+        self._token = waits.mark(obj, self._job)
+        _jobs.append(self._job)
         if bpy.app.background:
             self._job.is_over(None)
             return self._finish(context)
@@ -120,7 +123,9 @@ class OBJECT_OT_solidnoise_sequence(bpy.types.Operator):
             return {"RUNNING_MODAL"}
         context.window_manager.event_timer_remove(self._timer)
         context.window_manager.progress_end()
-        context.workspace.status_text_set(None)
+        for workspace in bpy.data.workspaces:  # all that it was shown in
+            with context.temp_override(workspace=workspace):
+                workspace.status_text_set(None)
         return reported(type(self)._finish)(self, context)
 
     def cancel(self, context):
@@ -129,12 +134,15 @@ class OBJECT_OT_solidnoise_sequence(bpy.types.Operator):
 
     def _finish(self, context):
         """Shows the sequence, or raises what went wrong; then nothing is left of it."""
+        obj = next(iter(waits.found(self._token)), None) or bpy.data.objects.get(self._name)  # of this name after an undo
+        waits.forget(self._token)
+        _jobs.remove(self._job)
         self._job.settle()
         files.made(self._folder)
-        obj = bpy.data.objects.get(self._name)
-        if obj is None:
+        if obj is None or obj.type != "VOLUME":
             files.tidy()
             raise Refused(f"{self._name} is gone")
+        volumes.own_data(obj)
         first = frame_path(self._folder, self._frames[0])
         obj.data.filepath, obj.data.is_sequence = first, True
         obj.data.frame_start, obj.data.frame_duration, obj.data.frame_offset = self._frames[0], len(self._frames), self._frames[0] - 1
@@ -151,4 +159,9 @@ def register() -> None:
     """Nothing but its class."""
 
 
-unregister = register
+def unregister() -> None:
+    for job in _jobs:
+        job.stops = True
+    for job in _jobs:
+        job.is_over(None)
+    _jobs.clear()

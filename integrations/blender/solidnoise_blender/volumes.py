@@ -10,8 +10,7 @@ import solidnoise
 
 from . import files, recipes, worker
 from .errors import Refused
-
-RECIPE = "solidnoise_recipe"  # the custom property of an object that keeps its recipe, JSON
+from .recipes import RECIPE
 
 
 def making(recipe: dict, path: str) -> Callable:
@@ -103,6 +102,17 @@ def remove_object(obj) -> None:
             owner.remove(block)
 
 
+def own_data(obj) -> None:
+    """Gives an object a volume of its own where others show the same, as after Shift-D: they stay as they are."""
+    if obj.data.users - obj.data.use_fake_user > 1:
+        obj.data = obj.data.copy()
+
+
+def scale_of(obj) -> float:
+    """How many units of the scene one of the volume is."""
+    return abs(obj.matrix_world.to_3x3().determinant()) ** (1 / 3) or 1.0
+
+
 def users_of(path: str) -> list:
     return [obj for obj in bpy.data.objects if obj.type == "VOLUME" and files.absolute(obj.data.filepath) == path]
 
@@ -110,6 +120,7 @@ def users_of(path: str) -> list:
 def remake(obj, recipe: dict) -> None:
     """Gives an object of a preset another recipe."""
     path, job = request(obj.name, recipe)
+    own_data(obj)
     before = obj.data.filepath, obj.get(RECIPE)
     obj[RECIPE] = json.dumps(recipe)
     absolute = files.absolute(path)
@@ -121,22 +132,42 @@ def remake(obj, recipe: dict) -> None:
     show(obj.data, path, job, failed)
 
 
-def restore() -> None:
-    """Has files again that are missing, from the bin or by the recipes of their objects: after an undo, or where a .blend came alone."""
+def restore() -> list[str]:
+    """Has files again that are missing, from the bin or by the recipes of their objects: after an undo, or where a .blend came alone. Says in a
+    line each which cannot be."""
+    lost = []
     for obj in bpy.data.objects:
-        if obj.type != "VOLUME" or RECIPE not in obj or obj.library or obj.data.library:
-            continue
-        path, recipe = files.absolute(obj.data.filepath), json.loads(obj[RECIPE])
-        if os.path.exists(path) or worker.at_work(path):
-            continue
-        if files.take_back(path):
-            arrived(path)
-            continue
-        if "on" in recipe or obj.data.is_sequence:
-            continue
-        os.makedirs(os.path.dirname(path), exist_ok=True)
-        job = _start(making(recipe, path), path)
-        if not worker.wait_a_little(job):
-            worker.go_on(job)
-        elif job.error is None:
-            arrived(path)
+        if obj.type == "VOLUME" and RECIPE in obj and not obj.library and not obj.data.library:
+            try:
+                _restore(obj)
+            except Exception as error:  # of the one object: the others have theirs all the same
+                lost.append(f"{obj.name}: {error}")
+    return lost
+
+
+def _is_there(path: str) -> bool:
+    """Or will be."""
+    return os.path.exists(path) or any(map(worker.at_work, (path, os.path.dirname(path))))
+
+
+def _restore(obj) -> None:
+    volume = obj.data
+    here = files.as_here(files.absolute(volume.filepath))
+    if not here or _is_there(files.absolute(volume.filepath)):
+        return
+    if volume.filepath != here:
+        volume.filepath = here
+    path = files.absolute(here)
+    if _is_there(path):
+        return
+    if files.take_back(path):
+        return arrived(path)
+    recipe = json.loads(obj[RECIPE])
+    if "on" in recipe or volume.is_sequence:
+        raise Refused(f"{here} is missing, and {'what was modified' if 'on' in recipe else 'a sequence'} is not made again by itself")
+    os.makedirs(os.path.dirname(path), exist_ok=True)
+    job = _start(making(recipe, path), path)
+    if not worker.wait_a_little(job):
+        return worker.go_on(job)
+    job.settle()
+    arrived(path)

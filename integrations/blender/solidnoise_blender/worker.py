@@ -1,6 +1,7 @@
 """Work on threads of its own, so that the window never freezes: what takes long ends in a timer of Blender's, with progress, and can be
 stopped. Scripts, and Blender without a window, wait for it."""
 
+import functools
 import threading
 from typing import Callable, Optional
 
@@ -66,7 +67,7 @@ def go_on(job: Job) -> None:
     """Leaves a job to the timer."""
     jobs.append(job)
     if not bpy.app.timers.is_registered(_attend):
-        bpy.app.timers.register(_attend, first_interval=_BETWEEN)
+        bpy.app.timers.register(_attend, first_interval=_BETWEEN, persistent=True)
 
 
 def stop_all() -> None:
@@ -110,6 +111,15 @@ def redraw() -> None:
 
 
 def tell(message: str) -> None:
-    """What went wrong while no operator ran that could report it."""
+    """What went wrong while no operator ran that could report it, in lines: on the console, and in the window as soon as there is one."""
+    print(f"Solidnoise: {message}")
     if not bpy.app.background:
-        bpy.context.window_manager.popup_menu(lambda menu, context: menu.layout.label(text=message), title="Solidnoise", icon="ERROR")
+        bpy.app.timers.register(functools.partial(_pop_up, message.split("\n")), persistent=True)
+
+
+def _pop_up(lines: list) -> None:
+    def draw(menu, context) -> None:
+        for line in lines:
+            menu.layout.label(text=line)
+
+    bpy.context.window_manager.popup_menu(draw, title="Solidnoise", icon="ERROR")

@@ -34,7 +34,7 @@ def test_every_preset_is_the_volume_of_its_recipe_and_has_a_material(name: str, 
     assert [link.to_node.type for link in shader.outputs[0].links] == ["OUTPUT_MATERIAL"]
     read = {shader.inputs[key].default_value for key in ("Density Attribute", "Temperature Attribute", "Color Attribute")} | {
         node.attribute_name for node in tree.nodes if node.type == "ATTRIBUTE"}
-    assert read & set(expected.grids)
+    assert read & {{"vel": "velocity"}.get(grid, grid) for grid in expected.grids}  # as Cycles calls it
     assert ("temperature" in expected.grids) == (shader.inputs["Blackbody Intensity"].default_value > 0)
 
 
@@ -53,8 +53,50 @@ def test_it_stands_upright_at_the_cursor(add) -> None:
     assert obj.scale[:] == (2, 2, 2)
     assert 3 - leaf <= corners[:, 2].min() < 3.5 and 5 < corners[:, 2].max() <= 7 + leaf
     assert np.abs(corners[:, :2] - (1, 2)).max() <= 1.6 + leaf
-    shader = next(node for node in obj.data.materials[0].node_tree.nodes if node.type == "PRINCIPLED_VOLUME")
-    assert shader.inputs["Density"].default_value == 0.5  # twice as long a way through it
+
+
+@pytest.mark.parametrize("name", ["explosion", "nebula", "velocity"])
+def test_it_glows_as_much_at_any_size(name: str, add) -> None:
+    scene = bpy.context.scene
+    camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
+    scene.collection.objects.link(camera)
+    camera.data.type, camera.rotation_euler = "ORTHO", (np.pi / 2, 0, 0)
+    scene.camera, scene.render.engine, scene.cycles.samples, scene.cycles.use_denoising = camera, "CYCLES", 8, False
+    scene.render.resolution_x = scene.render.resolution_y = 24
+    scene.render.image_settings.file_format = "OPEN_EXR"
+    light = []
+    for size in (0.5, 8):
+        obj = add(preset=name, size=size)
+        camera.location, camera.data.ortho_scale = (0, -2 * size, 0), 2 * size
+        scene.render.filepath = os.path.join(bpy.app.tempdir, f"{size}.exr")
+        bpy.ops.render.render(write_still=True)
+        light.append(np.mean(bpy.data.images.load(scene.render.filepath).pixels))
+        bpy.data.objects.remove(obj)
+    assert light[0] > 1e-3 and light[1] == pytest.approx(light[0], rel=0.01)
+
+
+def test_another_preset_has_another_look_and_the_own_material_stays(add) -> None:
+    obj = add(preset="smoke")
+    for name, glows in (("fire", True), ("smoke", False)):
+        obj.solidnoise_volume.preset = name
+        obj.solidnoise_volume.domain_dim = 16
+        bpy.ops.object.solidnoise_volume_remake()
+        shader = next(node for node in obj.data.materials[0].node_tree.nodes if node.type == "PRINCIPLED_VOLUME")
+        assert (shader.inputs["Blackbody Intensity"].default_value > 0) == glows
+    own = obj.data.materials[0] = bpy.data.materials.new("Own")
+    obj.solidnoise_volume.preset = "raw"
+    bpy.ops.object.solidnoise_volume_remake()
+    assert obj.data.materials[0] == own
+
+
+def test_a_linked_duplicate_is_remade_alone(add) -> None:
+    obj = add(preset="smoke")
+    other = obj.copy()
+    bpy.context.scene.collection.objects.link(other)
+    before = other.data.filepath
+    obj.solidnoise_volume.noise_seed = 7
+    bpy.ops.object.solidnoise_volume_remake()
+    assert other.data.filepath == before and obj.data.filepath != before and os.path.exists(before)
 
 
 def test_properties_change_the_recipe_where_they_are_set_and_nowhere_else(add) -> None:
@@ -76,6 +118,15 @@ def test_raw_noise_is_of_any_kind(add) -> None:
     recipe = json.loads(add(preset="raw", noise_type="cellular", noise_feature="border")["solidnoise_recipe"])
     assert (recipe["noise"]["type"], recipe["noise"]["feature"]) == ("cellular", "border")
     assert "bandwidth" not in recipe["noise"]
+
+
+@pytest.mark.parametrize("name", ["cumulus", "raw"])
+def test_any_choice_can_be_made_of_any_preset(name: str, add) -> None:
+    for noise in ("gabor", "cellular"):
+        assert json.loads(add(preset=name, noise_type=noise, domain_dim=4)["solidnoise_recipe"])["noise"]["type"] == noise
+    for shape in ("sphere", "box"):
+        recipe = json.loads(add(preset=name, domain_shape=shape, domain_dim=4)["solidnoise_recipe"])
+        assert recipe["domain"]["shape"] == {"type": shape}
 
 
 def test_undo_leaves_nothing_and_redo_brings_it_back(add, blocks) -> None:

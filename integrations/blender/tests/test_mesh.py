@@ -209,6 +209,45 @@ def test_faces_of_all_kinds_and_modifiers_will_do(capfd) -> None:
     np.testing.assert_array_equal(values(cone.data, "noise"), expected["noise"])  # solid noise depends on positions alone
 
 
+def test_what_was_not_made_here_is_not_written_over(torus, blocks) -> None:
+    torus.data.attributes.new("height", "FLOAT", "POINT")
+    refused(lambda: bpy.ops.object.solidnoise_bake(preset="rust"), "Torus has an attribute height that was not made here", blocks)
+    bpy.ops.object.solidnoise_bake(preset="raw")  # which writes no height
+    refused(lambda: bpy.ops.object.solidnoise_bake(preset="raw", bake_bias=(-1, 1), by_attribute="noise"),
+            "by is noise, which would be written over", blocks)
+    bpy.ops.object.solidnoise_bake(preset="raw", bake_bias=(-1, 1), by_attribute="height")
+
+
+def test_another_preset_leaves_nothing_of_the_one_before(torus) -> None:
+    own = torus.data.attributes.new("own", "FLOAT", "POINT").name
+    for name in ("raw", "rust", "raw"):
+        bpy.ops.object.solidnoise_bake(preset=name)
+        numbers = {"height", "roughness"} if name == "rust" else set()
+        assert set(torus.data.attributes.keys()) & {"height", "roughness", own} == numbers | {own}
+        nodes = torus.active_material.node_tree.nodes
+        assert {node.attribute_name for node in nodes if node.type == "ATTRIBUTE"} == {"solidnoise", "roughness" if numbers else "noise"}
+    shader = next(node for node in nodes if node.type == "BSDF_PRINCIPLED")
+    torus.active_material.node_tree.links.remove(shader.inputs["Roughness"].links[0])
+    bpy.ops.object.solidnoise_bake(preset="rust")
+    assert not shader.inputs["Roughness"].is_linked  # as it was set by hand
+
+
+def test_a_material_of_the_users_that_is_replaced_stays(torus) -> None:
+    own = bpy.data.materials.new("Own")
+    torus.data.materials.append(own)
+    bpy.ops.object.solidnoise_bake(preset="raw")
+    assert torus.active_material != own and own.use_fake_user
+
+
+def test_it_is_said_that_one_of_many_is_baked(torus, capfd) -> None:
+    other = torus.copy()
+    other.data = torus.data.copy()
+    bpy.context.scene.collection.objects.link(other)
+    other.select_set(True)
+    bpy.ops.object.solidnoise_bake(preset="raw")
+    assert "only the active object, Torus, has got noise" in capfd.readouterr().out and "noise" not in other.data.attributes
+
+
 def refused(operator, message: str, blocks) -> None:
     """Of every operator on meshes: a line, and nothing changed."""
     before, attributes = blocks(), {mesh.name: sorted(mesh.attributes.keys()) for mesh in bpy.data.meshes}

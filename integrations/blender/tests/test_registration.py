@@ -3,7 +3,7 @@
 import addon_utils
 import bpy
 import solidnoise
-from solidnoise_blender import fields, settings
+from solidnoise_blender import fields, files, sequence, settings, worker
 
 
 def trace() -> tuple:
@@ -20,6 +20,19 @@ def test_it_is_registered_and_unregistered_twice() -> None:
         assert gone[1:] == ([], False, 0) and gone[0] != there[0]
         addon_utils.enable("solidnoise_blender", default_set=True)
         assert trace() == there
+
+
+def test_disabled_it_stops_a_sequence_and_forgets_its_files(tmp_path) -> None:
+    def work(tell) -> None:
+        while True:
+            tell(0.5)
+
+    job = worker.Job("sequence", work)
+    sequence._jobs.append(job)
+    files.made(str(tmp_path))
+    addon_utils.disable("solidnoise_blender", default_set=True)
+    assert job.is_over() and not sequence._jobs and not files._made
+    addon_utils.enable("solidnoise_blender", default_set=True)
 
 
 def test_properties_have_the_tables_words_ranges_and_defaults() -> None:

@@ -8,7 +8,7 @@ import bpy
 import numpy as np
 import pytest
 import solidnoise
-from solidnoise_blender import sequence, worker
+from solidnoise_blender import sequence, waits, worker
 
 FRAMES = range(11, 15)
 
@@ -62,6 +62,25 @@ def test_a_loop_ends_where_it_began(smoke) -> None:
     assert not np.array_equal(files[0], files[1])
 
 
+def test_it_is_of_the_objects_own_recipe_and_a_linked_duplicate_stays(smoke) -> None:
+    other = smoke.copy()
+    bpy.context.scene.collection.objects.link(other)
+    recipe = json.loads(smoke["solidnoise_recipe"])
+    smoke.solidnoise_volume.noise_seed = 99  # and not remade
+    bpy.ops.object.solidnoise_sequence(evolve=0.4)
+    assert json.loads(smoke["solidnoise_recipe"])["noise"]["seed"] == recipe["noise"]["seed"]
+    assert smoke.data.is_sequence and not other.data.is_sequence and "solidnoise_waits" not in smoke
+
+
+def test_a_volume_renamed_meanwhile_is_found_and_nothing_waits_after_opening(smoke, tmp_path) -> None:
+    token = waits.mark(smoke, object())
+    smoke.name = "Renamed"
+    assert waits.found(token) == [smoke]
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "scene.blend"))
+    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "scene.blend"))
+    assert not waits.found(token)
+
+
 def test_undo_brings_back_the_volume_and_takes_the_files_along(smoke) -> None:
     single = smoke.data.filepath
     bpy.ops.object.solidnoise_sequence("EXEC_DEFAULT", True)
@@ -74,7 +93,7 @@ def test_undo_brings_back_the_volume_and_takes_the_files_along(smoke) -> None:
     assert bpy.data.objects["Smoke"].data.is_sequence and len(os.listdir(folder)) == len(FRAMES)
 
 
-def test_saved_and_opened_again_it_is_a_sequence_and_can_be_a_single_volume(smoke, tmp_path) -> None:
+def test_saved_and_opened_again_it_is_a_sequence_and_can_be_a_single_volume(smoke, tmp_path, capfd) -> None:
     bpy.ops.object.solidnoise_sequence()
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "scene.blend"))
     bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "scene.blend"))
@@ -83,6 +102,7 @@ def test_saved_and_opened_again_it_is_a_sequence_and_can_be_a_single_volume(smok
     bpy.context.view_layer.objects.active = smoke
     bpy.ops.object.solidnoise_volume_remake()
     assert not smoke.data.is_sequence and smoke.data.grids.load()
+    assert "Smoke is a single volume again" in capfd.readouterr().out
 
 
 def test_one_that_is_there_stays_where_making_it_again_is_stopped(smoke) -> None:
@@ -119,6 +139,8 @@ def test_a_job_that_fails_as_it_ends_leaves_the_others_to_go_on() -> None:
 
 
 def test_what_cannot_be_is_refused_and_leaves_nothing(smoke) -> None:
+    smoke.solidnoise_volume.noise_type = "kensler"  # which does not turn on the spot
+    bpy.ops.object.solidnoise_volume_remake()
     there = sorted(os.listdir(os.path.join(bpy.app.tempdir, "solidnoise")))
     before = smoke.data.filepath
 
@@ -128,8 +150,6 @@ def test_what_cannot_be_is_refused_and_leaves_nothing(smoke) -> None:
         assert smoke.data.filepath == before and not smoke.data.is_sequence
         assert sorted(os.listdir(os.path.join(bpy.app.tempdir, "solidnoise"))) == there
 
-    smoke.solidnoise_volume.noise_type = "kensler"  # which does not turn on the spot
     refused("noise.evolve is unknown")
-    smoke.solidnoise_volume.noise_type = "gabor-oriented"
     bpy.ops.object.volume_add()
     refused("Volume has no recipe of its own")

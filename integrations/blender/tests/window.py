@@ -90,6 +90,18 @@ def a_bake_comes_when_it_is_ready_and_is_undone_in_a_step(worker):
     with in_view():
         bpy.ops.ed.undo()
     assert "noise" not in bpy.data.objects["Grid"].data.attributes
+    for renames in (True, False):
+        with in_view():
+            bpy.ops.mesh.primitive_grid_add(x_subdivisions=20, y_subdivisions=20)
+            obj = bpy.context.view_layer.objects.active
+            bpy.ops.object.solidnoise_bake("INVOKE_DEFAULT", True, preset="raw")
+        if renames:
+            obj.name = "Renamed"
+        else:
+            obj.data.vertices.add(1)
+        yield from until_done(worker)
+        assert ("noise" in obj.data.attributes) == renames and "solidnoise_waits" not in obj
+    yield from press("ESC")  # the message that the noise is dropped
 
 
 def escape_ends_a_sequence(worker):
@@ -100,6 +112,8 @@ def escape_ends_a_sequence(worker):
         bpy.context.scene.frame_end = 250 if ends else 3
         with in_view():
             assert bpy.ops.object.solidnoise_sequence("EXEC_DEFAULT", True) == {"RUNNING_MODAL"}
+        if ends:
+            bpy.data.objects[name].name = name = "Renamed smoke"
         yield 0.5
         if ends:
             yield from press("ESC")
