@@ -7,6 +7,7 @@
 #include "solidnoise/volume/make_volume.h"
 #include "solidnoise/volume/vdb/grid_values.h"
 #include "solidnoise/volume/vdb/vdb_read.h"
+#include "solidnoise/volume/volume_cost.h"
 #include "support/message_of.h"
 #include "support/parameter_grids.h"
 
@@ -87,6 +88,20 @@ TEST_F(GridInMemory, OfAnotherTypeIsRefused) {
   EXPECT_EQ(message_of<std::runtime_error>([&] { plan_volume(recipe); }),
             "(memory): is a grid of vec3s; it must be one of float");
   EXPECT_THROW(grid_in_memory(nullptr), std::invalid_argument);
+}
+
+// Octaves of frequencies are noises of their own, and high ones have many impulses.
+TEST(VolumeCost, CountsWhatAMapOfFrequenciesTakes) {
+  const auto grid = openvdb::FloatGrid::create();
+  grid->fill(openvdb::CoordBBox(openvdb::Coord(-40), openvdb::Coord(40)), 0.5f);
+  const auto seconds = [&](double lowest, double highest) {
+    VolumeRecipe recipe = small_recipe();
+    recipe.dim = 64;
+    recipe.parameters.frequency = ParameterGrid{grid_in_memory(grid), ValueMap{0.0, 1.0, lowest, highest}};
+    return volume_cost(recipe, plan_volume(recipe), 1).seconds;
+  };
+  EXPECT_GT(seconds(4.0, 8.0), 1.5 * seconds(8.0, 8.01));
+  EXPECT_GT(seconds(10.0, 40.0), 5.0 * seconds(8.0, 8.01));
 }
 
 }  // namespace
