@@ -1,6 +1,7 @@
 #include "meshnoise/mesh_files.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <stdexcept>
@@ -19,6 +20,14 @@ namespace solidnoise {
 
 MeshReading read_input_mesh(const std::string& path, Notes notes, Faces faces) {
   MeshReading reading = read_mesh(path, faces);
+  for (std::size_t v = 0; v < reading.mesh.positions.size(); ++v) {
+    constexpr double kFarthest = 1e12;  // world units
+    const Vec<3>& p = reading.mesh.positions[v];
+    const double farthest = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    if (farthest <= kFarthest) continue;
+    throw std::runtime_error(fmt::format("{}: vertex {} has a coordinate of {:g}; it must be within +-{:g}",
+                                         path, v, farthest, kFarthest));
+  }
   if (notes == Notes::keep_quiet) return reading;
   for (const std::string& note : reading.notes) {
     if (!is_kept(note)) std::cerr << fmt::format("meshnoise: {}: {}\n", path, note);

@@ -1,8 +1,6 @@
 #include "solidnoise/geometry/mesh_file.h"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -59,7 +57,6 @@ bool is_mesh_path(const std::filesystem::path& path) {
 namespace {
 
 constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 36;
-constexpr double kFarthest = 1e12;  // world units
 
 MeshReading read_format(std::string_view bytes, MeshFormat format, const std::string& name) {
   switch (format) {
@@ -89,13 +86,6 @@ MeshReading read_bytes(std::string_view bytes, MeshFormat format, const std::str
   MeshReading reading = read_format(bytes, format, name);
   const PolygonMesh& mesh = reading.mesh;
   if (mesh.positions.empty()) throw std::runtime_error(fmt::format("{}: the mesh has no vertices", name));
-  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-    const Vec<3>& p = mesh.positions[v];
-    const double farthest = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-    if (farthest <= kFarthest) continue;
-    throw std::runtime_error(fmt::format("{}: vertex {} has a coordinate of {:g}; it must be within +-{:g}",
-                                         name, v, farthest, kFarthest));
-  }
   if (mesh.face_count() == 0 && faces == Faces::required) {
     throw std::runtime_error(
         fmt::format("{}: the mesh has {} vertices but no faces", name, mesh.positions.size()));
