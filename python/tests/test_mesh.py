@@ -32,12 +32,11 @@ def sphere(rings: int = 24, segments: int = 48) -> tuple[Array, list[list[int]]]
 
 
 def write_ply(path: Path, vertices: Array, faces: list[list[int]]) -> None:
-    lines = ["ply", "format ascii 1.0", f"element vertex {len(vertices)}"]
+    lines = ["ply", "format binary_little_endian 1.0", f"element vertex {len(vertices)}"]
     lines += [f"property double {axis}" for axis in "xyz"]
     lines += [f"element face {len(faces)}", "property list uchar int vertex_indices", "end_header"]
-    lines += [" ".join(repr(float(x)) for x in vertex) for vertex in vertices]
-    lines += [" ".join(map(str, [len(face), *face])) for face in faces]
-    path.write_text("\n".join(lines) + "\n")
+    corners = b"".join(bytes([len(face)]) + np.array(face, "<i4").tobytes() for face in faces)
+    path.write_bytes("\n".join([*lines, ""]).encode() + np.asarray(vertices, "<f8").tobytes() + corners)
 
 
 def read_ply(path: Path) -> dict[str, Array]:

@@ -189,12 +189,14 @@ std::uint64_t estimate_memory(const Topology& topology, int channels) {
 
 namespace {
 
-// Of a tree's nodes above its leaves, which are large where voxels are far apart.
+// Of a tree's nodes above its leaves, which are many where voxels are far apart, but for the first of each
+// kind.
 std::uint64_t node_bytes(const openvdb::GridBase& grid) {
   using Lower = openvdb::MaskTree::RootNodeType::ChildNodeType::ChildNodeType;
   using Upper = openvdb::MaskTree::RootNodeType::ChildNodeType;
   const std::vector<openvdb::Index32> counts = grid.constBaseTree().nodeCount();  // from the leaves up
-  return counts.size() < 3 ? 0 : counts[1] * sizeof(Lower) + counts[2] * sizeof(Upper);
+  if (counts.size() < 3 || counts[1] == 0 || counts[2] == 0) return 0;
+  return (counts[1] - 1) * sizeof(Lower) + (counts[2] - 1) * sizeof(Upper);
 }
 
 }  // namespace
