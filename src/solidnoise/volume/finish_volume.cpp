@@ -19,24 +19,32 @@
 namespace solidnoise {
 namespace {
 
+// What a grid's metadata say of its values.
+struct Statistic {
+  const char* key;
+  double (Moments::*of)() const;
+};
+constexpr Statistic kStatistics[] = {{"solidnoise:min", &Moments::min},
+                                     {"solidnoise:max", &Moments::max},
+                                     {"solidnoise:mean", &Moments::mean},
+                                     {"solidnoise:sigma", &Moments::sigma}};
+
 // A statistic of each component: a number for a grid of floats, a vector for one of vectors.
-template <typename Statistic>
 MetadataValue of_components(const std::vector<Moments>& moments, const Statistic& statistic) {
-  if (moments.size() == 1) return statistic(moments[0]);
-  return Vec<3>(statistic(moments[0]), statistic(moments[1]), statistic(moments[2]));
+  const auto of = [&](std::size_t i) { return (moments[i].*statistic.of)(); };
+  if (moments.size() == 1) return of(0);
+  return Vec<3>(of(0), of(1), of(2));
 }
 
 Metadata describe(const VolumeRecipe& recipe, const std::vector<Moments>& moments) {
-  return {
+  Metadata metadata{
       {kRecipeKey, format_json(to_json(recipe))},
       {"solidnoise:algorithm", std::int64_t{kAlgorithmVersion}},
       {"solidnoise:seed", std::to_string(seed_of(recipe.noise))},
       {"solidnoise:up_axis", std::string(name_of(kUpAxisChoices, recipe.up))},
-      {"solidnoise:min", of_components(moments, [](const Moments& m) { return m.min(); })},
-      {"solidnoise:max", of_components(moments, [](const Moments& m) { return m.max(); })},
-      {"solidnoise:mean", of_components(moments, [](const Moments& m) { return m.mean(); })},
-      {"solidnoise:sigma", of_components(moments, [](const Moments& m) { return m.sigma(); })},
   };
+  for (const Statistic& statistic : kStatistics) metadata[statistic.key] = of_components(moments, statistic);
+  return metadata;
 }
 
 }  // namespace
@@ -116,22 +124,21 @@ bool is_as_noted(const openvdb::GridBase& grid) {
   const auto count = grid.getMetadata<openvdb::Int64Metadata>(openvdb::GridBase::META_FILE_VOXEL_COUNT);
   if (count && static_cast<std::uint64_t>(count->value()) != moments[0].count()) return false;
   const double rounding = grid.saveFloatAsHalf() ? 1e-3 : 1e-12;
-  const auto is_noted = [&](const std::string& name, auto statistic) {
+  const auto is_noted = [&](const Statistic& statistic) {
     for (std::size_t i = 0; i < moments.size(); ++i) {
-      double noted = statistic(moments[i]);
-      if (const auto number = grid.getMetadata<openvdb::DoubleMetadata>(name)) noted = number->value();
-      if (const auto vector = grid.getMetadata<openvdb::Vec3DMetadata>(name)) {
+      const double found = (moments[i].*statistic.of)();
+      double noted = found;
+      if (const auto number = grid.getMetadata<openvdb::DoubleMetadata>(statistic.key))
+        noted = number->value();
+      if (const auto vector = grid.getMetadata<openvdb::Vec3DMetadata>(statistic.key)) {
         noted = vector->value()[static_cast<int>(i)];
       }
       const double most = std::max(std::abs(moments[i].min()), std::abs(moments[i].max()));
-      if (!(std::abs(statistic(moments[i]) - noted) <= rounding * most)) return false;
+      if (!(std::abs(found - noted) <= rounding * most)) return false;
     }
     return true;
   };
-  return is_noted("solidnoise:min", [](const Moments& m) { return m.min(); }) &&
-         is_noted("solidnoise:max", [](const Moments& m) { return m.max(); }) &&
-         is_noted("solidnoise:mean", [](const Moments& m) { return m.mean(); }) &&
-         is_noted("solidnoise:sigma", [](const Moments& m) { return m.sigma(); });
+  return std::ranges::all_of(kStatistics, is_noted);
 }
 
 void finish_volume(const VolumeRecipe& recipe, const std::string& creator, Volume& volume) {
