@@ -62,13 +62,26 @@ test("a slider changes recipe, address and picture; undo and redo go back and fo
   await wellOf(page);
 });
 
-test("every control can be reached by keys, and has a name", async () => {
+test("every control can be reached by keys, has a name of its own, and is in no other", async () => {
   for (const view of ["slice", "volume", "surface", "example"]) {
     const page = await open(`#recipe=${codeOf(textOf("two layers"))}&view=${view}`);
     await page.waitForSelector("canvas");
-    const nameless = await page.evaluate(() => [...document.querySelectorAll("button, input, select, textarea, canvas, [tabindex]")].filter((element) =>
-      !element.getAttribute("aria-label") && !element.labels?.length && !element.textContent.trim() && !element.closest("label")).map((element) => element.outerHTML));
-    assert.deepEqual(nameless, []);
+    // All of what is closed is opened.
+    for (const closed = page.locator('.controls [aria-expanded="false"]'); (await closed.count()) > 0; ) await closed.first().click();
+    const { nameless, twice, nested } = await page.evaluate(() => {
+      const own = (element) => element.getAttribute("aria-label") ?? (element.labels?.[0]?.textContent.trim() || element.textContent.trim());
+      const all = [...document.querySelectorAll("button, input, select, textarea, summary, canvas, [tabindex]")].filter((element) => element.checkVisibility());
+      const fields = all.filter((element) => element.matches("input, select, textarea, .controls button.icon, .controls .more button")).map((element) => {
+        const group = element.closest("fieldset");
+        return `${group?.querySelector("legend").textContent ?? ""} ${own(element)}`;
+      });
+      return {
+        nameless: all.filter((element) => !own(element)).map((element) => element.outerHTML),
+        twice: fields.filter((name, i) => fields.indexOf(name) !== i),
+        nested: all.filter((element) => element.parentElement.closest("button, summary, a, select")).map((element) => element.outerHTML),
+      };
+    });
+    assert.deepEqual({ nameless, twice, nested }, { nameless: [], twice: [], nested: [] }, view);
     const unreached = await page.evaluateHandle(() => new Set([...document.querySelectorAll("button:enabled:not([tabindex='-1']), input, select, textarea, summary, [tabindex='0']")].filter((element) => element.checkVisibility())));
     const most = 2 * (await unreached.evaluate((set) => set.size));
     for (let i = 0; i < most && (await unreached.evaluate((set) => set.size)) > 0; ++i) {

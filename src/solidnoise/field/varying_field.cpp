@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "solidnoise/field/pointwise_field.h"
+#include "solidnoise/noise/error_budget.h"
 #include "solidnoise/noise/gabor/varying_gabor_noise.h"
 #include "solidnoise/noise/noise_views.h"
 
@@ -144,7 +145,7 @@ VaryingGaborOptions varying_options(const NoiseRecipe& octave, const KernelField
   const auto copy = [&](const auto& options) {
     varying.frequency = options.frequency;
     if (!fields.bandwidth) varying.bandwidth = options.bandwidth;
-    varying.error = options.error;
+    varying.error = ErrorBudget(options.error).truncation;
     varying.impulses = options.impulses;
     varying.impulses_process = options.impulses_process;
     varying.seed = options.seed;

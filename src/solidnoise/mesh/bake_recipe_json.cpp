@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "solidnoise/mesh/bake_cost.h"
+#include "solidnoise/noise/error_budget.h"
 #include "solidnoise/noise/gabor/surface_gabor_noise.h"
 #include "solidnoise/recipe/exemplar_model_json.h"
 #include "solidnoise/recipe/field_json.h"
@@ -91,7 +92,7 @@ Json describe_kernel(const SurfaceNoiseRecipe& recipe, const VertexParameters& p
   options.impulses_process = recipe.impulses_process;
   options.layer = recipe.layer;
   if (recipe.kind == SurfaceNoiseKind::oriented) options.waves = GaborWaves::oriented;
-  const SurfaceGaborNoise noise(options);
+  const SurfaceGaborNoise noise(with_truncation_share(options));
   return {{"frequency", options.frequency},
           {"radius", noise.radius()},
           {"impulses_per_kernel", noise.impulses_per_kernel()},

@@ -15,6 +15,7 @@
 #include "solidnoise/field/graded_field.h"
 #include "solidnoise/field/value_maps.h"
 #include "solidnoise/noise/convolution/kernel_cells.h"
+#include "solidnoise/noise/error_budget.h"
 #include "solidnoise/noise/gabor/surface_gabor_noise.h"
 #include "solidnoise/noise/gabor/surface_spectrum_noise.h"
 #include "solidnoise/noise/gradient/projected_gradient_noise.h"
@@ -162,14 +163,14 @@ auto with_tangent_noise(const SurfaceNoiseRecipe& recipe, const SurfaceKernel& k
     options.model = recipe.exemplar;
     options.channel = recipe.channel;
     options.filter = kernel.filter;
-    return use(SurfaceSpectrumNoise(options, recipe.layer), kernel.fields);
+    return use(SurfaceSpectrumNoise(with_truncation_share(options), recipe.layer), kernel.fields);
   }
   auto options = common_options<SurfaceGaborOptions>(recipe, kernel.frequency);
   options.bandwidth = kernel.bandwidth;
   options.layer = recipe.layer;
   options.filter = kernel.filter;
   if (recipe.kind == SurfaceNoiseKind::oriented) options.waves = GaborWaves::oriented;
-  return use(SurfaceGaborNoise(options), kernel.fields);
+  return use(SurfaceGaborNoise(with_truncation_share(options)), kernel.fields);
 }
 
 FieldPtr make_tangent_field(const SurfaceNoiseRecipe& recipe, const SurfaceKernel& kernel) {

@@ -3,7 +3,7 @@ import type { JSX } from "preact";
 import { engine } from "../engine/engine.ts";
 import { activeNoise, infoOf, problem, replaceNoise, state } from "../store.ts";
 import { Choice } from "./choice.tsx";
-import { Field, KindField, ObjectFields } from "./fields.tsx";
+import { Field, Fold, KindField, ObjectFields } from "./fields.tsx";
 import { isObject, type Json, read, resolved, type Schema } from "./schema.ts";
 
 // The recipe's parts as sections; what is in them comes from the table of fields.
@@ -14,7 +14,7 @@ const kAtoms = ["noise", "grids", "domain", "fields", "solidnoise", "algorithm",
 const kUndescribed = [{ path: ["description"] }]; // another noise is not what was described
 
 const section = (title: string, open: boolean, children: JSX.Element): JSX.Element => (
-  <details class="section" open={open}><summary>{title}</summary>{children}</details>
+  <Fold look="section" title={title} open={open}>{children}</Fold>
 );
 
 function SurfaceControls({ json, root }: { json: { [key: string]: Json }; root: Schema }): JSX.Element {

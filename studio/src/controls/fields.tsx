@@ -1,5 +1,5 @@
 import { type ComponentChildren, type JSX } from "preact";
-import { useId, useState } from "preact/hooks";
+import { useEffect, useId, useState } from "preact/hooks";
 import { type Edit, edit, type Path, problem } from "../store.ts";
 import {
   aboutOf, fromSlider, isObject, type Json, labelOf, resolved, rounded, type Schema, slideOf, toSlider, typeName, written,
@@ -26,13 +26,45 @@ const isWrong = (path: Path): boolean => {
   return wrong !== undefined && tagOf(wrong) === tagOf(path);
 };
 
+const whereOf = (path: Path): string => path.map((key) => (typeof key === "number" ? String(key + 1) : labelOf(key).toLowerCase())).join(" ");
+// The name of a control that is deep in a recipe says where, too: there are several frequencies.
+export const nameOf = (path: Path, name: string): string => (path.length > 2 ? `${labelOf(name)}, ${whereOf(path.slice(0, -1))}` : labelOf(name));
+
+// A part that opens and closes; `tools` stand beside its title. What is closed is not made.
+interface FoldProps {
+  look: string; // its class
+  title: string;
+  open: boolean;
+  tools?: ComponentChildren;
+  help?: string;
+  path?: Path;
+  children: ComponentChildren;
+}
+export function Fold({ look, title, open, tools, help, path, children }: FoldProps): JSX.Element {
+  const [isOpen, setOpen] = useState(open);
+  useEffect(() => setOpen(open), [open]);
+  return (
+    <div class={`fold ${look}${path && isWrong(path) ? " wrong" : ""}`} data-path={path && tagOf(path)}>
+      <div class="head">
+        <button aria-expanded={isOpen} title={help} onClick={() => setOpen(!isOpen)}>{title}</button>
+        {tools}
+      </div>
+      {isOpen && children}
+    </div>
+  );
+}
+
+function Tool({ what, of, act, children }: { what: string; of: Path; act: () => void; children: ComponentChildren }): JSX.Element {
+  return <button class="icon" aria-label={`${what}: ${whereOf(of)}`} title={what} onClick={act}>{children}</button>;
+}
+
 // A name, the control, and back to the default where the value is another one; the pointer shows help, unit, range and default.
 function Row({ schema, value, path, name, id, children }: Omit<FieldProps, "root"> & { id?: string; children: ComponentChildren }): JSX.Element {
   const changed = value !== undefined && schema.default !== undefined && JSON.stringify(value) !== JSON.stringify(schema.default);
   return (
     <div class={`row${changed ? " changed" : ""}${isWrong(path) ? " wrong" : ""}`} title={aboutOf(schema)} data-path={tagOf(path)}>
       <span class="name"><label for={id}>{labelOf(name)}</label>
-        {changed && <button class="icon reset" aria-label={`${labelOf(name)} back to the default`} title="Back to the default" onClick={() => remove(path)}>↺</button>}
+        {changed && <button class="icon reset" aria-label={`${nameOf(path, name)} back to the default`} title="Back to the default" onClick={() => remove(path)}>↺</button>}
       </span>
       {children}
     </div>
@@ -80,8 +112,8 @@ export function NumberField({ schema, value, path, name }: FieldProps): JSX.Elem
   if (huge) {
     return (
       <Row {...{ schema, value, path, name, id }}>
-        <NumberInput id={id} class="text" value={String(value ?? number)} write={(_, typed) => /^\d+$/.test(typed) && void edit([{ path, value: typed }], tagOf(path))} />
-        <button class="icon" aria-label={`Another ${name}`} title="Another one" onClick={() => write(Math.floor(Math.random() * 1e6))}>⚄</button>
+        <NumberInput id={id} class="text" aria-label={nameOf(path, name)} value={String(value ?? number)} write={(_, typed) => /^\d+$/.test(typed) && void edit([{ path, value: typed }], tagOf(path))} />
+        <button class="icon" aria-label={`Another: ${nameOf(path, name)}`} title="Another one" onClick={() => write(Math.floor(Math.random() * 1e6))}>⚄</button>
       </Row>
     );
   }
@@ -89,7 +121,7 @@ export function NumberField({ schema, value, path, name }: FieldProps): JSX.Elem
     <Row {...{ schema, value, path, name, id }}>
       <span class="slide" style={{ "--t": `${100 * t}%` }}>
         <input id={id} type="range" min="0" max="1" step={whole && !now.logarithmic ? 1 / Math.max(1, now.high - now.low) : 0.001} value={t}
-          aria-valuetext={`${number} ${schema.unit ?? ""}`} aria-description={aboutOf(schema)}
+          aria-label={nameOf(path, name)} aria-valuetext={`${number} ${schema.unit ?? ""}`} aria-description={aboutOf(schema)}
           onInput={(event) => {
             const x = fromSlider(now, Number(event.currentTarget.value));
             write(whole ? Math.round(x) : rounded(x, now));
@@ -97,7 +129,7 @@ export function NumberField({ schema, value, path, name }: FieldProps): JSX.Elem
           onChange={() => setSlide(slideOf(schema, number, number))} />
         {schema.unit && <i class="unit" aria-hidden="true">{schema.unit.replace(/;.*/, "")}</i>}
       </span>
-      <NumberInput aria-label={`${labelOf(name)}, number`} value={String(Number(number.toPrecision(7)))} write={write}
+      <NumberInput aria-label={`${nameOf(path, name)}, number`} value={String(Number(number.toPrecision(7)))} write={write}
         onKeyDown={(event) => {
           const step = event.key === "ArrowUp" ? 1 : event.key === "ArrowDown" ? -1 : 0;
           if (step === 0) return;
@@ -116,7 +148,7 @@ function NumbersField({ schema, value, path, name }: FieldProps): JSX.Element {
     <Row {...{ schema, value, path, name }}>
       <span class={`numbers n${numbers.length}`}>
         {numbers.map((number, i) => (
-          <NumberInput key={i} aria-label={`${labelOf(name)} ${axis(i)}`} title={axis(i)} value={String(Number(number.toPrecision(6)))}
+          <NumberInput key={i} aria-label={`${nameOf(path, name)} ${axis(i)}`} title={axis(i)} value={String(Number(number.toPrecision(6)))}
             write={(changed) => set(path, numbers.map((old, k) => (k === i ? changed : old)))} />
         ))}
       </span>
@@ -135,7 +167,7 @@ function RangeField({ schema, root, value, path, name }: FieldProps): JSX.Elemen
       {range
         ? <NumbersField schema={{ ...two, ...text }} root={root} value={value} path={path} name={name} />
         : <NumberField schema={{ ...one, ...text, default: schema.default }} root={root} value={value} path={path} name={name} />}
-      <button class="icon" aria-pressed={range} aria-label={`${labelOf(name)} from end to end`} title={range ? "One number" : "Two numbers, for both ends of what it follows"} onClick={toggle}>⇄</button>
+      <button class="icon" aria-pressed={range} aria-label={`${nameOf(path, name)} from end to end`} title={range ? "One number" : "Two numbers, for both ends of what it follows"} onClick={toggle}>⇄</button>
     </div>
   );
 }
@@ -145,7 +177,7 @@ function WordField({ schema, value, path, name }: FieldProps): JSX.Element {
   const words = schema.enum ?? [];
   return (
     <Row {...{ schema, value, path, name, id }}>
-      <select id={id} value={String(value ?? schema.default)} onChange={(event) => set(path, event.currentTarget.value)}>
+      <select id={id} aria-label={nameOf(path, name)} value={String(value ?? schema.default)} onChange={(event) => set(path, event.currentTarget.value)}>
         {words.map((word) => <option key={word} value={String(word)}>{String(word)}</option>)}
       </select>
     </Row>
@@ -156,7 +188,7 @@ function ToggleField({ schema, value, path, name }: FieldProps): JSX.Element {
   const id = useId();
   return (
     <Row {...{ schema, value, path, name, id }}>
-      <input id={id} class="toggle" type="checkbox" role="switch" checked={Boolean(value ?? schema.default)}
+      <input id={id} aria-label={nameOf(path, name)} class="toggle" type="checkbox" role="switch" checked={Boolean(value ?? schema.default)}
         onChange={(event) => set(path, event.currentTarget.checked)} />
     </Row>
   );
@@ -166,7 +198,7 @@ function TextField({ schema, value, path, name }: FieldProps): JSX.Element {
   const id = useId();
   return (
     <Row {...{ schema, value, path, name, id }}>
-      <input id={id} class="text" type="text" value={String(value ?? "")} onChange={(event) => set(path, event.currentTarget.value)} />
+      <input id={id} aria-label={nameOf(path, name)} class="text" type="text" value={String(value ?? "")} onChange={(event) => set(path, event.currentTarget.value)} />
     </Row>
   );
 }
@@ -187,7 +219,7 @@ export function KindField({ schema, root, value, path, name, along = [] }: Field
   };
   return (
     <>
-      <Choice label={labelOf(name)} words={offered.map(typeName)} titles={offered.map(({ description }) => description ?? "")}
+      <Choice label={nameOf(path, name)} words={offered.map(typeName)} titles={offered.map(({ description }) => description ?? "")}
         chosen={offered.findIndex((alternative) => typeName(alternative) === type)} choose={(i) => change(offered[i]!)} />
       {current && <ObjectFields schema={current} root={root} value={value} path={path} name={name} skip={["type", "exemplar"]} />}
     </>
@@ -208,7 +240,7 @@ export function ObjectFields({ schema, root, value, path, skip = [] }: FieldProp
       {hidden.length > 0 && (
         <div class="more">
           {hidden.map(([key, field]) => (
-            <button key={key} title={field.description ?? ""} onClick={() => set([...path, key], startOf(field, root)!)}>+ {labelOf(key).toLowerCase()}</button>
+            <button key={key} aria-label={`+ ${nameOf([...path, key], key)}`} title={field.description ?? ""} onClick={() => set([...path, key], startOf(field, root)!)}>+ {labelOf(key).toLowerCase()}</button>
           ))}
         </div>
       )}
@@ -246,17 +278,15 @@ function ListField({ schema, root, value, path, name }: FieldProps): JSX.Element
   return (
     <div class="cards">
       {items.map((one, i) => (
-        <details class="card" key={i} open={items.length < 4}>
-          <summary>
-            <span>{summaryOf(one, i)}</span>
-            <span class="tools">
-              {i > 0 && <button class="icon" aria-label="Up" title="Up" onClick={(event) => { event.preventDefault(); move(i, -1); }}>↑</button>}
-              <button class="icon" aria-label="Copy" title="Copy" onClick={(event) => { event.preventDefault(); set(path, [...items.slice(0, i + 1), one, ...items.slice(i + 1)]); }}><svg viewBox="0 0 16 16" aria-hidden="true"><path d="M5 5h8v8H5zM3 11V3h8" /></svg></button>
-              <button class="icon" aria-label="Remove" title="Remove" onClick={(event) => { event.preventDefault(); removeAt(i); }}>×</button>
-            </span>
-          </summary>
+        <Fold key={i} look="card" title={summaryOf(one, i)} open={items.length < 4} tools={
+          <>
+            {i > 0 && <Tool what="Up" of={[...path, i]} act={() => move(i, -1)}>↑</Tool>}
+            <Tool what="Copy" of={[...path, i]} act={() => set(path, [...items.slice(0, i + 1), one, ...items.slice(i + 1)])}><svg viewBox="0 0 16 16" aria-hidden="true"><path d="M5 5h8v8H5zM3 11V3h8" /></svg></Tool>
+            <Tool what="Remove" of={[...path, i]} act={() => removeAt(i)}>×</Tool>
+          </>
+        }>
           <ObjectFields schema={item} root={root} value={one} path={[...path, i]} name={name} />
-        </details>
+        </Fold>
       ))}
       <button class="add" onClick={() => set(path, [...items, startOf(item, root) ?? {}])}>+ Add {labelOf(name).toLowerCase().replace(/s$/, "")}</button>
     </div>
@@ -278,10 +308,9 @@ function NamedField({ schema, root, value, path, name }: FieldProps): JSX.Elemen
   return (
     <div class="cards">
       {entries.map(([key, one]) => (
-        <details class="card" key={key}>
-          <summary><span>{key}</span><span class="tools"><button class="icon" aria-label={`Remove ${key}`} onClick={(event) => { event.preventDefault(); remove([...path, key]); }}>×</button></span></summary>
+        <Fold key={key} look="card" title={key} open={false} tools={<Tool what="Remove" of={[...path, key]} act={() => remove([...path, key])}>×</Tool>}>
           <ObjectFields schema={item} root={root} value={one} path={[...path, key]} name={name} />
-        </details>
+        </Fold>
       ))}
     </div>
   );
@@ -310,14 +339,9 @@ export function Field(props: FieldProps): JSX.Element | null {
 
 function Group({ schema, path, name, value, optional, children }: FieldProps & { optional?: boolean | undefined; children: ComponentChildren }): JSX.Element {
   return (
-    <details class={`group${isWrong(path) ? " wrong" : ""}`} open={value !== undefined} data-path={tagOf(path)}>
-      <summary title={schema.description ?? ""}>
-        <span>{labelOf(name)}</span>
-        {optional && value !== undefined && (
-          <span class="tools"><button class="icon" aria-label={`Remove ${labelOf(name)}`} title="Remove" onClick={(event) => { event.preventDefault(); remove(path); }}>×</button></span>
-        )}
-      </summary>
+    <Fold look="group" title={labelOf(name)} open={value !== undefined} help={schema.description ?? ""} path={path}
+      tools={optional && value !== undefined && <Tool what="Remove" of={path} act={() => remove(path)}>×</Tool>}>
       {children}
-    </details>
+    </Fold>
   );
 }

@@ -1,7 +1,7 @@
 import type { JSX } from "preact";
 import { useRef } from "preact/hooks";
 import type { Path } from "../store.ts";
-import { set } from "./fields.tsx";
+import { nameOf, set } from "./fields.tsx";
 import type { Json } from "./schema.ts";
 
 // Pairs of a value and what it becomes, as a curve whose points are dragged; a double click adds one or takes one away; of the one that
@@ -45,7 +45,7 @@ export function RampEditor({ value, path, name }: { value: Json | undefined; pat
   };
   const line = points.map(([x, y]) => `${left(x)},${top(y)}`).join(" ");
   return (
-    <svg class="ramp" viewBox={`0 0 ${kWidth} ${kHeight}`} role="group" aria-label={`${name}: points of a curve`}
+    <svg class="ramp" viewBox={`0 0 ${kWidth} ${kHeight}`} role="group" aria-label={`${nameOf(path, name)}: points of a curve`}
       onPointerMove={(event) => dragged.current !== undefined && moveTo(dragged.current, at(event))}
       onPointerUp={() => { dragged.current = undefined; frame.current = undefined; }}
       onDblClick={(event) => insert(...at(event))}>
@@ -53,7 +53,7 @@ export function RampEditor({ value, path, name }: { value: Json | undefined; pat
       <line class="axis" y1={top(0)} y2={top(0)} x1="0" x2={kWidth} />
       <polyline points={`0,${top(ys[0] ?? 0)} ${line} ${kWidth},${top(ys[ys.length - 1] ?? 0)}`} />
       {points.map(([x, y], i) => (
-        <circle key={i} cx={left(x)} cy={top(y)} r="5" tabindex={0} role="slider" aria-label={`Point ${i + 1}`} aria-valuenow={y} aria-valuetext={`${x} becomes ${y}`}
+        <circle key={i} cx={left(x)} cy={top(y)} r="5" tabindex={0} role="slider" aria-label={`Point ${i + 1} of ${nameOf(path, name)}`} aria-valuenow={y} aria-valuetext={`${x} becomes ${y}`}
           onPointerDown={(event) => {
             event.currentTarget.ownerSVGElement?.setPointerCapture(event.pointerId);
             dragged.current = i;

@@ -6,11 +6,24 @@ import { Dropped } from "../engine/pool.ts";
 import { activeNoise, colorsOf, infoOf, state, time, timeOf } from "../store.ts";
 import { Orbit } from "./orbit.ts";
 import { SceneCanvas, useScene } from "./scene.tsx";
-import { turned, type VolumeLook, VolumeRenderer } from "./volume_renderer.ts";
+import { turned, type VolumeData, type VolumeLook, VolumeRenderer } from "./volume_renderer.ts";
 
 // The voxels of a preview, marched through: a cloud under a sun, a fire or nebula that glows, or a body with the values' colours.
 
 const kSun = [0.5, 0.75, 0.45]; // where it is from, with the Y axis up
+
+// A grid's values, by all workers.
+async function voxels(question: Record<string, unknown>, columns: number): Promise<Pick<VolumeData, "size" | "values" | "range">> {
+  const thick = Math.max(4, Math.ceil(columns / Math.max(4, 2 * engine.pool.size)));
+  const jobs = [];
+  for (let first = 0; first < columns; first += thick) jobs.push(engine.pool.ask("volume", { do: "volume", ...question, first, count: thick }));
+  const parts = await Promise.all(jobs);
+  const size = parts[0]!.json.size as [number, number, number];
+  const values = new Float32Array(size[0] * size[1] * size[2]);
+  const slabs = parts.filter(({ floats }) => floats[0]);
+  for (const { json, floats } of slabs) values.set(floats[0]!, Number(json.first) * size[1] * size[2]);
+  return { size, values, range: [Math.min(...slabs.map(({ json }) => Number(json.low))), Math.max(...slabs.map(({ json }) => Number(json.high)))] };
+}
 
 export function VolumeView(): JSX.Element {
   const [told, tell] = useState("");
@@ -28,39 +41,33 @@ export function VolumeView(): JSX.Element {
     const info = infoOf(noise);
     if (!info || !renderer.current) return;
     const single = info.grids.find((grid) => grid.names.includes(noise.grid)) ?? info.grids[0]!;
+    const looksLike = /"look": "(\w+)"/.exec(noise.text)?.[1] ?? "automatic";
+    // A fire is seen by the light of its temperature, and of its flame where it has one.
+    const hot = single === info.grids[0] && !single.raw && ["automatic", "fire"].includes(looksLike) && info.grids.some(({ names }) => names.includes("temperature"));
+    const look: VolumeLook = single.raw ? "solid" : hot ? "fire" : looksLike === "nebula" ? "glow" : "cloud";
     const up = /"up": "z"/.test(noise.text) ? 2 : 1;
     const sun = turned(kSun, up);
     const begin = performance.now();
+    const when = timeOf(noise);
     try {
       for (const dim of [32, 64, 128]) {
-        const when = timeOf(noise);
-        const question = { recipe: noise.text, grid: noise.grid, dim, ...(when === undefined ? {} : { time: when }) };
-        const box = info.box;
-        const sides = [0, 1, 2].map((axis) => box[axis + 3]! - box[axis]!);
-        const columns = Math.ceil((dim * sides[0]!) / Math.max(...sides)) + 1;
-        const thick = Math.max(4, Math.ceil(columns / Math.max(4, 2 * engine.pool.size)));
-        const jobs = [];
-        for (let first = 0; first < columns; first += thick) {
-          jobs.push(engine.pool.ask("volume", { do: "volume", ...question, first, count: thick }));
-        }
-        const parts = await Promise.all(jobs);
-        if (own !== generation.current) return;
-        const size = parts[0]!.json.size as [number, number, number];
-        const values = new Float32Array(size[0] * size[1] * size[2]);
-        const slabs = parts.filter(({ floats }) => floats[0]);
-        const range: [number, number] = [Math.min(...slabs.map(({ json }) => Number(json.low))), Math.max(...slabs.map(({ json }) => Number(json.high)))];
-        for (const { json, floats } of slabs) values.set(floats[0]!, Number(json.first) * size[1] * size[2]);
+        const { box } = info;
+        const sides = [0, 1, 2].map((axis) => box[axis + 3]! - box[axis]!) as [number, number, number];
+        const ask = (grid: string) => ({ recipe: noise.text, grid, dim, ...(when === undefined ? {} : { time: when }) });
+        const { size, values, range } = await voxels(ask(noise.grid), Math.ceil((dim * sides[0]) / Math.max(...sides)) + 1);
+        const kinds = hot ? ["temperature", "flame"].filter((name) => info.grids.some(({ names }) => names.includes(name))) : [];
+        const glow: Float32Array[] = [];
+        for (const name of kinds) glow.push((await voxels(ask(name), size[0])).values);
         let light: Float32Array | undefined;
         let factor = 1;
         if (!single.raw) {
-          const bytes = new Uint8Array(values.buffer.slice(0));
-          const lit = await engine.pool.ask("volume", { do: "light", ...question, size, sun }, { bytes });
+          const bytes = new Uint8Array(values.slice().buffer);
+          const lit = await engine.pool.ask("volume", { do: "light", ...ask(noise.grid), size, sun }, { bytes });
           light = lit.floats[0];
           factor = Number(lit.json.factor);
         }
         if (own !== generation.current || !renderer.current) return;
-        const look: VolumeLook = single.raw ? "solid" : /nebula/.test(noise.text.match(/"look": "(\w+)"/)?.[1] ?? "") ? "glow" : "cloud";
-        renderer.current.load({ size, values, range, light, factor, sides: sides as [number, number, number], look, sun, up,
+        renderer.current.load({ size, values, range, light, glow, factor, sides, look, sun, up,
           ramp: engine.ramps.get(state.value.ramp) ?? (colorsOf(info) ? engine.body! : engine.ramps.get(single.raw ? "marble" : "grey")!) });
         render();
         tell(`${size.join(" × ")} voxels · ${(performance.now() - begin).toFixed(0)} ms`);

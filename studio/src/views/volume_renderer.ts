@@ -1,13 +1,14 @@
 import { contextOf, lookAt, programOf } from "./gl.ts";
 import type { Orbit } from "./orbit.ts";
 
-export type VolumeLook = "cloud" | "glow" | "solid";
+export type VolumeLook = "cloud" | "glow" | "solid" | "fire";
 
 export interface VolumeData {
   size: [number, number, number];
   values: Float32Array; // x slowest, z fastest
   range: [number, number]; // of the values
   light: Float32Array | undefined; // optical depth to the sun
+  glow: Float32Array[]; // of a fire: temperatures in kelvin, and the share that glows where it is not 1
   factor: number; // from values to extinction per world unit
   sides: [number, number, number]; // of the box, world units
   look: VolumeLook;
@@ -43,6 +44,13 @@ vec3 sky(vec3 d) {
   return mix(vec3(0.10, 0.13, 0.19), vec3(0.22, 0.36, 0.58), smoothstep(0.1, 1.0, t));
 }
 vec3 encoded(vec3 c) { return mix(12.92 * c, 1.055 * pow(max(c, vec3(1e-5)), vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c)); }
+// Linear light of a black body, with 1 for the mean of its channels at 2000 K: as of vdbnoise's previews.
+vec3 blackBody(float kelvin) {
+  vec3 c = exp(-1.4388e7 / vec3(610, 549, 464) * (1.0 / kelvin - 1.0 / 6500.0));
+  return c * (3.0 / (c.r + c.g + c.b) * pow(kelvin / 2000.0, 4.0));
+}
+// What is brighter than white nears it.
+vec3 shouldered(vec3 c) { return mix(c, 1.0 - 0.4 * exp(-(c - 0.6) / 0.4), step(0.6, c)); }
 float phase(float cosine, float g) { return (1.0 - g * g) / pow(1.0 + g * g - 2.0 * g * cosine, 1.5); }
 
 void main() {
@@ -50,7 +58,7 @@ void main() {
   vec3 a = (-halfSides - eye) / d, b = (halfSides - eye) / d;
   vec3 near3 = min(a, b), far3 = max(a, b);
   float from = max(max(near3.x, near3.y), max(near3.z, 0.0)), to = min(far3.x, min(far3.y, far3.z));
-  vec3 back = look == 0 ? sky(d) : look == 1 ? vec3(0.004, 0.005, 0.010) : mix(vec3(0.035), vec3(0.075), 0.5 - 0.4 * place.y);
+  vec3 back = look == 0 ? sky(d) : look == 1 ? vec3(0.004, 0.005, 0.010) : look == 3 ? vec3(0) : mix(vec3(0.035), vec3(0.075), 0.5 - 0.4 * place.y);
   if (from >= to) { color = vec4(encoded(back) + (hash(gl_FragCoord.yx) - 0.5) / 255.0, 1); return; }
   float stride = length(2.0 * halfSides) / float(steps);
   vec3 sum = vec3(0);
@@ -90,7 +98,14 @@ void main() {
     if (t >= to || through < 0.004) break;
     vec3 p = eye + t * d;
     float density = texture(values, at(p)).r * factor;
-    if (density > 0.0) {
+    if (look == 3) {
+      vec3 lit = texture(light, at(p)).rgb;
+      float dimmed = exp(-density * stride);
+      vec3 sent = max(0.0, density) * vec3(0.45, 0.42, 0.39) * (vec3(0.05, 0.06, 0.085) + vec3(0.60, 0.57, 0.54) * exp(-0.5 * lit.r));
+      if (lit.g > 0.5) sent += 4.0 / max(halfSides.x, max(halfSides.y, halfSides.z)) * max(0.0, lit.b) * blackBody(1000.0 * lit.g);
+      sum += through * sent * 0.5 * (1.0 + dimmed) * stride;
+      through *= dimmed;
+    } else if (density > 0.0) {
       float absorbed = 1.0 - exp(-density * stride);
       if (look == 1) {
         float heat = clamp(density * 0.12, 0.0, 1.0);
@@ -110,8 +125,19 @@ void main() {
     }
     t += stride;
   }
-  color = vec4(encoded(sum + through * back) + (hash(gl_FragCoord.yx) - 0.5) / 255.0, 1);
+  color = vec4(encoded(look == 3 ? shouldered(sum) : sum + through * back) + (hash(gl_FragCoord.yx) - 0.5) / 255.0, 1);
 }`;
+
+// Depth to the sun, thousands of kelvin, and what share of them glows: side by side, as all are looked up together.
+function heated({ values, light, glow: [kelvin, share] }: VolumeData): Float32Array {
+  const all = new Float32Array(3 * values.length);
+  for (let i = 0; i < values.length; ++i) {
+    all[3 * i] = light![i]!;
+    all[3 * i + 1] = kelvin![i]! / 1000;
+    all[3 * i + 2] = share ? share[i]! : 1;
+  }
+  return all;
+}
 
 export class VolumeRenderer {
   private readonly gl: WebGL2RenderingContext;
@@ -131,16 +157,17 @@ export class VolumeRenderer {
     this.data = data;
     gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
     const [nx, ny, nz] = data.size;
-    const fill = (unit: number, values: Float32Array): void => {
+    const fill = (unit: number, values: Float32Array, format: [number, number] = [gl.R16F, gl.RED]): void => {
       gl.activeTexture(gl.TEXTURE0 + unit);
       gl.bindTexture(gl.TEXTURE_3D, this.textures[unit]!);
-      gl.texImage3D(gl.TEXTURE_3D, 0, gl.R16F, nz, ny, nx, 0, gl.RED, gl.FLOAT, values);
+      gl.texImage3D(gl.TEXTURE_3D, 0, format[0], nz, ny, nx, 0, format[1], gl.FLOAT, values);
       gl.texParameteri(gl.TEXTURE_3D, gl.TEXTURE_MIN_FILTER, gl.LINEAR);
       gl.texParameteri(gl.TEXTURE_3D, gl.TEXTURE_MAG_FILTER, gl.LINEAR);
       for (const wrap of [gl.TEXTURE_WRAP_R, gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_3D, wrap, gl.CLAMP_TO_EDGE);
     };
     fill(0, data.values);
-    fill(1, data.light ?? data.values);
+    if (data.look === "fire") fill(1, heated(data), [gl.RGB16F, gl.RGB]);
+    else fill(1, data.light ?? data.values);
     gl.activeTexture(gl.TEXTURE2);
     gl.bindTexture(gl.TEXTURE_2D, this.textures[2]!);
     gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGB8, 256, 1, 0, gl.RGB, gl.UNSIGNED_BYTE, Uint8Array.from(data.ramp, (x) => Math.round(255 * x)));
@@ -173,7 +200,7 @@ export class VolumeRenderer {
     const [low, high] = data.range;
     gl.uniform1f(at("low"), low);
     gl.uniform1f(at("high"), high > low ? high : low + 1);
-    gl.uniform1i(at("look"), ["cloud", "glow", "solid"].indexOf(data.look));
+    gl.uniform1i(at("look"), ["cloud", "glow", "solid", "fire"].indexOf(data.look));
     gl.uniform1i(at("steps"), Math.min(300, Math.ceil(1.7 * Math.max(...data.size))));
     gl.uniform1i(at("values"), 0);
     gl.uniform1i(at("light"), 1);
