@@ -89,24 +89,22 @@ class Builder {
   static FieldPtr fold_octaves(const LayerNoise& noise, double sign) {
     std::vector<FieldPtr> octaves;
     for (int k = 0; k < noise.fractal.octaves; ++k) {
-      octaves.push_back(absolute(noise.octave(k), sign * std::pow(noise.fractal.gain, k)));
+      octaves.push_back(absolute(noise.octave(k), sign * noise.fractal.amplitude_ratio(k)));
     }
     return combine(Layer::Combine::sum, std::move(octaves));
   }
 
   static FieldPtr crests(const LayerNoise& noise) {
     std::vector<FieldPtr> octaves;
-    double power = 0.0;
     for (int k = 0; k < noise.fractal.octaves; ++k) {
-      const double ratio = std::pow(noise.fractal.lacunarity, k);
-      const double amplitude = std::pow(noise.fractal.gain, k);
+      const double ratio = noise.fractal.frequency_ratio(k);
       const FieldPtr frequency =
           noise.varying_frequency ? affine(noise.varying_frequency, ratio, 0.0) : nullptr;
-      octaves.push_back(
-          affine(crest_of(noise.octave(k), ratio * noise.frequency, frequency), amplitude, 0.0));
-      power += amplitude * amplitude;
+      octaves.push_back(affine(crest_of(noise.octave(k), ratio * noise.frequency, frequency),
+                               noise.fractal.amplitude_ratio(k), 0.0));
     }
-    return affine(combine(Layer::Combine::sum, std::move(octaves)), 1.0 / std::sqrt(power), 0.0);
+    const double scale = 1.0 / std::sqrt(noise.fractal.power_of_ratios());
+    return affine(combine(Layer::Combine::sum, std::move(octaves)), scale, 0.0);
   }
 
   static FieldPtr fold(const LayerNoise& noise, Layer::Fold fold) {

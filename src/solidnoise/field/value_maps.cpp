@@ -98,14 +98,8 @@ FoldStatistics fold_statistics(Layer::Fold fold, const FractalOptions& fractal) 
   constexpr double kVariance = 1.0 - 2.0 / std::numbers::pi;
   const double mean = std::sqrt(2.0 / std::numbers::pi);
   if (fold == Layer::Fold::billow) return {mean, kVariance};
-  double amplitudes = 0.0;
-  double powers = 0.0;
-  for (int k = 0; k < fractal.octaves; ++k) {
-    amplitudes += std::pow(fractal.gain, k);
-    powers += std::pow(fractal.gain, 2 * k);
-  }
   const double sign = fold == Layer::Fold::ridged ? -1.0 : 1.0;
-  return {sign * mean * amplitudes, kVariance * powers};
+  return {sign * mean * fractal.sum_of_ratios(), kVariance * fractal.power_of_ratios()};
 }
 
 FieldPtr to_histogram(FieldPtr folded, Layer::Histogram histogram, Layer::Fold fold,

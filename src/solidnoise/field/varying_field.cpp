@@ -203,7 +203,7 @@ FieldPtr make_octaves(const NoiseRecipe& recipe, const OctaveRange& range, const
   for (std::size_t i = 0; i < range.amplitudes.size(); ++i) {
     const int k = range.first + static_cast<int>(i);
     octaves.push_back({VaryingGaborNoise<Dim>(varying_options(octave_of(recipe, k), fields)),
-                       std::pow(recipe.fractal.lacunarity, k), range.amplitudes[i]});
+                       recipe.fractal.frequency_ratio(k), range.amplitudes[i]});
   }
   const NoiseRecipe constant = octaves.size() == 1 ? octave_of(recipe, range.first) : recipe;
   return std::make_shared<VaryingField<Dim>>(std::move(octaves), view, fields,

@@ -1,6 +1,5 @@
 #include "solidnoise/mesh/bake_cost.h"
 
-#include <cmath>
 
 #include "solidnoise/mesh/surface_field.h"
 
@@ -26,7 +25,7 @@ double count_lone_octaves(const BakePlan& plan, const FractalOptions& fractal) {
   constexpr double kReach = 5.0;  // cycles of the highest frequency, where half are made anew
   double count = 0.0;
   for (int k = 0; k < fractal.octaves; ++k) {
-    const double cycles = plan.mean_cycles_per_edge / std::pow(fractal.lacunarity, k);
+    const double cycles = plan.mean_cycles_per_edge / fractal.frequency_ratio(k);
     count += cycles * cycles / (cycles * cycles + kReach * kReach);
   }
   return count;

@@ -308,7 +308,7 @@ LayerNoise surface_layer_noise(const SurfaceNoiseRecipe& recipe, const SurfaceKe
     SurfaceNoiseRecipe single = recipe;
     single.fractal.octaves = 1;
     if (k > 0) single.seed = derive_seed(recipe.seed, kOctaveStream + static_cast<std::uint64_t>(k));
-    const double ratio = std::pow(recipe.fractal.lacunarity, k);
+    const double ratio = recipe.fractal.frequency_ratio(k);
     single.evolve = evolution_of_octave(recipe.evolution(), ratio).rate;
     const SurfaceKernel own = scaled(kernel, ratio);
     const bool is_tangent = !solid_recipe(single, own) && !is_graded(single, own);

@@ -65,12 +65,22 @@ void FractalOptions::validate() const {
   require_fields(*this);
 }
 
+double FractalOptions::sum_of_ratios() const {
+  double sum = 0.0;
+  for (int k = 0; k < octaves; ++k) sum += amplitude_ratio(k);
+  return sum;
+}
+
+double FractalOptions::power_of_ratios() const {
+  double sum = 0.0;
+  for (int k = 0; k < octaves; ++k) sum += amplitude_ratio(2 * k);
+  return sum;
+}
+
 std::vector<double> FractalOptions::amplitudes() const {
-  double power = 0.0;
-  for (int k = 0; k < octaves; ++k) power += std::pow(gain, 2 * k);
-  const double scale = renormalize ? 1.0 / std::sqrt(power) : 1.0;
+  const double scale = renormalize ? 1.0 / std::sqrt(power_of_ratios()) : 1.0;
   std::vector<double> all;
-  for (int k = 0; k < octaves; ++k) all.push_back(scale * std::pow(gain, k));
+  for (int k = 0; k < octaves; ++k) all.push_back(scale * amplitude_ratio(k));
   return all;
 }
 

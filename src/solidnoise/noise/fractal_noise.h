@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <type_traits>
 #include <vector>
@@ -21,6 +22,12 @@ struct FractalOptions {
   // Throws std::invalid_argument naming the field, its value and what is allowed.
   void validate() const;
 
+  // Of octave k, over those of octave 0: its frequency, and its amplitude.
+  double frequency_ratio(int k) const { return std::pow(lacunarity, k); }
+  double amplitude_ratio(int k) const { return std::pow(gain, k); }
+  // Of all octaves: the sum of the amplitudes' ratios, and that of their squares.
+  double sum_of_ratios() const;
+  double power_of_ratios() const;
   // Of each octave in the sum.
   std::vector<double> amplitudes() const;
 

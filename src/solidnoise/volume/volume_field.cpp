@@ -1,7 +1,6 @@
 #include "solidnoise/volume/volume_field.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <memory>
 #include <optional>
@@ -154,7 +153,7 @@ FieldPtr make_cloud(const VolumeRecipe& recipe, const VolumePlan& plan, const Cl
   parts.seed = seed_of(recipe.noise);
   parts.voxel = plan.frame.voxel_size();
   for (int k = 0; k < recipe.noise.fractal.octaves; ++k) {
-    parts.octaves.push_back({make_octave(recipe, plan, k), std::pow(recipe.noise.fractal.gain, k)});
+    parts.octaves.push_back({make_octave(recipe, plan, k), recipe.noise.fractal.amplitude_ratio(k)});
   }
   return make_cloud_field(parts);
 }

@@ -51,7 +51,7 @@ void NoiseRecipe::validate() const {
   std::visit(
       [this](const auto& options) {
         options.validate();
-        const double highest = options.frequency * std::pow(fractal.lacunarity, fractal.octaves - 1);
+        const double highest = options.frequency * fractal.frequency_ratio(fractal.octaves - 1);
         if (highest > kFrequencies.most) {
           throw std::invalid_argument(
               fmt::format("frequency is {}, and {:.6g} in the last of {} octaves; it must be at most {}",
@@ -92,12 +92,12 @@ NoiseRecipe octave_of(const NoiseRecipe& recipe, int k) {
   octave.fractal.octaves = 1;
   std::visit(
       [&](auto& options) {
-        options.frequency *= std::pow(recipe.fractal.lacunarity, k);
+        options.frequency *= recipe.fractal.frequency_ratio(k);
         if (k > 0) options.seed = derive_seed(options.seed, kOctaveStream + static_cast<std::uint64_t>(k));
       },
       octave.noise);
   if (Evolution* const evolution = evolution_of(octave)) {
-    *evolution = evolution_of_octave(*evolution, std::pow(recipe.fractal.lacunarity, k));
+    *evolution = evolution_of_octave(*evolution, recipe.fractal.frequency_ratio(k));
   }
   return octave;
 }
