@@ -31,17 +31,17 @@ constexpr std::uint32_t kShortRow = 16;  // impulses that are culled at once
 
 }  // namespace
 
-// Culls the source's impulses to those whose kernel meets the neighborhood.
+// Culls the source's impulses to those whose kernel meets the neighbourhood.
 template <int Dim>
-void SparseConvolution<Dim>::gather(const Source& source, const Neighborhood& neighborhood,
+void SparseConvolution<Dim>::gather(const Source& source, const Neighbourhood& neighbourhood,
                                     ImpulseList& list) const {
   const CullBox box{
-      Dim, kernel_->attribute_count(), kernel_->support(), neighborhood.lower, neighborhood.upper, scale_};
+      Dim, kernel_->attribute_count(), kernel_->support(), neighbourhood.lower, neighbourhood.upper, scale_};
   ImpulseRun run;
   const Index<Dim>& origin = source.impulses.first_cell();
   for (int axis = 0; axis < Dim; ++axis) {
     run.anchor[role_of_axis<Dim>(axis)] =
-        static_cast<std::int32_t>((neighborhood.first[axis] - origin[axis]) * ImpulseBlock<Dim>::kQuanta);
+        static_cast<std::int32_t>((neighbourhood.first[axis] - origin[axis]) * ImpulseBlock<Dim>::kQuanta);
   }
 
   list.clear();
@@ -58,8 +58,8 @@ void SparseConvolution<Dim>::gather(const Source& source, const Neighborhood& ne
     cull_impulses(run, box, list);
   };
   constexpr int kLast = Dim - 1;
-  const Index<Dim> first = neighborhood.first - reach_;
-  const Index<Dim> last = neighborhood.last + reach_;
+  const Index<Dim> first = neighbourhood.first - reach_;
+  const Index<Dim> last = neighbourhood.last + reach_;
   const auto row = [&](const Index<Dim>& cell) {
     return source.impulses.run(cell, first[kLast], last[kLast]);
   };
@@ -110,22 +110,22 @@ class SparseConvolution<Dim>::PointSource {
         cells = both;
       }
     }
-    source_.emplace(noise_.process_, *noise_.kernel_, noise_.reach_of(neighborhood_of(group.first(count))));
+    source_.emplace(noise_.process_, *noise_.kernel_, noise_.reach_of(neighbourhood_of(group.first(count))));
     return count;
   }
 
   bool may_share(const CellPoint<Dim>&, const CellPoint<Dim>&) const { return true; }
 
   const ClusterSums& sum(std::span<const CellPoint<Dim>> points) {
-    const Neighborhood neighborhood = neighborhood_of(points);
+    const Neighbourhood neighbourhood = neighbourhood_of(points);
     cluster_.count = static_cast<int>(points.size());
     for (int axis = 0; axis < Dim; ++axis) {
       float* const coordinates = cluster_.coordinate[role(axis)];
       for (std::size_t i = 0; i < SampleCluster::kSamples; ++i) {
-        coordinates[i] = coordinate(points[std::min(i, points.size() - 1)], axis, neighborhood);
+        coordinates[i] = coordinate(points[std::min(i, points.size() - 1)], axis, neighbourhood);
       }
     }
-    noise_.gather(*source_, neighborhood, list_);
+    noise_.gather(*source_, neighbourhood, list_);
     noise_.kernel_->sum(list_, cluster_, derivatives_, sums_);
     return sums_;
   }
@@ -135,22 +135,22 @@ class SparseConvolution<Dim>::PointSource {
   float slope(int axis) const { return noise_.slope_[axis]; }
 
  private:
-  static float coordinate(const CellPoint<Dim>& point, int axis, const Neighborhood& neighborhood) {
+  static float coordinate(const CellPoint<Dim>& point, int axis, const Neighbourhood& neighbourhood) {
     const float fraction = point.fraction[static_cast<std::size_t>(axis)];
-    return from_anchor({point.cell[axis], fraction}, neighborhood.first[axis]);
+    return from_anchor({point.cell[axis], fraction}, neighbourhood.first[axis]);
   }
 
-  static Neighborhood neighborhood_of(std::span<const CellPoint<Dim>> points) {
+  static Neighbourhood neighbourhood_of(std::span<const CellPoint<Dim>> points) {
     const CellSpan<Dim> cells = cells_of(points);
-    Neighborhood neighborhood{cells.first, cells.last, {}, {}};
+    Neighbourhood neighbourhood{cells.first, cells.last, {}, {}};
     for (int axis = 0; axis < Dim; ++axis) {
       const Role role = role_of_axis<Dim>(axis);
-      neighborhood.lower[role] = neighborhood.upper[role] = coordinate(points.front(), axis, neighborhood);
+      neighbourhood.lower[role] = neighbourhood.upper[role] = coordinate(points.front(), axis, neighbourhood);
       for (const CellPoint<Dim>& point : points) {
-        neighborhood.include(role, coordinate(point, axis, neighborhood));
+        neighbourhood.include(role, coordinate(point, axis, neighbourhood));
       }
     }
-    return neighborhood;
+    return neighbourhood;
   }
 
   // Cells that impulses may lie in that reach points of some cells.

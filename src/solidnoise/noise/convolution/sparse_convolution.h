@@ -55,11 +55,11 @@ class SparseConvolution {
  private:
   class Block;
   struct Source;
-  struct Neighborhood;
+  struct Neighbourhood;
   class PointSource;
 
-  ImpulseReach<Dim> reach_of(const Neighborhood& neighborhood) const;
-  void gather(const Source& source, const Neighborhood& neighborhood, ImpulseList& list) const;
+  ImpulseReach<Dim> reach_of(const Neighbourhood& neighbourhood) const;
+  void gather(const Source& source, const Neighbourhood& neighbourhood, ImpulseList& list) const;
 
   ImpulseProcess<Dim> process_;
   std::shared_ptr<const ImpulseKernel> kernel_;

@@ -51,17 +51,17 @@ template <int Dim>
 class SparseConvolution<Dim>::Block final : public FieldBlock<Dim> {
  public:
   Block(const SparseConvolution& noise, const Box<Dim>& box) : noise_(noise) {
-    Neighborhood neighborhood;
+    Neighbourhood neighbourhood;
     for (int axis = 0; axis < Dim; ++axis) {
       const Role role = role_of_axis<Dim>(axis);
       const CellPosition lower = noise_.process_.axes()[axis].locate(box.lower[axis]);
       const CellPosition upper = noise_.process_.axes()[axis].locate(box.upper[axis]);
-      neighborhood.first[axis] = lower.cell;
-      neighborhood.last[axis] = upper.cell;
-      neighborhood.lower[role] = from_anchor(lower, lower.cell);
-      neighborhood.upper[role] = from_anchor(upper, lower.cell);
+      neighbourhood.first[axis] = lower.cell;
+      neighbourhood.last[axis] = upper.cell;
+      neighbourhood.lower[role] = from_anchor(lower, lower.cell);
+      neighbourhood.upper[role] = from_anchor(upper, lower.cell);
     }
-    const ImpulseReach<Dim> reach = noise_.reach_of(neighborhood);
+    const ImpulseReach<Dim> reach = noise_.reach_of(neighbourhood);
     bool fits = reach.cells() * std::max(noise_.process_.mean_per_cell(), 1.0) <= kMostImpulsesInBlock;
     for (int axis = 0; axis < Dim; ++axis) {
       fits = fits && reach.last[axis] - reach.first[axis] < ImpulseBlock<Dim>::kMaxCellsPerAxis;
@@ -90,17 +90,17 @@ class SparseConvolution<Dim>::Block final : public FieldBlock<Dim> {
   void evaluate_brick(const Lattice<Dim>& lattice, const glm::vec<Dim, int>& start,
                       const Samples<Dim>& samples) const {
     SampleBrick brick;
-    Neighborhood neighborhood;
+    Neighbourhood neighbourhood;
     for (int axis = 0; axis < Dim; ++axis) {
       const Role role = role_of_axis<Dim>(axis);
       const CellPosition* positions = axes_[axis].positions() + start[axis];
       const int count = std::min(side(axis), lattice.count[axis] - start[axis]);
-      neighborhood.first[axis] = positions[0].cell;
-      neighborhood.last[axis] = positions[count - 1].cell;
-      neighborhood.lower[role] = from_anchor(positions[0], positions[0].cell);
-      neighborhood.upper[role] = from_anchor(positions[count - 1], positions[0].cell);
+      neighbourhood.first[axis] = positions[0].cell;
+      neighbourhood.last[axis] = positions[count - 1].cell;
+      neighbourhood.lower[role] = from_anchor(positions[0], positions[0].cell);
+      neighbourhood.upper[role] = from_anchor(positions[count - 1], positions[0].cell);
       if (role == kT) {
-        brick.time = neighborhood.lower[role];
+        brick.time = neighbourhood.lower[role];
         continue;
       }
       brick.count[role] = count;
@@ -110,8 +110,8 @@ class SparseConvolution<Dim>::Block final : public FieldBlock<Dim> {
     }
 
     std::optional<Source> local;
-    if (!source_) local.emplace(noise_.process_, *noise_.kernel_, noise_.reach_of(neighborhood));
-    noise_.gather(source_ ? *source_ : *local, neighborhood, list_);
+    if (!source_) local.emplace(noise_.process_, *noise_.kernel_, noise_.reach_of(neighbourhood));
+    noise_.gather(source_ ? *source_ : *local, neighbourhood, list_);
 
     BrickSums sums;
     const bool gradient = samples.wants_gradient();

@@ -27,7 +27,7 @@ struct SparseConvolution<Dim>::Source {
 // Where the samples of a brick or cluster are: the anchor cell, the cells they lie in, and their bounds per
 // role in cells from the anchor.
 template <int Dim>
-struct SparseConvolution<Dim>::Neighborhood {
+struct SparseConvolution<Dim>::Neighbourhood {
   Index<Dim> first{0};  // the anchor
   Index<Dim> last{0};
   std::array<float, kRoles> lower{};
@@ -42,15 +42,15 @@ struct SparseConvolution<Dim>::Neighborhood {
 
 // Where the impulses are that reach it.
 template <int Dim>
-ImpulseReach<Dim> SparseConvolution<Dim>::reach_of(const Neighborhood& neighborhood) const {
+ImpulseReach<Dim> SparseConvolution<Dim>::reach_of(const Neighbourhood& neighbourhood) const {
   constexpr float kSlack = 1e-6f;  // of the cells: what single precision may lose of a place among them
-  ImpulseReach<Dim> reach{neighborhood.first - reach_, neighborhood.last + reach_};
+  ImpulseReach<Dim> reach{neighbourhood.first - reach_, neighbourhood.last + reach_};
   for (int axis = 0; axis < Dim; ++axis) {
     const auto a = static_cast<std::size_t>(axis);
     const Role role = role_of_axis<Dim>(axis);
     const float slack = kSlack * static_cast<float>(reach.last[axis] - reach.first[axis]);
-    reach.lower[a] = static_cast<float>(reach_[axis]) + neighborhood.lower[role] - slack;
-    reach.upper[a] = static_cast<float>(reach_[axis]) + neighborhood.upper[role] + slack;
+    reach.lower[a] = static_cast<float>(reach_[axis]) + neighbourhood.lower[role] - slack;
+    reach.upper[a] = static_cast<float>(reach_[axis]) + neighbourhood.upper[role] + slack;
     reach.scale[a] = scale_[role];
   }
   reach.is_ball = kernel_->support() == CullBox::Support::ball;

@@ -1,4 +1,4 @@
-#include "solidnoise/noise/gradient/gradient_field.h"
+#include "solidnoise/noise/gradient/gradient_grid.h"
 
 #include <array>
 #include <cstddef>
@@ -15,7 +15,7 @@ constexpr std::size_t kMostKnownGradients = std::size_t{1} << 22;
 }  // namespace
 
 template <int Dim>
-GradientField<Dim>::GradientField(const GradientNoiseOptions& options, const std::array<CellAxis, Dim>& axes,
+GradientGrid<Dim>::GradientGrid(const GradientNoiseOptions& options, const std::array<CellAxis, Dim>& axes,
                                   const Shape& shape)
     : axes_(axes), lattice_(options, axes) {
   const bool half = options.support == GradientNoiseOptions::Support::half;
@@ -42,7 +42,7 @@ GradientField<Dim>::GradientField(const GradientNoiseOptions& options, const std
 }
 
 template <int Dim>
-KnownGradients<Dim> gradients_around(const GradientField<Dim>& field, const Box<Dim>& box) {
+KnownGradients<Dim> gradients_around(const GradientGrid<Dim>& field, const Box<Dim>& box) {
   KnownGradients<Dim> known;
   double total = 1.0;
   for (int axis = 0; axis < Dim; ++axis) {
@@ -59,15 +59,15 @@ KnownGradients<Dim> gradients_around(const GradientField<Dim>& field, const Box<
   return known;
 }
 
-template class GradientField<1>;
-template class GradientField<2>;
-template class GradientField<3>;
-template class GradientField<4>;
+template class GradientGrid<1>;
+template class GradientGrid<2>;
+template class GradientGrid<3>;
+template class GradientGrid<4>;
 
-template KnownGradients<1> gradients_around(const GradientField<1>&, const Box<1>&);
-template KnownGradients<2> gradients_around(const GradientField<2>&, const Box<2>&);
-template KnownGradients<3> gradients_around(const GradientField<3>&, const Box<3>&);
-template KnownGradients<4> gradients_around(const GradientField<4>&, const Box<4>&);
+template KnownGradients<1> gradients_around(const GradientGrid<1>&, const Box<1>&);
+template KnownGradients<2> gradients_around(const GradientGrid<2>&, const Box<2>&);
+template KnownGradients<3> gradients_around(const GradientGrid<3>&, const Box<3>&);
+template KnownGradients<4> gradients_around(const GradientGrid<4>&, const Box<4>&);
 
 namespace {
 
@@ -75,7 +75,7 @@ namespace {
 template <int Dim>
 class PointSource {
  public:
-  PointSource(const GradientField<Dim>& field, Derivatives derivatives)
+  PointSource(const GradientGrid<Dim>& field, Derivatives derivatives)
       : field_(field), derivatives_(derivatives) {
     const int rows = 2 * field.reach_cells();
     int stride = 1;
@@ -120,7 +120,7 @@ class PointSource {
   float slope(int axis) const { return field_.derivative_factor(axis); }
 
  private:
-  const GradientField<Dim>& field_;
+  const GradientGrid<Dim>& field_;
   Derivatives derivatives_;
   CellBox<Dim> around_;  // the lattice points whose gradients are known
   bool known_ = false;
@@ -132,14 +132,14 @@ class PointSource {
 }  // namespace
 
 template <int Dim>
-void evaluate_gradient_noise(const GradientField<Dim>& field, const Points<Dim>& points,
+void evaluate_gradient_noise(const GradientGrid<Dim>& field, const Points<Dim>& points,
                              const Samples<Dim>& samples) {
   sum_by_cell(points, samples, PointSource<Dim>(field, derivatives_of(samples)));
 }
 
-template void evaluate_gradient_noise(const GradientField<1>&, const Points<1>&, const Samples<1>&);
-template void evaluate_gradient_noise(const GradientField<2>&, const Points<2>&, const Samples<2>&);
-template void evaluate_gradient_noise(const GradientField<3>&, const Points<3>&, const Samples<3>&);
-template void evaluate_gradient_noise(const GradientField<4>&, const Points<4>&, const Samples<4>&);
+template void evaluate_gradient_noise(const GradientGrid<1>&, const Points<1>&, const Samples<1>&);
+template void evaluate_gradient_noise(const GradientGrid<2>&, const Points<2>&, const Samples<2>&);
+template void evaluate_gradient_noise(const GradientGrid<3>&, const Points<3>&, const Samples<3>&);
+template void evaluate_gradient_noise(const GradientGrid<4>&, const Points<4>&, const Samples<4>&);
 
 }  // namespace solidnoise

@@ -15,7 +15,7 @@ namespace solidnoise {
 // A gradient noise as its evaluation needs it: the grid of cells along each axis, the gradients, and the
 // numbers that the vectorised sums take. The kernel's radius is the unit of length there.
 template <int Dim>
-class GradientField {
+class GradientGrid {
  public:
   // Coefficients of the kernel c1 t^5 - c2 t^4, and what the sum is multiplied by.
   struct Shape {
@@ -24,10 +24,10 @@ class GradientField {
     double amplitude = 1.0;
   };
 
-  GradientField(const GradientNoiseOptions& options, const std::array<CellAxis, Dim>& axes,
+  GradientGrid(const GradientNoiseOptions& options, const std::array<CellAxis, Dim>& axes,
                 const Shape& shape);
-  GradientField(const GradientField&) = delete;  // sum() points into the field
-  GradientField& operator=(const GradientField&) = delete;
+  GradientGrid(const GradientGrid&) = delete;  // sum() points into the field
+  GradientGrid& operator=(const GradientGrid&) = delete;
 
   const std::array<CellAxis, Dim>& axes() const { return axes_; }
   const CellAxis& axis(int axis) const { return axes_[static_cast<std::size_t>(axis)]; }
@@ -58,15 +58,15 @@ struct KnownGradients {
 
 // Looks up the gradients around a box, unless they are too many to keep.
 template <int Dim>
-KnownGradients<Dim> gradients_around(const GradientField<Dim>& field, const Box<Dim>& box);
+KnownGradients<Dim> gradients_around(const GradientGrid<Dim>& field, const Box<Dim>& box);
 
 // Evaluation: samples are located in the grid of cells, gathered into tiles or clusters for the vectorised
 // sums, and the results scattered. What is not known is looked up.
 template <int Dim>
-void evaluate_gradient_noise(const GradientField<Dim>& field, const KnownGradients<Dim>& known,
+void evaluate_gradient_noise(const GradientGrid<Dim>& field, const KnownGradients<Dim>& known,
                              const Lattice<Dim>& lattice, const Samples<Dim>& samples);
 template <int Dim>
-void evaluate_gradient_noise(const GradientField<Dim>& field, const Points<Dim>& points,
+void evaluate_gradient_noise(const GradientGrid<Dim>& field, const Points<Dim>& points,
                              const Samples<Dim>& samples);
 
 }  // namespace solidnoise

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "solidnoise/noise/gradient/gradient_field.h"
+#include "solidnoise/noise/gradient/gradient_grid.h"
 
 namespace solidnoise {
 namespace {
@@ -54,7 +54,7 @@ struct TileSpan {
 
 // Locates samples of an axis from `first`: as many as a tile takes, or fewer if they span too many cells.
 template <int Dim>
-TileAxis locate(const GradientField<Dim>& field, const Lattice<Dim>& lattice, int axis, int first) {
+TileAxis locate(const GradientGrid<Dim>& field, const Lattice<Dim>& lattice, int axis, int first) {
   constexpr std::int64_t kQuanta = CellAxis::kQuantaPerCell;
   const CellAxis& cells = field.axis(axis);
   const int role = gradient_role<Dim>(axis);
@@ -83,7 +83,7 @@ TileAxis locate(const GradientField<Dim>& field, const Lattice<Dim>& lattice, in
 
 // Samples and rows of lattice points.
 template <int Dim>
-void place_samples(const GradientField<Dim>& field, const TileSpan<Dim>& span, GradientTile& tile) {
+void place_samples(const GradientGrid<Dim>& field, const TileSpan<Dim>& span, GradientTile& tile) {
   constexpr int kFastRun = kFastLanes<Dim>;
   const float* fast = span.axes[axis_of_gradient_role<Dim>(kFast)].position.data();
   for (int group = 0; group < 2; ++group) {
@@ -116,7 +116,7 @@ void place_samples(const GradientField<Dim>& field, const TileSpan<Dim>& span, G
 
 // Points the tile to its gradients: the known ones, or else `looked_up`.
 template <int Dim>
-void place_gradients(const GradientField<Dim>& field, const TileSpan<Dim>& span,
+void place_gradients(const GradientGrid<Dim>& field, const TileSpan<Dim>& span,
                      const KnownGradients<Dim>& known, LookedUp<Dim>& looked_up, GradientTile& tile) {
   CellBox<Dim> cells;
   bool is_known = !known.indices.empty();
@@ -183,7 +183,7 @@ void scatter(const float* results, float factor, const Lattice<Dim>& lattice, co
 }
 
 template <int Dim>
-void evaluate_tile(const GradientField<Dim>& field, const Lattice<Dim>& lattice, const TileSpan<Dim>& span,
+void evaluate_tile(const GradientGrid<Dim>& field, const Lattice<Dim>& lattice, const TileSpan<Dim>& span,
                    const KnownGradients<Dim>& known, const Samples<Dim>& samples) {
   GradientTile tile;
   LookedUp<Dim> looked_up;
@@ -205,7 +205,7 @@ void evaluate_tile(const GradientField<Dim>& field, const Lattice<Dim>& lattice,
 }  // namespace
 
 template <int Dim>
-void evaluate_gradient_noise(const GradientField<Dim>& field, const KnownGradients<Dim>& known,
+void evaluate_gradient_noise(const GradientGrid<Dim>& field, const KnownGradients<Dim>& known,
                              const Lattice<Dim>& lattice, const Samples<Dim>& samples) {
   require_room(samples, lattice.size());
   TileSpan<Dim> span;
@@ -231,13 +231,13 @@ void evaluate_gradient_noise(const GradientField<Dim>& field, const KnownGradien
   }
 }
 
-template void evaluate_gradient_noise(const GradientField<1>&, const KnownGradients<1>&, const Lattice<1>&,
+template void evaluate_gradient_noise(const GradientGrid<1>&, const KnownGradients<1>&, const Lattice<1>&,
                                       const Samples<1>&);
-template void evaluate_gradient_noise(const GradientField<2>&, const KnownGradients<2>&, const Lattice<2>&,
+template void evaluate_gradient_noise(const GradientGrid<2>&, const KnownGradients<2>&, const Lattice<2>&,
                                       const Samples<2>&);
-template void evaluate_gradient_noise(const GradientField<3>&, const KnownGradients<3>&, const Lattice<3>&,
+template void evaluate_gradient_noise(const GradientGrid<3>&, const KnownGradients<3>&, const Lattice<3>&,
                                       const Samples<3>&);
-template void evaluate_gradient_noise(const GradientField<4>&, const KnownGradients<4>&, const Lattice<4>&,
+template void evaluate_gradient_noise(const GradientGrid<4>&, const KnownGradients<4>&, const Lattice<4>&,
                                       const Samples<4>&);
 
 }  // namespace solidnoise

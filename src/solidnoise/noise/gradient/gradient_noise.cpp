@@ -57,7 +57,7 @@ CellAxis make_axis(const GradientNoiseOptions& options, double lattice_unit, int
 template <int Dim>
 class GradientBlock final : public FieldBlock<Dim> {
  public:
-  GradientBlock(std::shared_ptr<const GradientField<Dim>> field, const Box<Dim>& box)
+  GradientBlock(std::shared_ptr<const GradientGrid<Dim>> field, const Box<Dim>& box)
       : field_(std::move(field)), known_(gradients_around(*field_, box)) {}
 
   void evaluate(const Lattice<Dim>& lattice, const Samples<Dim>& samples) const override {
@@ -65,7 +65,7 @@ class GradientBlock final : public FieldBlock<Dim> {
   }
 
  private:
-  std::shared_ptr<const GradientField<Dim>> field_;
+  std::shared_ptr<const GradientGrid<Dim>> field_;
   KnownGradients<Dim> known_;
 };
 
@@ -82,9 +82,9 @@ GradientNoise<Dim>::GradientNoise(const GradientNoiseOptions& options)
     made = make_axis(options, lattice_unit, steps, axis);
     spacing_[axis] = made.size() / steps;
   }
-  const typename GradientField<Dim>::Shape shape{
+  const typename GradientGrid<Dim>::Shape shape{
       .c1 = kernel_.c1(), .c2 = kernel_.c2(), .amplitude = 1.0 / std::sqrt(kernel_.mean_variance())};
-  field_ = std::make_shared<const GradientField<Dim>>(options_, axes, shape);
+  field_ = std::make_shared<const GradientGrid<Dim>>(options_, axes, shape);
 }
 
 template <int Dim>

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "solidnoise/noise/gradient/gradient_field.h"
+#include "solidnoise/noise/gradient/gradient_grid.h"
 #include "solidnoise/noise/gradient/gradient_kernel.h"
 #include "solidnoise/noise/gradient/gradient_noise_options.h"
 #include "solidnoise/noise/noise.h"
@@ -48,7 +48,7 @@ class GradientNoise final : public Noise<Dim> {
   GradientNoiseOptions options_;
   GradientKernel<Dim> kernel_;
   Vec<Dim> spacing_;
-  std::shared_ptr<const GradientField<Dim>> field_;
+  std::shared_ptr<const GradientGrid<Dim>> field_;
 };
 
 extern template class GradientNoise<1>;

@@ -66,9 +66,9 @@ void require_overlap(const GridFile& source, const GridBase& grid, const GridBas
 }
 
 // The field at rest positions, times the mask.
-class MaskedField final : public PointwiseField {
+class ModifyingField final : public PointwiseField {
  public:
-  MaskedField(FieldPtr field, std::optional<GridMask> mask, std::optional<RestPositions> rest)
+  ModifyingField(FieldPtr field, std::optional<GridMask> mask, std::optional<RestPositions> rest)
       : field_(std::move(field)), mask_(std::move(mask)), rest_(std::move(rest)) {}
 
   void evaluate(const Points<3>& points, const Samples<3>& samples) const override {
@@ -183,7 +183,7 @@ FloatGrid::Ptr combine(const ModificationPlan& plan, const FloatGrid& noise) {
 }
 
 FloatGrid::Ptr displace(const ModificationPlan& plan, FieldPtr noise, Progress* progress) {
-  const MaskedField field(std::move(noise), make_mask(plan), make_rest(plan));
+  const ModifyingField field(std::move(noise), make_mask(plan), make_rest(plan));
   return in_file(name_of(plan.modification.on, plan.grid()), [&] {
     return displace_level_set(plan.grid(), field, *plan.modification.displace, progress);
   });
