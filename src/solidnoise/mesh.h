@@ -8,5 +8,6 @@
 #include "solidnoise/mesh/displace.h"
 #include "solidnoise/mesh/openmesh.h"
 #include "solidnoise/mesh/refine.h"
+#include "solidnoise/mesh/surface_field.h"
 #include "solidnoise/mesh/texture_plan.h"
 #include "solidnoise/mesh/vertex_colors.h"
