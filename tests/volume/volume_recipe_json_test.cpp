@@ -1,5 +1,7 @@
 #include "solidnoise/volume/volume_recipe_json.h"
 
+#include <filesystem>
+#include <fstream>
 #include <stdexcept>
 #include <string>
 
@@ -7,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "solidnoise/recipe/json_reader.h"
+#include "support/paths.h"
 
 namespace solidnoise::volume_recipe_json_test {
 namespace {
@@ -142,6 +145,23 @@ TEST(VolumeRecipeJson, ReadsTheShortFormAsAListOfOneGrid) {
   EXPECT_EQ(format_json(to_json(flat)), format_json(to_json(listed)));
   EXPECT_TRUE(listed.grids.empty());
   EXPECT_EQ(listed.grid, "a");
+}
+
+// As that version shipped them.
+TEST(VolumeRecipeJson, ReadsRecipesOfVersion01AndWritesThemInTheNewForm) {
+  int count = 0;
+  for (const auto& file : std::filesystem::directory_iterator(in_source("tests/volume/recipes_of_0.1"))) {
+    std::ifstream stream(file.path());
+    const Json old = Json::parse(stream);
+    EXPECT_EQ(old.at("solidnoise"), 1) << file.path();
+    const Json written = to_json(volume_recipe_from_json(old));
+    EXPECT_EQ(written.at("solidnoise"), 2);
+    EXPECT_EQ(written.at("grids").size(), 1u);
+    EXPECT_EQ(written.at("description"), old.at("description"));
+    EXPECT_EQ(format_json(to_json(volume_recipe_from_json(written))), format_json(written)) << file.path();
+    ++count;
+  }
+  EXPECT_EQ(count, 6);
 }
 
 TEST(VolumeRecipeJson, RefusesGridsThatDoNotGoTogether) {
