@@ -11,6 +11,7 @@
 #include <tbb/global_control.h>
 
 #include "solidnoise/field/combined_field.h"
+#include "solidnoise/noise/error_budget.h"
 #include "solidnoise/noise/gabor/varying_gabor_noise.h"
 #include "solidnoise/volume/parameters/parameter_fields.h"
 #include "solidnoise/volume/topology/fill.h"
@@ -158,7 +159,7 @@ void expect_same(const NoiseRecipe& recipe, const ParameterGrids& grids, const V
   parameters.frequency = frequencies;
   parameters.bandwidth = bandwidths;
   std::vector<float> constant(positions.size());
-  VaryingGaborNoise<3>(options).evaluate({positions}, parameters, {constant, {}});
+  VaryingGaborNoise<3>(with_truncation_share(options)).evaluate({positions}, parameters, {constant, {}});
   for (std::size_t i = 0; i < positions.size(); ++i) EXPECT_NEAR(from_grids[i], constant[i], 1e-5) << i;
 }
 
