@@ -85,6 +85,7 @@ TEST(NoiseRecipeJson, MessagesGiveThePathTheValueAndWhatIsAllowed) {
             "noise.octaves is 99999999999; it must be a whole number");
   EXPECT_EQ(message_of(R"({"type": "gabor", "seed": -1})"),
             "noise.seed is -1; it must be a whole number from 0 to 18446744073709551615");
+  EXPECT_EQ(message_of(R"({"type": "gabor", "seed": -0})"), "accepted");
   EXPECT_EQ(message_of(R"({"type": "gabor", "period": [1, 2]})"),
             "noise.period is [1,2]; it must be an array of 4 numbers");
   EXPECT_EQ(message_of("[]"), "noise is []; it must be an object");

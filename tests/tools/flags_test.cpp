@@ -96,19 +96,31 @@ TEST(Ranges, OfFlagsAreNamedByTheFlag) {
                  {"", 2, {}, {"--edge is 1", "between 0"}}, "vdbnoise");
 }
 
+// A run of vdbnoise that is given a file of the folder through a pipe.
+ToolResult pipe(const std::string& file, const std::string& arguments, const TemporaryFolder& folder) {
+  const std::string command = "cat " + file + " | " + in_build("tools/vdbnoise") + " " + arguments;
+  return RunningTool("/bin/sh", {"-c", command}, {.folder = folder.path()}).wait();
+}
+
 TEST(StandardInput, IsAVolume) {
   const TemporaryFolder folder;
   ASSERT_EQ(run_vdbnoise({"--raw", "--dim", "12", "--quiet", "--out", folder.file("a.vdb")}).status, 0);
-  const auto piped = [&](const std::string& arguments) {
-    const std::string tool = in_build("tools/vdbnoise");
-    return RunningTool("/bin/sh", {"-c", "cat a.vdb | " + tool + " " + arguments}, {.folder = folder.path()})
-        .wait();
-  };
+  const auto piped = [&](const std::string& arguments) { return pipe("a.vdb", arguments, folder); };
   const ToolResult info = piped("info -");
   EXPECT_TRUE(contains(info.out, "grid density: float")) << info.err;
   EXPECT_EQ(piped("--on - --combine add --out b.vdb --quiet").status, 0);
   EXPECT_EQ(piped("--on -:nothing --out c.vdb").status, 1);
   EXPECT_EQ(folder.names(), (std::set<std::string>{"a.vdb", "b.vdb"}));
+}
+
+TEST(StandardInput, IsARecipe) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(
+      run_vdbnoise({"--raw", "--dim", "12", "--seed", "7", "--write-recipe", folder.file("a.json")}).status,
+      0);
+  EXPECT_EQ(pipe("a.json", "--recipe - --out b.vdb --quiet", folder).status, 0);
+  EXPECT_TRUE(contains(run_vdbnoise({"info", folder.file("b.vdb")}).out, "\"seed\": 7"));
+  EXPECT_TRUE(contains(pipe("b.vdb", "--recipe - --out c.vdb", folder).err, "vdbnoise: -: "));
 }
 
 }  // namespace

@@ -37,8 +37,10 @@ void declare_recipe_flags(FlagSet& flags, const std::string& files, std::string&
   flags.group("Recipes");
   flags.add({"--preset", "NAME", "Start from a recipe that comes with the program"}).words =
       preset_names(among);
-  flags.add({"--recipe", "FILE",
-             "Start from a recipe, .json, from a link of the studio, or from that of " + files});
+  flags.add(
+      {"--recipe", "FILE",
+       "Start from a recipe, .json, - for the standard input, from a link of the studio, or from that of " +
+           files});
   flags.exclude({"--preset", "--recipe"});
   flags.keep("--write-recipe", "FILE.json",
              "Write the recipe with all flags in it; - for the standard output", written);
@@ -54,6 +56,7 @@ void load_recipe(const FlagSet& flags, const RecipeSource& from,
     const std::filesystem::path path = linked ? "the link's recipe" : *file;
     const auto text = [&] {
       if (linked) return *linked;
+      if (path == "-") return read_text_file("/dev/stdin");
       return extension_of(path) == ".json" ? read_text_file(path) : from.text_in(path);
     };
     const std::string warning = read_recipe(path, text(), use);

@@ -85,7 +85,8 @@ void declare_source(FlagSet& flags, SliceOptions& options) {
       preset_names();
   flags.add(
       {"--recipe", "FILE",
-       "Start from a recipe, .json, from a link of the studio, or from that of a .vdb made by vdbnoise"});
+       "Start from a recipe, .json, - for the standard input, from a link of the studio, or from that of a "
+       ".vdb made by vdbnoise"});
   flags.exclude({"--preset", "--recipe"});
   flags.toggle("--raw", "The recipe's noise itself, without its shaping",
                [&] { options.recipe.shaping = RawShaping{}; });

@@ -61,7 +61,8 @@ void JsonReader::read(const std::string& key, int& value) {
 void JsonReader::read(const std::string& key, std::uint64_t& value) {
   const Json* const json = find(key);
   if (!json) return;
-  if (!json->is_number_unsigned()) refuse(key, "a whole number from 0 to 18446744073709551615");
+  const bool is_zero = json->is_number_integer() && json->get<std::int64_t>() == 0;  // -0, too
+  if (!json->is_number_unsigned() && !is_zero) refuse(key, "a whole number from 0 to 18446744073709551615");
   value = json->get<std::uint64_t>();
 }
 
