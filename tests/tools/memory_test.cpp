@@ -89,6 +89,7 @@ TEST(EstimatedMemory, IsWhatOtherCommandsTake) {
            {"analyze", "values.vdb"},
            {"analyze", "large.vdb", "--plot", "x.png", "--force"},
            {"surface", in_source("meshes/torus.obj"), "--dim", "384", "--out", "s.vdb", "--force"},
+           {"surface", in_source("meshes/wyrm.ply"), "--dim", "100", "--out", "s.vdb", "--force"},
            {"surface", in_source("meshes/torus.obj"), "--band", "0.2", "--out", "s.vdb", "--force"},
            {"slice", "--out", "x.png", "--force"},
            {"slice", "--resolution", "2048", "--noise", "kensler", "--out", "x.exr", "--force"},
@@ -109,6 +110,8 @@ TEST(EstimatedMemory, IsWhatASkyTakes) {
     return run_vdbnoise(arguments, {.folder = files().path()});
   };
   expect_estimate(run, {"sky", "--kinds", "3", "--voxel", "20", "--out", "sky.vdb"}, {"--force"});
+  expect_estimate(run, {"sky", "--count", "30", "--seed", "3", "--voxel", "25", "--out", "sky.vdb"},
+                  {"--force"});
   expect_estimate(run, {"sky", "--count", "4", "--kinds", "1", "--voxel", "7", "--out", "sky.usda"},
                   {"--force"});
 }

@@ -149,7 +149,7 @@ Cost placing_cost(const SkyPlan& plan, const std::vector<double>& kept) {
   constexpr double kSecondsPerVoxel = 100e-9;  // of an instance's bounds; measured with the preset
   constexpr double kTopologyShare = 1.0 / 12;  // of what a leaf takes: its mask, and its place in lists
   constexpr double kWriting = 1.08;            // what compresses the grid
-  constexpr double kGaps = 8.0 * 0x1p20;       // that clouds leave in memory which are made one by one
+  constexpr double kGaps = 24.0 * 0x1p20;      // that clouds leave in memory which are made one by one
   const auto bytes_of = [](const openvdb::CoordBBox& voxels) {
     return static_cast<double>(estimate_memory(voxels));
   };

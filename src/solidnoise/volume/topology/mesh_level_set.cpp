@@ -73,7 +73,8 @@ double area_of(const TriangleMesh& mesh) {
 // surface; but no more than there are in the bounds. Beside distances OpenVDB keeps the closest triangle of
 // each voxel, and each in a second tree while it widens the band.
 Cost level_set_cost(const TriangleMesh& mesh, double voxel, double band) {
-  constexpr double kProgramBytes = 40.0 * 0x1p20;
+  constexpr double kProgramBytes = 46.0 * 0x1p20;
+  constexpr double kBytesPerTriangle = 128.0;  // with its vertices, read and in index space
   constexpr double kSecondsPerVoxel = 75e-9;
   constexpr double kLeafVoxels = 512.0;
   constexpr double kHalfDiagonal = 7.0;
@@ -85,7 +86,8 @@ Cost level_set_cost(const TriangleMesh& mesh, double voxel, double band) {
   const Vec<3> size = (bounds.upper - bounds.lower) / voxel + Vec<3>(2.0 * reach);
   const double in_band = area_of(mesh) / (voxel * voxel) * 2.0 * reach;
   const double voxels = std::min(in_band, size.x * size.y * size.z);
-  return {kSecondsPerVoxel * voxels, kProgramBytes + voxels / kLeafVoxels * kBytesPerLeaf * kTrees};
+  const double bytes = kProgramBytes + kBytesPerTriangle * static_cast<double>(mesh.triangles.size());
+  return {kSecondsPerVoxel * voxels, bytes + voxels / kLeafVoxels * kBytesPerLeaf * kTrees};
 }
 
 openvdb::FloatGrid::Ptr mesh_level_set(const TriangleMesh& mesh, double voxel, double band,
