@@ -113,9 +113,9 @@ TEST(BakeNoise, VariesWithUnitVarianceOverASphere) {
   }
 }
 
-// What an error is allowed for does not move impulses: a draft is the final, up to its error. That of kernels is
-// .0433 at .05, which is a correlation of 1 - .0433^2 / 2 = .99906, and the standard error of the mean of the
-// squared differences at 20000 points is 2 % of it.
+// What an error is allowed for does not move impulses: a draft is the final, up to its error. That of kernels
+// is .0433 at .05, which is a correlation of 1 - .0433^2 / 2 = .99906, and the standard error of the mean of
+// the squared differences at 20000 points is 2 % of it.
 TEST(BakeNoise, ADraftShowsTheFinal) {
   const Sphere sphere(20000, 8.0);
   for (const SurfaceNoiseKind kind : kKinds) {

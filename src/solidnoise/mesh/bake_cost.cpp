@@ -1,6 +1,5 @@
 #include "solidnoise/mesh/bake_cost.h"
 
-
 #include "solidnoise/mesh/surface_field.h"
 
 namespace solidnoise {

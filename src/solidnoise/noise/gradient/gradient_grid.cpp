@@ -16,7 +16,7 @@ constexpr std::size_t kMostKnownGradients = std::size_t{1} << 22;
 
 template <int Dim>
 GradientGrid<Dim>::GradientGrid(const GradientNoiseOptions& options, const std::array<CellAxis, Dim>& axes,
-                                  const Shape& shape)
+                                const Shape& shape)
     : axes_(axes), lattice_(options, axes) {
   const bool half = options.support == GradientNoiseOptions::Support::half;
   reach_cells_ = half ? 1 : 2;

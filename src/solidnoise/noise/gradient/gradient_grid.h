@@ -25,7 +25,7 @@ class GradientGrid {
   };
 
   GradientGrid(const GradientNoiseOptions& options, const std::array<CellAxis, Dim>& axes,
-                const Shape& shape);
+               const Shape& shape);
   GradientGrid(const GradientGrid&) = delete;  // sum() points into the field
   GradientGrid& operator=(const GradientGrid&) = delete;
 
