@@ -104,7 +104,7 @@ struct MeshWriteOptions {
 void write_mesh(const std::filesystem::path& path, const PolygonMesh& mesh,
                 const MeshWriteOptions& options = {});
 
-// The same to a stream, which should throw on errors.
+// Writes to a stream, which should throw on errors.
 void write_mesh(std::ostream& stream, MeshFormat format, const PolygonMesh& mesh,
                 const MeshWriteOptions& options = {});
 

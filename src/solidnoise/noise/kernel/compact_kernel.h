@@ -86,14 +86,14 @@ class CompactKernel {
 template <int Dim>
 CompactKernel compact_kernel(const IsotropicGaborKernel<Dim>& kernel, double error);
 
-// The same for the one-dimensional Gaussian exp(-pi a^2 d^2), for use as one factor per axis of a separable
+// The compact form of the one-dimensional Gaussian exp(-pi a^2 d^2), as one factor per axis of a separable
 // window in `dimensions` dimensions whose relative RMS error, all axes together, is `error`. The result is a
 // one-dimensional kernel, the cheapest by (d + 13) R^dimensions, for the box counts more than the degree
 // here: an axis' factors are shared by a whole lattice. With e its own relative error, that of the product is
 // sqrt(1 - (1 - e^2)^dimensions).
 CompactKernel compact_envelope(double a, int dimensions, double error);
 
-// The same for the radial Gaussian exp(-pi a^2 r^2) in `dimensions` dimensions; the cheapest by
+// That of the radial Gaussian exp(-pi a^2 r^2) in `dimensions` dimensions; the cheapest by
 // (d + 17) R^dimensions, for it is multiplied by a wave.
 CompactKernel compact_gaussian(double a, int dimensions, double error);
 

@@ -70,14 +70,14 @@ struct KernelExtent {
 template <int Dim>
 PointCull bounds(std::span<const LocatedPoint<Dim>> points, const KernelExtent& extent);
 
-// The same of all points of two sets together, but that it knows of no layer.
+// Where those are that the points of two sets need together; it knows of no layer.
 PointCull joined(const PointCull& a, const PointCull& b);
 
-// The same in cells of twice the size, relative to the one that the anchor lies in. `offset`: the anchor's
+// A cull in cells of twice the size, relative to the one that the anchor lies in. `offset`: the anchor's
 // corner in that cell, in cells of the smaller size, 0 or 1 per role. Turns are not changed.
 PointCull coarsened(const PointCull& cull, const std::array<float, kRoles>& offset);
 
-// The same for the impulses of a process, `parts` of whose strata are a cell.
+// A cull as a process takes it, `parts` of whose strata along an axis are a cell.
 template <int Dim>
 ImpulseReach<Dim> reach_of(const Index<Dim>& anchor, const PointCull& cull, int parts = 1) {
   const Index<Dim> stratum = anchor * std::int64_t{parts};

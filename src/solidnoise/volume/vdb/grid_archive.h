@@ -8,9 +8,10 @@
 
 namespace solidnoise {
 
-// The same grid for writing: OpenVDB compresses the values of one leaf after the other, which takes longer
-// than making noise; this one compresses many leaves at once (write_leaves()). Shares the tree. Streamed
-// grids, which do so themselves, and grids of other types than float and vec3s are returned as they are.
+// The grid in a form for writing: OpenVDB compresses the values of one leaf after the other, which takes
+// longer than making noise; this one compresses many leaves at once (write_leaves()). Shares the tree.
+// Streamed grids, which do so themselves, and grids of other types than float and vec3s are returned as they
+// are.
 openvdb::GridBase::ConstPtr parallel_grid(const openvdb::GridBase::ConstPtr& grid);
 
 // Writes what OpenVDB's own archives do, with three differences: files are the same, byte by byte, where
@@ -33,7 +34,7 @@ class GridArchive final : public openvdb::io::Archive {
   };
 
   // With Offsets::write the stream is to be able to seek, and is at its beginning; streamed grids need it.
-  // Grids that share a tree share it in the file. The same contents make the same bytes.
+  // Grids that share a tree share it in the file. Equal contents make equal bytes.
   void write_grids(std::ostream& stream, Offsets offsets, const Contents& contents) const;
 
  private:

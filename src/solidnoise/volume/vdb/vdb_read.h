@@ -49,16 +49,16 @@ double memory_of(const GridSummary& grid);
 openvdb::GridBase::Ptr read_grid(const std::filesystem::path& path, const std::string& name = {},
                                  Progress* progress = nullptr);
 
-// The same for a grid of floats (stored as half or not); `name` empty: the first grid of floats. Throws
+// As read_grid, of a grid of floats (stored as half or not); `name` empty: the first of them. Throws
 // std::runtime_error also if the named grid is of another type.
 openvdb::FloatGrid::Ptr read_float_grid(const std::filesystem::path& path, const std::string& name = {},
                                         Progress* progress = nullptr);
 
-// The same for a grid of vectors, vec3s or vec3d.
+// As read_float_grid, of a grid of vectors, vec3s or vec3d.
 openvdb::GridBase::Ptr read_vector_grid(const std::filesystem::path& path, const std::string& name = {},
                                         Progress* progress = nullptr);
 
-// The same for a grid of either.
+// As read_float_grid, of a grid of floats or of vectors.
 openvdb::GridBase::Ptr read_float_or_vector_grid(const std::filesystem::path& path,
                                                  const std::string& name = {}, Progress* progress = nullptr);
 
