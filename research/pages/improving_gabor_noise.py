@@ -412,5 +412,5 @@ Spatially varying noise on surfaces, steered by curvature: [meshnoise](../meshno
 | 25, 26 | weights of powers; amplitudes take their square roots |
 | 43, 45 | the exponent has the square of F0 |
 | 47 | the envelope has a factor of 2, as in eq. 51 |
-| 4D radius | said to have no solution; Lambert's W solves it as in 2D and 3D (`IsotropicGaborKernel<4>::asymptotic_envelope_radius`) |
+| 4D radius | said to have no solution; Lambert's W solves it as in 2D and 3D |
 """)

@@ -23,10 +23,6 @@ double cyl_bessel_j(double order, double x) {
   return boost::math::cyl_bessel_j(order, x, InDouble());
 }
 
-double cyl_neumann(double order, double x) {
-  return boost::math::cyl_neumann(order, x, InDouble());
-}
-
 namespace {
 
 // The C library's, whose locale is always "C" here; it would take blanks and a plus before the number, too.

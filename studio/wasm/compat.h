@@ -20,7 +20,6 @@ unique_ptr<T> make_unique_for_overwrite(size_t count) {
 
 double beta(double a, double b);
 double cyl_bessel_j(double order, double x);
-double cyl_neumann(double order, double x);
 
 from_chars_result from_chars(const char* first, const char* last, double& value);
 from_chars_result from_chars(const char* first, const char* last, float& value);

@@ -1,10 +1,8 @@
 #include "solidnoise/noise/kernel/isotropic_gabor_kernel.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
-#include <string>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -89,33 +87,6 @@ TEST(IsotropicGaborKernel, MomentsAreIntegralsOfPowers) {
   });
 }
 
-TEST(IsotropicGaborKernel, EnvelopesAgreeWithGoldenValues) {
-  for_each_gabor_case([]<int Dim>(const json& expected) {
-    const auto kernel = kernel_of<Dim>(expected);
-    for (const json& at : expected["envelope"]) {
-      EXPECT_TRUE(within(kExact, kernel.envelope(at["r"]), at["exact"]));
-      EXPECT_TRUE(within(kExact, kernel.asymptotic_envelope(at["r"]), at["asymptotic"]));
-    }
-  });
-}
-
-TEST(IsotropicGaborKernel, RadiiByEnvelopeAgreeWithGoldenValues) {
-  for_each_gabor_case([]<int Dim>(const json& expected) {
-    const auto kernel = kernel_of<Dim>(expected);
-    for (const std::string fraction : {"0.05", "0.01"}) {
-      const double q = std::stod(fraction);
-      const double gaussian = expected["radius"]["gauss_" + fraction];
-      const double asymptotic = expected["radius"]["iso_env_asymptotic_" + fraction];
-      const double exact = expected["radius"]["iso_env_exact_" + fraction];
-      EXPECT_TRUE(within(kExact, kernel.gaussian_radius(q), gaussian));
-      EXPECT_TRUE(within(kExact, kernel.asymptotic_envelope_radius(q), asymptotic));
-      EXPECT_TRUE(within(kExact, kernel.radius_for_envelope(q), std::min(gaussian, asymptotic)));
-      // At the exact radius the envelope is q g(0); it falls by at most some tens of its value per radius.
-      EXPECT_TRUE(within(1e-8, kernel.envelope(exact), q * kernel.peak()));
-    }
-  });
-}
-
 TEST(IsotropicGaborKernel, RelativeErrorAndItsRadiusAgreeWithGoldenValues) {
   for_each_gabor_case([]<int Dim>(const json& expected) {
     const auto kernel = kernel_of<Dim>(expected);
@@ -174,28 +145,6 @@ TEST(IsotropicGaborKernel, FilteringMultipliesTheSpectrumByTheResponse) {
   });
 }
 
-TEST(IsotropicGaborKernel, SliceSpectraAgreeWithGoldenValues) {
-  int slices = 0;
-  for_each_gabor_case([&slices]<int Dim>(const json& expected) {
-    const auto kernel = kernel_of<Dim>(expected);
-    for (const json& slice : expected["slices"]) {
-      for (const json& at : slice["values"]) {
-        EXPECT_TRUE(within(kExact, kernel.slice_spectrum(slice["m"], at["f"]), at["S"]));
-        ++slices;
-      }
-    }
-  });
-  EXPECT_EQ(slices, 4 * 6 * 5);
-}
-
-TEST(IsotropicGaborKernel, SliceSpectraKeepTheVariance) {
-  const auto kernel = IsotropicGaborKernel<4>::with_unit_peak(3.0, 1.0);
-  for (int m = 1; m <= 4; ++m) {
-    const double variance = space_integral(m, 7.0, [&](double f) { return kernel.slice_spectrum(m, f); });
-    EXPECT_TRUE(within(1e-10, variance, kernel.energy())) << m;
-  }
-}
-
 TEST(IsotropicGaborKernel, UnitPeakIsOne) {
   EXPECT_DOUBLE_EQ(IsotropicGaborKernel<1>::with_unit_peak(7.0, 2.0).value(0.0), 1.0);
   EXPECT_DOUBLE_EQ(IsotropicGaborKernel<2>::with_unit_peak(7.0, 2.0).value(0.0), 1.0);
@@ -221,8 +170,6 @@ TEST(IsotropicGaborKernel, RefusesParametersThatMakeNoKernel) {
   EXPECT_THROW(IsotropicGaborKernel<2>(1.0, std::nan(""), 1.0), std::invalid_argument);
   const IsotropicGaborKernel<2> kernel(1.0, 1.0, 1.0);
   EXPECT_THROW(kernel.radius_for_error(0.0), std::invalid_argument);
-  EXPECT_THROW(kernel.radius_for_envelope(2.0), std::invalid_argument);
-  EXPECT_THROW(kernel.slice_spectrum(3, 1.0), std::invalid_argument);
   EXPECT_THROW(kernel.filtered(0.0), std::invalid_argument);
 }
 

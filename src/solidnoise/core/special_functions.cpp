@@ -76,22 +76,6 @@ double unit_ball_volume(int n) {
   return unit_sphere_area(n) / n;
 }
 
-double bessel_j(double order, double x) {
-  if (order == -0.5) return std::sqrt(2.0 / (kPi * x)) * std::cos(x);
-  if (order == 0.0) return ::j0(x);
-  if (order == 0.5) return x == 0.0 ? 0.0 : std::sqrt(2.0 / (kPi * x)) * std::sin(x);
-  if (order == 1.0) return ::j1(x);
-  return std::cyl_bessel_j(order, x);
-}
-
-double bessel_y(double order, double x) {
-  if (order == -0.5) return std::sqrt(2.0 / (kPi * x)) * std::sin(x);
-  if (order == 0.0) return ::y0(x);
-  if (order == 0.5) return -std::sqrt(2.0 / (kPi * x)) * std::cos(x);
-  if (order == 1.0) return ::y1(x);
-  return std::cyl_neumann(order, x);
-}
-
 double bessel_i_scaled(double order, double x) {
   if (x >= kAsymptoticFrom) return scaled_i_asymptotic_series(order, x) / std::sqrt(2.0 * kPi * x);
   return std::exp(-x) * std::pow(0.5 * x, order) / std::tgamma(order + 1.0) *
@@ -108,7 +92,7 @@ double mean_cosine(int n, double z) {
   if (n == 5) return 3.0 * (std::sin(z) / z - std::cos(z)) / (z * z);
   if (n == 6) return 8.0 * ::jn(2, z) / (z * z);
   const double order = 0.5 * n - 1.0;
-  return std::tgamma(0.5 * n) * std::pow(2.0 / z, order) * bessel_j(order, z);
+  return std::tgamma(0.5 * n) * std::pow(2.0 / z, order) * std::cyl_bessel_j(order, z);
 }
 
 double mean_exponential_scaled(int n, double z) {
@@ -117,21 +101,6 @@ double mean_exponential_scaled(int n, double z) {
   const double order = 0.5 * n - 1.0;
   if (z < kAsymptoticFrom) return std::exp(-z) * direction_mean_series(0.5 * n, 0.25 * z * z);
   return std::tgamma(0.5 * n) * std::pow(2.0 / z, order) * bessel_i_scaled(order, z);
-}
-
-double lambert_w0(double x) {
-  if (x == 0.0) return 0.0;
-  // A start within a few tens of percent, then Halley's iteration, which triples the correct digits.
-  double w = std::log1p(x);
-  if (x > 3.0) w = std::log(x) - std::log(std::log(x));
-  for (int step = 0; step < 20; ++step) {
-    // Written with x exp(-w), which cannot overflow.
-    const double residual = w - x * std::exp(-w);
-    const double change = residual / (w + 1.0 - 0.5 * (w + 2.0) * residual / (w + 1.0));
-    w -= change;
-    if (std::abs(change) <= 4.0 * kEpsilon * w) break;
-  }
-  return w;
 }
 
 double regularized_gamma_q(double s, double x) {

@@ -8,11 +8,6 @@ double unit_sphere_area(int n);
 // Volume V_n = S_n / n of the unit ball in n >= 1 dimensions: 2, pi, 4 pi / 3, pi^2 / 2.
 double unit_ball_volume(int n);
 
-// Bessel functions of the first and second kind, J and Y, of order -1/2, 0, 1/2, 1, 3/2, ...; x > 0 (J of
-// non-negative order also at 0). Relative to sqrt(J^2 + Y^2), exact to about 1e-15 for x up to 1000.
-double bessel_j(double order, double x);
-double bessel_y(double order, double x);
-
 // exp(-x) I_order(x), the scaled modified Bessel function of the first kind; order from -1/2 to 4, x >= 0
 // (x > 0 for a negative order). Never overflows; relative error about 1e-15.
 double bessel_i_scaled(double order, double x);
@@ -27,9 +22,6 @@ double mean_cosine(int n, double z);
 //   exp(-z) Gamma(n/2) (2/z)^nu I_nu(z), nu = n/2 - 1.
 // It is 1 at z = 0. Never overflows.
 double mean_exponential_scaled(int n, double z);
-
-// The principal branch of Lambert's W: the w >= 0 with w exp(w) = x, for x >= 0.
-double lambert_w0(double x);
 
 // Regularised upper incomplete gamma function Q(s, x) = Gamma(s, x) / Gamma(s); s > 0, x >= 0. Keeps its
 // relative accuracy in the far tail. (Q(k/2, c/2) is the probability that chi-square with k degrees of

@@ -135,8 +135,7 @@ OrientedGaborNoise<Dim>::OrientedGaborNoise(const OrientedGaborNoiseOptions& opt
 // Puts the filtered kernel in the place of the kernel; false, and no change, if nothing is left of it.
 template <int Dim>
 bool OrientedGaborNoise<Dim>::filter_kernel() {
-  const GaborKernel<Dim> phased = kernel_.with_phase(0.0).filtered(filter_bandwidth(options_.filter));
-  const RandomPhaseGaborKernel<Dim> filtered(phased.amplitude(), phased.a(), phased.frequency());
+  const RandomPhaseGaborKernel<Dim> filtered = kernel_.filtered(filter_bandwidth(options_.filter));
   const FilteredShare share{std::sqrt(filtered.energy() / kernel_.energy()), kernel_.a() / filtered.a()};
   if (share.nothing(options_.error)) return false;
   kernel_ = filtered;

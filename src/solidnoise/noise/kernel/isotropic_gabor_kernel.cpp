@@ -84,58 +84,6 @@ double IsotropicGaborKernel<Dim>::autocorrelation(double r) const {
 }
 
 template <int Dim>
-double IsotropicGaborKernel<Dim>::slice_spectrum(int m, double f) const {
-  require_in_range("slice dimensions", m, 1, Dim);
-  if (m == Dim) return squared(spectrum(f));
-  const double f2 = f * f;
-  const auto integrand = [this, m, f2](double t) {
-    return squared(spectrum(std::sqrt(f2 + t * t))) * std::pow(t, Dim - m - 1);
-  };
-  // Distances from the origin between which the spectrum is not negligible beside its largest value for this
-  // f.
-  const double inner = std::max(0.0, frequency_ - kNegligible * a_);
-  const double excess = std::max(0.0, std::abs(f) - frequency_);
-  const double outer = frequency_ + std::hypot(excess, kNegligible * a_);
-  const double lower = std::sqrt(std::max(0.0, squared(inner) - f2));
-  const double upper = std::sqrt(squared(outer) - f2);
-  constexpr int kPanels = 32;
-  return unit_sphere_area(Dim - m) * integrate(integrand, lower, upper, kPanels);
-}
-
-template <int Dim>
-double IsotropicGaborKernel<Dim>::envelope(double r) const {
-  const double order = 0.5 * Dim - 1.0;
-  const double z = 2.0 * kPi * frequency_ * r;
-  return 2.0 * kPi * amplitude_ * std::pow(frequency_, 0.5 * Dim) * std::pow(r, -order) *
-         std::exp(-kPi * squared(a_ * r)) * std::hypot(bessel_j(order, z), bessel_y(order, z));
-}
-
-template <int Dim>
-double IsotropicGaborKernel<Dim>::asymptotic_envelope(double r) const {
-  return 2.0 * amplitude_ * std::pow(frequency_ / r, 0.5 * (Dim - 1)) * std::exp(-kPi * squared(a_ * r));
-}
-
-template <int Dim>
-double IsotropicGaborKernel<Dim>::gaussian_radius(double fraction) const {
-  return std::sqrt(-std::log(fraction) / kPi) / a_;
-}
-
-template <int Dim>
-double IsotropicGaborKernel<Dim>::asymptotic_envelope_radius(double fraction) const {
-  const double level = 2.0 * amplitude_ / (fraction * peak_);
-  if constexpr (Dim == 1) return std::sqrt(std::log(level) / kPi) / a_;
-  constexpr double kPower = 0.5 * (Dim - 1);
-  const double argument = 2.0 * kPi * squared(a_ * frequency_) / kPower * std::pow(level, 2.0 / kPower);
-  return std::sqrt(kPower / (2.0 * kPi) * lambert_w0(argument)) / a_;
-}
-
-template <int Dim>
-double IsotropicGaborKernel<Dim>::radius_for_envelope(double fraction) const {
-  require_in_range("fraction", fraction, 0.0, 1.0);
-  return std::fmin(gaussian_radius(fraction), asymptotic_envelope_radius(fraction));
-}
-
-template <int Dim>
 double IsotropicGaborKernel<Dim>::relative_error(double radius) const {
   // The tail itself, not 1 minus the head, which would lose its digits for small errors.
   const auto integrand = [this](double r) { return squared(value(r)) * std::pow(r, Dim - 1); };

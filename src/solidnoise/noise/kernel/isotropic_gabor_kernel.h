@@ -40,30 +40,6 @@ class IsotropicGaborKernel {
   // covariance of a noise, per unit of impulse density and of mean squared weight.
   double autocorrelation(double r) const;
 
-  // Power spectrum on an m-dimensional flat slice, at a frequency f in it: the integral of G^2 over the Dim -
-  // m frequencies that the slice does not see. m is 1 to Dim; m = Dim gives G^2.
-  double slice_spectrum(int m, double f) const;
-
-  // The kernel's envelope: value() with its wave's amplitude in place of the wave, sqrt(J^2 + Y^2) for J; r >
-  // 0.
-  double envelope(double r) const;
-
-  // Its approximation for many waves in a radius, 2 K (F0 / r)^((n-1)/2) exp(-pi a^2 r^2), exact for n = 1
-  // and 3 (eqs. 47 to 51; 47 as printed lacks the factor 2).
-  double asymptotic_envelope(double r) const;
-
-  // Where the Gaussian factor falls to `fraction` of its maximum; in ]0, 1[. Beyond it |g(r)| <= fraction
-  // g(0).
-  double gaussian_radius(double fraction) const;
-
-  // Where asymptotic_envelope() falls to `fraction` of g(0), by Lambert's W (eqs. 52 and 53, extended to 4
-  // dimensions). NaN where the envelope is below that fraction everywhere (n = 1 and fraction > 1 only).
-  double asymptotic_envelope_radius(double fraction) const;
-
-  // The smaller of the two radii above. This is the papers' rule for where to cut a kernel. It promises
-  // nothing about the noise's error, which radius_for_error() does.
-  double radius_for_envelope(double fraction) const;
-
   // Relative RMS error of a noise whose kernel is cut at a radius,
   //   e^2 = integral of g^2 r^(n-1) from radius to infinity / the same from 0.
   // (eqs. 21 to 23, with the factor r^(n-1) that a volume integral needs.)
