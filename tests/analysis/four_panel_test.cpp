@@ -10,6 +10,7 @@
 #include "analysis/synthetic_fields.h"
 #include "solidnoise/analysis/field_picture.h"
 #include "solidnoise/analysis/line_plot.h"
+#include "support/welch_spectrum.h"
 
 namespace solidnoise::four_panel_test {
 namespace {

@@ -6,6 +6,7 @@
 #include "solidnoise/analysis/radial_spectrum.h"
 #include "solidnoise/noise/gabor/gabor_noise.h"
 #include "solidnoise/noise/registry/noise_recipe.h"
+#include "support/welch_spectrum.h"
 
 namespace solidnoise::noise_spectrum_test {
 namespace {

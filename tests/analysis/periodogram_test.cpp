@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "analysis/synthetic_fields.h"
+#include "support/welch_spectrum.h"
 
 namespace solidnoise::periodogram_test {
 namespace {
@@ -73,9 +74,8 @@ TEST(Periodogram, OverlapCountsForLessThanIndependentBlocks) {
   EXPECT_NEAR(spectrum.independent_blocks, 19.0 * 19.0 / (19.0 + 2.0 * 18.0 / 36.0), 1e-9);
 }
 
-TEST(Periodogram, RefusesBlocksThatDoNotFit) {
+TEST(Periodogram, RefusesBlocksThatAreNone) {
   const DenseField<1> field = white_field<1>(glm::vec<1, int>(16), Vec<1>(1.0), 4);
-  EXPECT_THROW(welch_spectrum(field, glm::vec<1, int>(17)), std::invalid_argument);
   EXPECT_THROW(PeriodogramAverage<1>(glm::vec<1, int>(1), Vec<1>(1.0)), std::invalid_argument);
   EXPECT_THROW(PeriodogramAverage<1>(glm::vec<1, int>(8), Vec<1>(0.0)), std::invalid_argument);
   PeriodogramAverage<1> average(glm::vec<1, int>(8), Vec<1>(1.0));

@@ -9,6 +9,7 @@
 
 #include "analysis/synthetic_fields.h"
 #include "solidnoise/analysis/expected_spectrum.h"
+#include "support/welch_spectrum.h"
 
 namespace solidnoise::radial_spectrum_test {
 namespace {

@@ -1,6 +1,5 @@
 #include "solidnoise/analysis/periodogram.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -15,41 +14,15 @@
 namespace solidnoise {
 namespace {
 
-// Copies the part of the field that begins at `first`.
-template <int Dim>
-void copy_block(const DenseField<Dim>& field, const glm::vec<Dim, int>& first,
-                const glm::vec<Dim, int>& count, std::vector<float>& block) {
-  const ArrayShape<Dim> shape{count};
-  const std::size_t row_length = static_cast<std::size_t>(count[Dim - 1]);
-  for (std::size_t row = 0; row < block.size(); row += row_length) {
-    const std::size_t source = ArrayShape<Dim>{field.count}.index(first + shape.position(row));
-    std::copy_n(field.values.begin() + static_cast<std::ptrdiff_t>(source), row_length,
-                block.begin() + static_cast<std::ptrdiff_t>(row));
-  }
-}
-
-double sum_of_products(const std::vector<double>& weights, int shift) {
-  double sum = 0.0;
-  for (std::size_t j = 0; j + static_cast<std::size_t>(shift) < weights.size(); ++j) {
-    sum += weights[j] * weights[j + static_cast<std::size_t>(shift)];
-  }
-  return sum;
-}
-
 std::vector<double> squares(std::vector<double> values) {
   for (double& value : values) value *= value;
   return values;
 }
 
-// Variance of the mean of `blocks` equal things, relative to that of one, if neighbours correlate.
-double relative_variance(double correlation, int blocks) {
-  return (blocks + 2.0 * (blocks - 1) * correlation) / (static_cast<double>(blocks) * blocks);
-}
-
 // The length of data that a weighted count of points sees along one axis: (sum v)^2 / sum v^2 samples.
 double effective_length(const std::vector<double>& weights) {
   const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
-  return sum * sum / sum_of_products(weights, 0);
+  return sum * sum / std::inner_product(weights.begin(), weights.end(), weights.begin(), 0.0);
 }
 
 }  // namespace
@@ -146,42 +119,6 @@ PowerSpectrum<Dim> PeriodogramAverage<Dim>::spectrum() const {
 }
 
 template <int Dim>
-PowerSpectrum<Dim> welch_spectrum(const DenseField<Dim>& field, const glm::vec<Dim, int>& block_count,
-                                  const PeriodogramOptions& options) {
-  PeriodogramAverage<Dim> average(block_count, field.step, options);
-  glm::vec<Dim, int> shift(1);
-  ArrayShape<Dim> blocks;
-  double spectrum_variance = 1.0;
-  double count_variance = 1.0;
-  for (int axis = 0; axis < Dim; ++axis) {
-    if (block_count[axis] > field.count[axis]) {
-      throw std::invalid_argument(fmt::format("periodogram block is {} samples; the field has {}",
-                                              block_count[axis], field.count[axis]));
-    }
-    shift[axis] = options.window == Window::none ? block_count[axis] : block_count[axis] / 2;
-    blocks.count[axis] = (field.count[axis] - block_count[axis]) / shift[axis] + 1;
-    // Two blocks' periodograms correlate by the square of the windows' correlation, and the impulses they
-    // count by the correlation of the squared windows.
-    const std::vector<double> window = window_values(options.window, block_count[axis]);
-    const std::vector<double> squared = squares(window);
-    const double overlap = sum_of_products(window, shift[axis]) / sum_of_products(window, 0);
-    const double shared = sum_of_products(squared, shift[axis]) / sum_of_products(squared, 0);
-    spectrum_variance *= relative_variance(overlap * overlap, blocks.count[axis]);
-    count_variance *= relative_variance(shared, blocks.count[axis]);
-  }
-
-  std::vector<float> block(ArrayShape<Dim>{block_count}.size());
-  for (std::size_t index = 0; index < blocks.size(); ++index) {
-    copy_block(field, blocks.position(index) * shift, block_count, block);
-    average.add(block);
-  }
-  PowerSpectrum<Dim> result = average.spectrum();
-  result.effective_volume *= 1.0 / (count_variance * average.blocks());
-  result.independent_blocks = 1.0 / spectrum_variance;
-  return result;
-}
-
-template <int Dim>
 PowerSpectrum<Dim> periodogram(const DenseField<Dim>& field, const PeriodogramOptions& options) {
   PeriodogramAverage<Dim> average(field.count, field.step, options);
   average.add(field.values);
@@ -194,12 +131,6 @@ template struct PowerSpectrum<3>;
 template class PeriodogramAverage<1>;
 template class PeriodogramAverage<2>;
 template class PeriodogramAverage<3>;
-template PowerSpectrum<1> welch_spectrum<1>(const DenseField<1>&, const glm::vec<1, int>&,
-                                            const PeriodogramOptions&);
-template PowerSpectrum<2> welch_spectrum<2>(const DenseField<2>&, const glm::vec<2, int>&,
-                                            const PeriodogramOptions&);
-template PowerSpectrum<3> welch_spectrum<3>(const DenseField<3>&, const glm::vec<3, int>&,
-                                            const PeriodogramOptions&);
 template PowerSpectrum<1> periodogram<1>(const DenseField<1>&, const PeriodogramOptions&);
 template PowerSpectrum<2> periodogram<2>(const DenseField<2>&, const PeriodogramOptions&);
 template PowerSpectrum<3> periodogram<3>(const DenseField<3>&, const PeriodogramOptions&);

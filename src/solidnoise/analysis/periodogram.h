@@ -56,8 +56,6 @@ class PeriodogramAverage {
   // Adds the periodogram of one block, its last axis fastest; `block` has as many values as the counts say.
   void add(std::span<const float> block);
 
-  int blocks() const { return blocks_; }
-
   // The average so far; the blocks are taken as independent. Precondition: at least one block.
   PowerSpectrum<Dim> spectrum() const;
 
@@ -68,13 +66,6 @@ class PeriodogramAverage {
   double window_energy_ = 1.0;  // sum of the squared window over the block
   int blocks_ = 0;
 };
-
-// Welch's method on one field: the average over blocks of `block_count` samples that overlap by half (with
-// Window::none they do not overlap). What is left over at the upper ends is not used. Throws
-// std::invalid_argument if a block is larger than the field.
-template <int Dim>
-PowerSpectrum<Dim> welch_spectrum(const DenseField<Dim>& field, const glm::vec<Dim, int>& block_count,
-                                  const PeriodogramOptions& options = {});
 
 // The periodogram of the whole field as one block.
 template <int Dim>
