@@ -32,30 +32,6 @@ double ball_power_transform_slope(int n, int p, double f) {
          mean_cosine(dimensions + 2, 4.0 * kPi * f);
 }
 
-// Visits the offset of x from each point of the lattice that may lie within the kernel's radius.
-template <int Dim, typename Visit>
-void for_each_offset(const Vec<Dim>& x, double spacing, const Visit& visit) {
-  constexpr double kSupport = GradientKernel<Dim>::kRadius;
-  Vec<Dim> first;
-  glm::vec<Dim, int> count;
-  std::size_t total = 1;
-  for (int axis = 0; axis < Dim; ++axis) {
-    first[axis] = std::ceil((x[axis] - kSupport) / spacing);
-    count[axis] = static_cast<int>(std::floor((x[axis] + kSupport) / spacing) - first[axis]) + 1;
-    total *= static_cast<std::size_t>(count[axis]);
-  }
-  for (std::size_t index = 0; index < total; ++index) {
-    Vec<Dim> offset;
-    std::size_t rest = index;
-    for (int axis = 0; axis < Dim; ++axis) {
-      const std::size_t extent = static_cast<std::size_t>(count[axis]);
-      offset[axis] = x[axis] - spacing * (first[axis] + static_cast<double>(rest % extent));
-      rest /= extent;
-    }
-    visit(offset);
-  }
-}
-
 // How many points of the integer lattice have the squared length m, for m = 0 to `last`.
 std::vector<double> lattice_points_by_norm(int dim, int last) {
   std::vector<double> counts(static_cast<std::size_t>(last) + 1, 0.0);
@@ -85,8 +61,7 @@ GradientKernel<Dim>::GradientKernel(Kernel kernel, Support support) {
     spacing_ = 2.0;
     density_ = std::pow(0.5, Dim);
   }
-  spectrum_peak_ = find_peak(2.0);
-  radial_peak_ = find_peak(Dim + 1.0);
+  radial_peak_ = find_radial_peak();
 }
 
 template <int Dim>
@@ -136,43 +111,24 @@ double GradientKernel<Dim>::power_spectrum(double f) const {
 }
 
 template <int Dim>
-double GradientKernel<Dim>::find_peak(double power) const {
+double GradientKernel<Dim>::find_radial_peak() const {
+  constexpr double kPower = Dim + 1.0;  // f^(n-1) S is f^(n+1) psi^2, up to a factor
   constexpr double kStep = 0.01;
   constexpr double kHighest = 1.5;  // past it, S is below 1e-4 of its peak in every dimension
   double best = 0.0;
   double peak = 0.0;
   for (double f = kStep; f < kHighest; f += kStep) {
-    const double height = std::pow(f, power) * squared(potential_transform(f));
+    const double height = std::pow(f, kPower) * squared(potential_transform(f));
     if (height > best) {
       best = height;
       peak = f;
     }
   }
-  // The derivative of f^power psi^2, up to the factor f^(power - 1) psi, which has one sign near the peak.
+  // The derivative, up to the factor f^n psi, which has one sign near the peak.
   const auto slope = [&](double f) {
-    return power * potential_transform(f) + 2.0 * f * potential_transform_slope(f);
+    return kPower * potential_transform(f) + 2.0 * f * potential_transform_slope(f);
   };
   return bisect(slope, peak - kStep, peak + kStep);
-}
-
-template <int Dim>
-double GradientKernel<Dim>::variance_at(const Vec<Dim>& x) const {
-  double sum = 0.0;
-  for_each_offset<Dim>(x, spacing_, [&](const Vec<Dim>& offset) {
-    const double norm = squared_length<Dim>(offset);
-    sum += norm * squared(value(std::sqrt(norm)));
-  });
-  return sum / Dim;
-}
-
-template <int Dim>
-double GradientKernel<Dim>::bound_at(const Vec<Dim>& x) const {
-  double sum = 0.0;
-  for_each_offset<Dim>(x, spacing_, [&](const Vec<Dim>& offset) {
-    const double length = std::sqrt(squared_length<Dim>(offset));
-    sum += length * std::abs(value(length));
-  });
-  return sum;
 }
 
 template <int Dim>

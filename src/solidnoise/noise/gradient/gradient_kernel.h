@@ -49,14 +49,8 @@ class GradientKernel {
   // S(f), f >= 0 in cycles per lattice unit; its integral over R^Dim is mean_variance().
   double power_spectrum(double f) const;
 
-  // The frequencies of the largest S(f), and of the largest radial power f^(n-1) S(f).
-  double spectrum_peak() const { return spectrum_peak_; }
+  // The frequency of the largest radial power f^(n-1) S(f).
   double radial_peak() const { return radial_peak_; }
-
-  // Variance of the noise at x, over the gradients; and the largest |noise| at x that any unit gradients
-  // give.
-  double variance_at(const Vec<Dim>& x) const;
-  double bound_at(const Vec<Dim>& x) const;
 
   // Excess kurtosis of the values at all positions of a cell taken together. It has two parts: each term g.v
   // of the sum has the fourth cumulant -6 |v|^4 / (n^2 (n + 2)), and the variance varies over the cell, which
@@ -72,14 +66,12 @@ class GradientKernel {
   // psi(f) and d psi / d f.
   double potential_transform(double f) const;
   double potential_transform_slope(double f) const;
-  // The frequency of the largest f^power psi(f)^2.
-  double find_peak(double power) const;
+  double find_radial_peak() const;
 
   double c1_ = 4.0;
   double c2_ = 3.0;
   double spacing_ = 1.0;  // of the lattice points, 1 or 2
   double density_ = 1.0;  // lattice points per unit volume
-  double spectrum_peak_ = 0.0;
   double radial_peak_ = 0.0;
 };
 
