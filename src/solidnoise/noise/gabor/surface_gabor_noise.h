@@ -99,8 +99,6 @@ class SurfaceGaborNoise {
   double excess_kurtosis() const { return excess_kurtosis_; }
   // The impulses where neither frequency nor bandwidth vary: for whoever sums them in another way.
   ImpulseProcess<3> impulses() const { return stationary_->impulses(); }
-  // The excess kurtosis where frequency or bandwidth vary, the mean over frequencies (PointConvolution).
-  double varying_excess_kurtosis() const { return varying_excess_kurtosis_; }
   // The frequencies that hold all but a thousandth of the variance, without a filter.
   Noise<2>::Band band() const;
 
@@ -112,7 +110,6 @@ class SurfaceGaborNoise {
   CompactKernel compact_;                           // the same, on the unit ball
   double impulses_ = 0.0;
   double excess_kurtosis_ = 0.0;
-  double varying_excess_kurtosis_ = 0.0;
   double scale_in_radii_ = 1.0;  // that impulses of the hierarchy follow
   std::shared_ptr<const PointConvolution<3>> stationary_;
   std::shared_ptr<const PointConvolution<3>> varying_;

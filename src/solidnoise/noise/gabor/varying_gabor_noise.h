@@ -83,8 +83,6 @@ class VaryingGaborNoise {
   double excess_kurtosis() const { return excess_kurtosis_; }
   // The impulses where neither frequency nor bandwidth vary: for whoever sums them in another way.
   ImpulseProcess<Dim> impulses() const { return stationary_->impulses(); }
-  // The excess kurtosis where frequency or bandwidth vary, the mean over frequencies (PointConvolution).
-  double varying_excess_kurtosis() const { return varying_excess_kurtosis_; }
 
  private:
   VaryingGaborOptions options_;
@@ -95,7 +93,6 @@ class VaryingGaborNoise {
   double impulses_ = 0.0;
   double excess_kurtosis_ = 0.0;
   double scale_in_radii_ = 1.0;  // that impulses of the hierarchy follow
-  double varying_excess_kurtosis_ = 0.0;
   std::shared_ptr<const PointConvolution<Dim>> stationary_;
   std::shared_ptr<const PointConvolution<Dim>> varying_;
 };

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <functional>
-
 namespace solidnoise {
 
 // How a noise whose kernel radius r changes from place to place gets its impulses. There is a grid for each
@@ -14,12 +12,10 @@ enum class ScaleTransition {
   //   y = (r / 2^l)^n (2^-n + (1 - 2^-n) u),   u uniform on [0, 1),
   // and its kernel is multiplied by fade(y), which is 0 outside of 2^-n < y < 1, the range that the two grids
   // have between them. Impulses come and go one by one as r changes, and only as many are evaluated as are
-  // needed. The
-  // process being one of uniform density in y, variance and spectrum are the same for every r, and of a
-  // Poisson process
-  // all statistics (Campbell's theorem). In strata, in space and in u, the excess kurtosis is around 0: cells
-  // are
-  // smaller than balanced ones at one end of a grid's range and larger at the other (ScaleFade::overlap).
+  // needed. The process being one of uniform density in y, variance and spectrum are the same for every r,
+  // and of a
+  // Poisson process all statistics (Campbell's theorem). In strata, in space and in u, the excess kurtosis is
+  // around 0: cells are smaller than balanced ones at one end of a grid's range and larger at the other.
   fade,
   // All impulses of both grids, the sums weighted so that their powers add up to 1: by the square roots of
   // eqs. 25 and 26 in n dimensions, smoothed,
@@ -52,13 +48,6 @@ struct ScaleFade {
 
   double operator()(double y) const;
 
-  // How strata make impulses that fade less random. Cells of side 1 and 2 have `count` impulses each, one
-  // turn u in each count-th of [0, 1): where kernels' scale is `scale`, 1 to 2, the integral over y of
-  // fade^4, with the mean of fade^2 over a part in place of it, times what cells of that side, in scales,
-  // have of KernelMoments::overlap.
-  double overlap(int count, double scale, const std::function<double(double)>& of_side) const;
-
-  int dimensions;
   double lowest;  // 2^-n
   double rise;    // widths in y
   double fall = 0.25;
