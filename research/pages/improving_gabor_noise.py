@@ -329,9 +329,9 @@ def draw_transition(data, page):
     page.write(f"""
 The paper's weights, eqs. 25 and 26, are right for powers and printed for amplitudes: independent grids add up in their squares, and the
 variance falls to a half at alpha = 1/3 (closed form 0.5, measured {measured['paper'][third]:.3f} ±
-{measured['paper_error'][third]:.3f}). Their square roots keep it at 1, smoothed ones are our `power`. Our default, `fade`, lets impulses come and go
-one by one instead, which keeps all statistics, the kurtosis too. Bars are two standard errors. The derivation is at `ScaleTransition`
-(`src/solidnoise/noise/point/scale_transition.h`).
+{measured['paper_error'][third]:.3f}). Their square roots keep it at 1, smoothed ones are `power`. Ours, `fade`, lets impulses come and go
+one by one instead, which keeps all statistics, the kurtosis too. Bars are two standard errors. The derivation is at `ScaleFade`
+(`src/solidnoise/noise/point/scale_fade.h`).
 """)
 
 

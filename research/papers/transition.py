@@ -3,7 +3,7 @@ definition. Between the grids of cells of 2^l and 2^(l+1), for a radius (1 + alp
 - paper: weights (1 - alpha) / (1 + alpha)^n and 2^n alpha / (1 + alpha)^n (eqs. 25 and 26), here of amplitudes as printed;
 - power: their square roots, smoothed: a cosine and a sine;
 - fade: ours. Each impulse has its turn y, a density in units of what the radius asks for, and a weight that is 0 unless 2^-n < y < 1
-  (ScaleTransition, src/solidnoise/noise/point/scale_transition.h)."""
+  (ScaleFade, src/solidnoise/noise/point/scale_fade.h)."""
 
 import numpy as np
 from scipy import integrate

@@ -42,8 +42,6 @@ const std::vector<Variation> kVariations{
     {"all", true, true, true, true}};
 const std::vector<std::pair<std::string, GaborWaves>> kWaves{{"isotropic", GaborWaves::isotropic},
                                                              {"oriented", GaborWaves::oriented}};
-const std::vector<std::pair<std::string, ScaleTransition>> kTransitions{{"power", ScaleTransition::power},
-                                                                        {"paper", ScaleTransition::paper}};
 
 template <typename Evaluate>
 DigestCase case_of(const std::string& name, const Evaluate& evaluate) {
@@ -83,12 +81,6 @@ void add_gabor(DigestCases& cases) {
       cases.push_back(varying_case<3>(both, options, variation));
       cases.push_back(varying_case<4>(both, options, variation));
       cases.push_back(surface_case(both, surface, variation));
-    }
-    for (const auto& [transition_name, transition] : kTransitions) {
-      const Variation& all = kVariations.back();
-      options.transition = surface.transition = transition;
-      cases.push_back(varying_case<3>(name + "/all/" + transition_name, options, all));
-      cases.push_back(surface_case(name + "/all/" + transition_name, surface, all));
     }
     cases.push_back(case_of("surface gabor/" + name + "/thin layer", [=](std::vector<float>& values) {
       SurfaceGaborOptions thin = surface;

@@ -20,12 +20,11 @@ namespace {
 
 constexpr double kImpulses = 20.0;
 
-SurfaceGaborOptions some_options(GaborWaves waves, ScaleTransition transition = ScaleTransition::fade) {
+SurfaceGaborOptions some_options(GaborWaves waves) {
   SurfaceGaborOptions options;
   options.frequency = 1.0;
   options.impulses = kImpulses;
   options.waves = waves;
-  options.transition = transition;
   options.seed = 11;
   return options;
 }
@@ -109,10 +108,8 @@ TEST(SurfaceGaborNoise, AgreesWithTheReferenceForEveryInstructionSet) {
                                                          .strata = balanced_side_in_radii(noise),
                                                          .layer = layer,
                                                          .seed = 11});
-      const reference::VaryingGaborProcedure<3> stationary({.transition = reference::Transition::none,
-                                                            .nominal = family.nominal_share(),
-                                                            .layer = layer,
-                                                            .grid = noise.impulses()});
+      const reference::VaryingGaborProcedure<3> stationary(
+          {.nominal = family.nominal_share(), .layer = layer, .grid = noise.impulses()});
       std::vector<double> expected_varying, expected_stationary;
       for (std::size_t i = 0; i < scattered.size(); ++i) {
         const double magnitude = scattered.magnitude[i];

@@ -47,11 +47,10 @@ std::vector<float> evaluate(const VaryingGaborNoise<Dim>& noise, const Scattered
 }
 
 template <int Dim>
-VaryingGaborNoise<Dim> make(GaborWaves waves, ScaleTransition transition, double impulses = 24.0) {
+VaryingGaborNoise<Dim> make(GaborWaves waves, double impulses = 24.0) {
   VaryingGaborOptions options;
   options.impulses = impulses;
   options.waves = waves;
-  options.transition = transition;
   options.frequency = 1.0;
   options.seed = 3;
   return VaryingGaborNoise<Dim>(options);
@@ -73,11 +72,10 @@ void set_smooth_fields(Scattered<Dim>& points) {
 }
 
 template <int Dim>
-void expect_unit_variance_under_varying_parameters(ScaleTransition transition, std::size_t count) {
+void expect_unit_variance_under_varying_parameters(std::size_t count) {
   for (const GaborWaves waves : {GaborWaves::isotropic, GaborWaves::oriented}) {
-    SCOPED_TRACE(testing::Message() << Dim << "D, waves " << static_cast<int>(waves) << ", transition "
-                                    << static_cast<int>(transition));
-    const auto noise = make<Dim>(waves, transition);
+    SCOPED_TRACE(testing::Message() << Dim << "D, waves " << static_cast<int>(waves));
+    const auto noise = make<Dim>(waves);
     auto points = independent_points<Dim>(count, 2.1 * noise.radius(1.0, 0.4));
     set_smooth_fields<Dim>(points);
     std::vector<float> values = evaluate<Dim>(noise, points);
@@ -94,35 +92,20 @@ void expect_unit_variance_under_varying_parameters(ScaleTransition transition, s
 }
 
 TEST(VaryingGaborStatistics, VarianceIsOneUnderAnyFieldOfParameters) {
-  expect_unit_variance_under_varying_parameters<2>(ScaleTransition::fade, 80000);
-  expect_unit_variance_under_varying_parameters<3>(ScaleTransition::fade, 48000);
-  expect_unit_variance_under_varying_parameters<4>(ScaleTransition::fade, 16000);
-  expect_unit_variance_under_varying_parameters<2>(ScaleTransition::power, 48000);
-  expect_unit_variance_under_varying_parameters<3>(ScaleTransition::power, 24000);
+  expect_unit_variance_under_varying_parameters<2>(80000);
+  expect_unit_variance_under_varying_parameters<3>(48000);
+  expect_unit_variance_under_varying_parameters<4>(16000);
 }
 
-// Values of the same law: all at one place in the range of a level, whose cells kernels are (1 + alpha) times
-// as large as: they go by the side of balanced cubes, those of Poisson processes by the nominal radius.
+// Values of the same law: all at one place in the range of a level, whose cells the balanced cubes of the
+// kernel are (1 + alpha) times as large as.
 template <int Dim>
-std::vector<float> values_at(double alpha, ScaleTransition transition, std::size_t count,
-                             GaborWaves waves = GaborWaves::isotropic) {
-  const auto noise = make<Dim>(waves, transition, transition == ScaleTransition::fade ? 0.0 : 24.0);
-  const double share = transition == ScaleTransition::fade
-                           ? balanced_side_in_radii(noise)
-                           : KernelFamily(Dim, waves, 1.0, noise.options().error).nominal_share();
-  const double frequency = share * noise.radius(1.0, 1.0) / (1.0 + alpha);
+std::vector<float> values_at(double alpha, std::size_t count, GaborWaves waves) {
+  const auto noise = make<Dim>(waves, 0.0);
+  const double frequency = balanced_side_in_radii(noise) * noise.radius(1.0, 1.0) / (1.0 + alpha);
   auto points = independent_points<Dim>(count, 2.1 * noise.radius(frequency, 1.0));
   points.frequency.assign(count, static_cast<float>(frequency));
   return evaluate<Dim>(noise, points);
-}
-
-TEST(VaryingGaborStatistics, PaperWeightsLoseTheVarianceThatTheyShould) {
-  for (const double alpha : {0.2, 1.0 / 3.0, 0.5, 0.8}) {
-    const ScaleWeights weights = scale_weights(ScaleTransition::paper, 2, alpha);
-    const auto values = values_at<2>(alpha, ScaleTransition::paper, 60000);
-    expect_within_4_sigma(estimate_mean(values, [](double x) { return x * x; }),
-                          scale_variance(weights, 2, alpha));
-  }
 }
 
 // Over the places in cells, that is: points of a lattice that cells are no multiples of. A Poisson process of
@@ -131,7 +114,7 @@ template <int Dim>
 void expect_kurtosis_of_strata(GaborWaves waves) {
   double mean = 0.0;
   for (const double alpha : {0.09, 0.3, 0.54, 0.83}) {  // middles of quarters of an octave
-    const auto values = values_at<Dim>(alpha, ScaleTransition::fade, 60000, waves);
+    const auto values = values_at<Dim>(alpha, 60000, waves);
     const Estimate fourth = estimate_mean(values, [](double x) { return std::pow(x, 4); });
     EXPECT_NEAR(fourth.mean, 3.0, 0.12 + 4.0 * fourth.error) << Dim << "D at " << alpha;
     mean += 0.25 * (fourth.mean - 3.0);
@@ -174,7 +157,7 @@ TEST(VaryingGaborStatistics, ExcessKurtosisIsThatOfAStationaryNoiseOfAsManyImpul
 // parameters are constant, whichever the level.
 template <int Dim>
 void expect_covariance(double frequency) {
-  const auto noise = make<Dim>(GaborWaves::isotropic, ScaleTransition::fade);
+  const auto noise = make<Dim>(GaborWaves::isotropic);
   const GaborNoise<Dim> stationary(
       GaborNoiseOptions{.frequency = frequency, .impulses = noise.impulses_per_kernel()});
   const double radius = stationary.radius();

@@ -19,11 +19,10 @@ namespace {
 constexpr double kImpulses = 20.0;
 
 template <int Dim>
-VaryingGaborOptions some_options(GaborWaves waves, ScaleTransition transition = ScaleTransition::fade) {
+VaryingGaborOptions some_options(GaborWaves waves) {
   VaryingGaborOptions options;
   options.impulses = kImpulses;
   options.waves = waves;
-  options.transition = transition;
   options.seed = 7;
   return options;
 }
@@ -47,17 +46,6 @@ void for_each_kind(const Check& check) {
   run.template operator()<2>();
   run.template operator()<3>();
   run.template operator()<4>();
-}
-
-reference::Transition reference_transition(ScaleTransition transition) {
-  switch (transition) {
-    case ScaleTransition::power:
-      return reference::Transition::power;
-    case ScaleTransition::paper:
-      return reference::Transition::paper;
-    default:
-      return reference::Transition::fade;
-  }
 }
 
 // The value at one point, with the kernel of the family in double precision.
@@ -99,30 +87,25 @@ constexpr double kRounding = 1e-4;
 TEST(VaryingGaborNoise, AgreesWithTheReferenceForEveryInstructionSet) {
   for_each_kind([]<int Dim>(GaborWaves waves) {
     const Scattered<Dim> scattered = scattered_points<Dim>(60, 4.0);
-    for (const ScaleTransition transition :
-         {ScaleTransition::fade, ScaleTransition::power, ScaleTransition::paper}) {
-      const VaryingGaborNoise<Dim> noise(some_options<Dim>(waves, transition));
-      const KernelFamily family(Dim, waves, 1.0, 0.02);
-      const reference::VaryingGaborProcedure<Dim> procedure(
-          {.transition = reference_transition(transition),
-           .impulses = noise.impulses_per_kernel(),
-           .nominal = family.nominal_share(),
-           .strata = transition == ScaleTransition::fade ? balanced_side_in_radii(noise) : 0.0,
-           .seed = 7});
-      std::vector<double> expected;
-      for (std::size_t i = 0; i < scattered.size(); ++i) {
-        const double value = reference_value<Dim>(procedure, family, scattered, i, scattered.frequency[i],
-                                                  scattered.bandwidth[i]);
-        expected.push_back(value * scattered.magnitude[i]);
-      }
-      for_each_simd_target([&](std::int64_t) {
-        const std::vector<float> values = values_of<Dim>(noise, scattered);
-        for (std::size_t i = 0; i < values.size(); ++i) {
-          ASSERT_NEAR(values[i], expected[i], kRounding * std::fmax(1.0, std::abs(expected[i])))
-              << "point " << i;
-        }
-      });
+    const VaryingGaborNoise<Dim> noise(some_options<Dim>(waves));
+    const KernelFamily family(Dim, waves, 1.0, 0.02);
+    const reference::VaryingGaborProcedure<Dim> procedure({.impulses = noise.impulses_per_kernel(),
+                                                           .nominal = family.nominal_share(),
+                                                           .strata = balanced_side_in_radii(noise),
+                                                           .seed = 7});
+    std::vector<double> expected;
+    for (std::size_t i = 0; i < scattered.size(); ++i) {
+      const double value = reference_value<Dim>(procedure, family, scattered, i, scattered.frequency[i],
+                                                scattered.bandwidth[i]);
+      expected.push_back(value * scattered.magnitude[i]);
     }
+    for_each_simd_target([&](std::int64_t) {
+      const std::vector<float> values = values_of<Dim>(noise, scattered);
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        ASSERT_NEAR(values[i], expected[i], kRounding * std::fmax(1.0, std::abs(expected[i])))
+            << "point " << i;
+      }
+    });
   });
 }
 
@@ -134,9 +117,8 @@ TEST(VaryingGaborNoise, WithoutVaryingParametersAgreesWithTheReferenceOnOneGrid)
     scattered.magnitude.clear();
     const VaryingGaborNoise<Dim> noise(some_options<Dim>(waves));
     const KernelFamily family(Dim, waves, 1.0, 0.02);
-    const reference::VaryingGaborProcedure<Dim> procedure({.transition = reference::Transition::none,
-                                                           .nominal = family.nominal_share(),
-                                                           .grid = noise.impulses()});
+    const reference::VaryingGaborProcedure<Dim> procedure(
+        {.nominal = family.nominal_share(), .grid = noise.impulses()});
     const std::vector<float> values = values_of<Dim>(noise, scattered);
     for (std::size_t i = 0; i < values.size(); ++i) {
       const double expected = reference_value<Dim>(procedure, family, scattered, i, 8.0, 1.0);
@@ -257,15 +239,12 @@ double largest_step(const std::vector<float>& values) {
 
 TEST(VaryingGaborNoise, IsContinuousInFrequencyAcrossTheLevels) {
   for_each_kind([]<int Dim>(GaborWaves waves) {
-    for (const ScaleTransition transition :
-         {ScaleTransition::fade, ScaleTransition::power, ScaleTransition::paper}) {
-      const VaryingGaborNoise<Dim> noise(some_options<Dim>(waves, transition));
-      // Over six octaves. A jump would stay as large with steps ten times as fine.
-      const double coarse = largest_step(values_of<Dim>(noise, parameter_path<Dim>(3000, -3.0, 3.0)));
-      const double fine = largest_step(values_of<Dim>(noise, parameter_path<Dim>(30000, -3.0, 3.0)));
-      EXPECT_LT(fine, 0.2 * coarse);
-      EXPECT_LT(fine, 0.05);
-    }
+    const VaryingGaborNoise<Dim> noise(some_options<Dim>(waves));
+    // Over six octaves. A jump would stay as large with steps ten times as fine.
+    const double coarse = largest_step(values_of<Dim>(noise, parameter_path<Dim>(3000, -3.0, 3.0)));
+    const double fine = largest_step(values_of<Dim>(noise, parameter_path<Dim>(30000, -3.0, 3.0)));
+    EXPECT_LT(fine, 0.2 * coarse);
+    EXPECT_LT(fine, 0.05);
   });
 }
 

@@ -15,18 +15,14 @@
 // time, in double precision. It has in common with the library the random numbers only.
 namespace solidnoise::reference {
 
-// How impulses enter and leave as the kernel's radius changes.
-enum class Transition { none, fade, power, paper };
-
 template <int Dim>
 struct VaryingSetting {
-  Transition transition = Transition::fade;
-  double impulses = 20.0;  // N of a hierarchy of grids
+  double impulses = 20.0;  // N
   double nominal = 1.0;    // the radius that N and a layer's thickness are measured by, in radii
   double strata = 0.0;     // the side of cells of a fixed number of impulses, in radii; 0: a Poisson process
   double layer = 0.0;      // half thickness of a surface's layer, in nominal radii; 0: the kernel is a ball
   std::uint64_t seed = 0;
-  std::optional<ImpulseProcess<Dim>> grid{};  // Transition::none: of all impulses
+  std::optional<ImpulseProcess<Dim>> grid{};  // of all impulses, in place of a hierarchy of grids
 };
 
 template <int Dim>
@@ -73,15 +69,12 @@ class VaryingGaborProcedure {
     const double support = setting.layer > 0.0 ? 2.0 * std::numbers::pi * setting.layer : ball;
     scale_ = setting.strata > 0.0 ? setting.strata : setting.nominal;
     density_ = setting.impulses / support * std::pow(scale_ / setting.nominal, Dim);
-    second_ = 1.0;
-    if (setting.transition == Transition::fade) {
-      second_ = fade_moment<Dim>(2);
-      density_ *= fade_moment<Dim>(4) / (second_ * second_);
-      if (setting.strata > 0.0) density_ = std::ceil(density_ * kMade) / kMade;
-    }
+    second_ = fade_moment<Dim>(2);
+    density_ *= fade_moment<Dim>(4) / (second_ * second_);
+    if (setting.strata > 0.0) density_ = std::ceil(density_ * kMade) / kMade;
   }
 
-  // Of unit variance (less with the paper's weights).
+  // Of unit variance.
   double operator()(const VaryingPoint<Dim>& point) const {
     double energy = point.energy;
     double reach = 1.0;
@@ -89,34 +82,17 @@ class VaryingGaborProcedure {
       energy *= kWindowPower * setting_.layer * setting_.nominal * point.radius;
       reach = std::hypot(1.0, setting_.layer * setting_.nominal);
     }
-    if (setting_.transition == Transition::none) {
+    if (setting_.grid) {
       const double density = setting_.grid->mean_per_cell() / std::pow(setting_.grid->axes()[0].size(), Dim);
       return sum_of_grid(point, *setting_.grid, reach) / std::sqrt(density * energy);
     }
     const double scale = scale_ * point.radius;
     const double amplitude = 1.0 / std::sqrt(density_ / std::pow(scale, Dim) * second_ * energy);
     const int level = static_cast<int>(std::floor(std::log2(scale)));
-    const double alpha = scale / std::exp2(level) - 1.0;
-    const double growth = std::pow(1.0 + alpha, Dim);
-    double fine = 1.0;
-    double coarse = 1.0;
-    if (setting_.transition == Transition::power) {
-      const double angle = 0.5 * std::numbers::pi * smooth_step(alpha);
-      fine = std::cos(angle) / std::sqrt(growth);
-      coarse = std::sin(angle) * std::sqrt(std::exp2(Dim) / growth);
-    } else if (setting_.transition == Transition::paper) {
-      fine = (1.0 - alpha) / growth;
-      coarse = std::exp2(Dim) * alpha / growth;
-    }
-    const double band = setting_.transition == Transition::fade ? kMade : 1.0;
     double sum = 0.0;
     for (const int step : {0, 1}) {
-      const double size = std::exp2(level + step);
-      sum +=
-          (step == 0 ? fine : coarse) * sum_of_grid(point, grid(level + step, size, density_ * band), reach);
+      sum += sum_of_grid(point, grid(level + step, std::exp2(level + step), density_ * kMade), reach);
     }
-    // At radius (1 + alpha) 2^l the finer grid has (1 + alpha)^n times the density asked for, and the weights
-    // make up for it; the fading selects it.
     return amplitude * sum;
   }
 
@@ -170,7 +146,7 @@ class VaryingGaborProcedure {
       for (int axis = 0; axis < Dim; ++axis) offset[axis] -= height * point.normal[axis];
       factor *= window(height / (setting_.layer * setting_.nominal * point.radius));
     }
-    if (setting_.transition == Transition::fade) {
+    if (!setting_.grid) {
       const double share = static_cast<double>(impulse.mark & 0xffffffu) / 0x1p24;
       const double lowest = std::exp2(-Dim);
       factor *= fade<Dim>(std::pow(scale_ * point.radius / size, Dim) * (lowest + (1.0 - lowest) * share));

@@ -64,13 +64,12 @@ SurfaceGaborNoise::SurfaceGaborNoise(const SurfaceGaborOptions& options)
   const double wanted = options.impulses / support;
   const auto layout = make_layout<3>(choice, wanted, options.impulses_process, r, Vec<4>(0.0));
   impulses_ = layout.density * support;
-  const bool fixed = layout.count.is_fixed && options.transition == ScaleTransition::fade;
+  const bool fixed = layout.count.is_fixed;
   const double scale = fixed ? choice.balanced_side() : nominal;
   scale_in_radii_ = scale / r;
 
   PointConvolution<3>::Settings settings{.waves = options.waves,
                                          .layer = options.layer * family_->nominal_share(),
-                                         .transition = options.transition,
                                          .count = {layout.density * std::pow(scale, 3), fixed},
                                          .seed = options.seed};
   if (options.evolution.moves()) settings.factor = TurningFactor(options.evolution);

@@ -12,7 +12,6 @@
 #include "solidnoise/noise/noise.h"
 #include "solidnoise/noise/point/point_convolution.h"
 #include "solidnoise/noise/point/point_parameters.h"
-#include "solidnoise/noise/point/scale_transition.h"
 
 namespace solidnoise {
 
@@ -29,7 +28,6 @@ struct SurfaceGaborOptions {
   // to 1. A pattern is distorted by curvature in proportion to the layer's thickness over the radius of
   // curvature, and impulses are made in inverse proportion to it.
   double layer = 0.5;
-  ScaleTransition transition = ScaleTransition::fade;  // where the frequency or bandwidth varies
   std::uint64_t seed = 0;
   Evolution evolution{};  // how it changes with time; by default it does not
   double filter = 0.0;  // standard deviation of a Gaussian that it is convolved with along the surface, world
@@ -53,8 +51,8 @@ struct SurfaceGaborOptions {
 //
 // After the surface noise of Lagae et al. 2009 and 2011, section V (figure 16), with these differences: the
 // normalisation accounts for the window; kernels are compact (KernelFamily) and without random phase, so that
-// an oriented noise needs a direction at each point but no sign of it; the transitions of scale are those of
-// ScaleTransition.
+// an oriented noise needs a direction at each point but no sign of it; the transition of scales is
+// ScaleFade.
 //
 // Where the curvature is strong a pattern is stretched or compressed by up to H times the curvature; keep H
 // (options.layer times radius()) below 0.3 radii of curvature. A sheet thinner than H has related patterns on

@@ -77,13 +77,12 @@ VaryingGaborNoise<Dim>::VaryingGaborNoise(const VaryingGaborOptions& options)
   KernelMoments moments = family_->moments(kernel_);
   moments.second *= std::pow(r, Dim);
   moments.fourth *= std::pow(r, Dim);
-  const bool fixed = layout.count.is_fixed && options.transition == ScaleTransition::fade;
+  const bool fixed = layout.count.is_fixed;
   const double scale = fixed ? choice.balanced_side() : choice.radius;
   scale_in_radii_ = scale / r;
 
   typename PointConvolution<Dim>::Settings settings;
   settings.waves = options.waves;
-  settings.transition = options.transition;
   settings.seed = options.seed;
   if (options.evolution.moves()) settings.factor = TurningFactor(options.evolution);
   settings.count = {layout.density * std::pow(scale, Dim), fixed};

@@ -12,7 +12,6 @@
 #include "solidnoise/noise/kernel/kernel_family.h"
 #include "solidnoise/noise/point/point_convolution.h"
 #include "solidnoise/noise/point/point_parameters.h"
-#include "solidnoise/noise/point/scale_transition.h"
 
 namespace solidnoise {
 
@@ -25,8 +24,7 @@ struct VaryingGaborOptions {
   double impulses = 0.0;   // mean impulses under one kernel, N; 0: the fewest that look Gaussian
   ImpulseSpread impulses_process = ImpulseSpread::strata;
   GaborWaves waves = GaborWaves::isotropic;
-  Vec<4> direction{1.0, 0.0, 0.0, 0.0};                // of oriented waves, the first axes of it; any length
-  ScaleTransition transition = ScaleTransition::fade;  // where the frequency or bandwidth varies
+  Vec<4> direction{1.0, 0.0, 0.0, 0.0};  // of oriented waves, the first axes of it; any length
   std::uint64_t seed = 0;
   Evolution evolution{};  // how it changes with time; by default it does not
   double filter = 0.0;    // standard deviation of a Gaussian that it is convolved with, world units; 0: none
@@ -46,9 +44,8 @@ struct VaryingGaborOptions {
 // noise with these parameters; continuous fields give a continuous noise.
 //
 // Differences from the paper: kernels are compact and their variance exact (KernelFamily); their radius
-// follows from a relative error in place of a fraction of the envelope; the transitions of scale are ours
-// (ScaleTransition), the paper's remain for comparison; oriented kernels have phase 0, so that a direction
-// needs no sign.
+// follows from a relative error in place of a fraction of the envelope; the transition of scales is ours
+// (ScaleFade); oriented kernels have phase 0, so that a direction needs no sign.
 //
 // With options().filter it is that noise convolved with a Gaussian, as GaborNoise is: the same impulses with
 // the filtered kernel of each point.

@@ -13,7 +13,7 @@ namespace solidnoise {
 // What an impulse carries: weight and turn, or the components of a gradient, or a wave along the surface.
 enum PointAttribute {
   kWeight,  // 1 or -1
-  kTurn,    // 2^-n + (1 - 2^-n) u of ScaleTransition::fade: its y divided by (r / 2^l)^n
+  kTurn,    // 2^-n + (1 - 2^-n) u of ScaleFade: its y divided by (r / 2^l)^n
   kGradientX = 0,
   kGradientY,
   kGradientZ,

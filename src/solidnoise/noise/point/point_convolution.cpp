@@ -12,6 +12,7 @@
 #include "solidnoise/noise/point/lane_polynomials.h"
 #include "solidnoise/noise/point/point_cluster.h"
 #include "solidnoise/noise/point/point_tile.h"
+#include "solidnoise/noise/point/scale_fade.h"
 #include "solidnoise/noise/point/tiled_sum.h"
 
 namespace solidnoise {
@@ -43,7 +44,7 @@ PointConvolution<Dim>::PointConvolution(const Settings& settings) : settings_(se
   power_ = count.mean;
   if (settings.side > 0.0) {
     power_ /= std::pow(settings.side, Dim);
-  } else if (settings.transition == ScaleTransition::fade) {
+  } else {
     const ScaleFade fade(Dim);
     const double made = 1.0 - fade.lowest;  // of all turns
     count.mean *= fade.impulses_per_effective_one * made;
@@ -69,12 +70,11 @@ class PointConvolution<Dim>::Evaluation {
              const Samples<Dim>& samples)
       : noise_(noise), points_(points), prepare_(prepare), samples_(samples), extent_(noise.settings_.layer) {
     const Settings& settings = noise.settings_;
-    fixed_ = settings.side > 0.0;
     extent_.span = ImpulseCells<Dim>::span(*noise.process_, settings.parts);
     kernel_.dimensions = Dim;
     kernel_.layer = settings.layer > 0.0;
     kernel_.oriented = settings.waves == GaborWaves::oriented;
-    kernel_.fade = extent_.fade = !fixed_ && settings.transition == ScaleTransition::fade;
+    kernel_.fade = extent_.fade = settings.side == 0.0;
   }
 
   void run() {
@@ -87,8 +87,8 @@ class PointConvolution<Dim>::Evaluation {
  private:
   using Located = LocatedPoint<Dim>;
 
-  // A grid and the points of the batch that use it (and with ScaleTransition::fade the next coarser one too),
-  // those whose polynomials are in powers apart from the others.
+  // A grid and the points of the batch that use it (of a hierarchy the next coarser one too), those whose
+  // polynomials are in powers apart from the others.
   struct Level {
     std::optional<ImpulseCells<Dim>> cells;
     std::array<std::vector<Located>, 2> points;
@@ -106,7 +106,7 @@ class PointConvolution<Dim>::Evaluation {
     }
     const SampleBuffer<Dim> sums(samples_.subspan(0, batch.size()));
     fill_with_zero(sums.samples());
-    for (std::size_t i = 0; i < batch.size(); ++i) add_to_levels(static_cast<std::uint32_t>(i));
+    for (std::size_t i = 0; i < batch.size(); ++i) add_to_level(static_cast<std::uint32_t>(i));
     for (auto& [l, level] : levels_) {
       for (const bool power : {false, true}) {
         auto& points = level.points[power ? 1 : 0];
@@ -131,47 +131,36 @@ class PointConvolution<Dim>::Evaluation {
     return found;
   }
 
-  void add_to_levels(std::uint32_t point) {
-    if (fixed_) {
-      if (!fine_) fine_ = &level(0, noise_.settings_.side);
-      return add(*fine_, point, 1.0);
-    }
-    // Most often the levels are those of the point before.
+  void add_to_level(std::uint32_t point) {
+    // Most often the level is that of the point before.
     const double scale = prepared_[point].scale;
-    if (!(scale >= size_ && scale < 2.0 * size_)) {
+    if (!extent_.fade) {
+      if (!fine_) fine_ = &level(0, noise_.settings_.side);
+    } else if (!(scale >= size_ && scale < 2.0 * size_)) {
       const int l = std::ilogb(scale);
       size_ = std::ldexp(1.0, l);
       fine_ = &level(l, size_);
-      coarse_ = extent_.fade ? nullptr : &level(l + 1, 2.0 * size_);
     }
-    if (extent_.fade) return add(*fine_, point, 1.0);
-    const ScaleWeights weights = scale_weights(noise_.settings_.transition, Dim, scale / size_ - 1.0);
-    if (weights.fine != 0.0) add(*fine_, point, weights.fine);
-    if (weights.coarse != 0.0) add(*coarse_, point, weights.coarse);
-  }
-
-  void add(Level& level, std::uint32_t point, double weight) {
     Located located;
-    const double size = level.cells->axis().size();
+    const double size = fine_->cells->axis().size();
     for (int axis = 0; axis < Dim; ++axis) {
       const auto a = static_cast<std::size_t>(axis);
-      const CellPosition position = locate_point(level.cells->axis(), positions_[a][point], batch_[point]);
+      const CellPosition position = locate_point(fine_->cells->axis(), positions_[a][point], batch_[point]);
       located.cell[axis] = position.cell;
       located.fraction[a] = position.fraction;
     }
     located.radius = static_cast<float>(prepared_[point].radius / size);
     located.height = located.radius * extent_.layer * static_cast<float>(prepared_[point].flatness);
-    located.density =
-        static_cast<float>(std::pow(noise_.settings_.parts * prepared_[point].scale / size, Dim));
-    located.weight = static_cast<float>(weight * prepared_[point].amplitude);
+    located.density = static_cast<float>(std::pow(noise_.settings_.parts * scale / size, Dim));
+    located.weight = static_cast<float>(prepared_[point].amplitude);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       located.normal[axis] = static_cast<float>(prepared_[point].normal[axis]);
     }
     located.point = point;
-    level.points[prepared_[point].kernel.power() ? 1 : 0].push_back(located);
+    fine_->points[prepared_[point].kernel.power() ? 1 : 0].push_back(located);
   }
 
-  // The impulses that the points of a tile need, from one grid or, with ScaleTransition::fade, from two: cell
+  // The impulses that the points of a tile need, from one grid or, of a hierarchy, from two: cell
   // by cell in lexicographic order, the finer grid first. Positions and turns in cells of the finer grid.
   void gather(const PointTile<Dim>& tile, const PointCull& cull, ImpulseList& impulses) {
     const auto gather_from = [&](const ImpulseCells<Dim>& cells, const Index<Dim>& anchor,
@@ -251,13 +240,11 @@ class PointConvolution<Dim>::Evaluation {
   const Points<Dim>& points_;
   const Prepare& prepare_;
   Samples<Dim> samples_;
-  bool fixed_ = false;
   KernelExtent extent_;
   PointKernel kernel_;
   std::map<int, Level> levels_;  // by the exponent of the cell size
-  double size_ = 0.0;            // of the cells of the finer of two levels, those used last
+  double size_ = 0.0;            // of the cells of the finer of two levels, that used last
   Level* fine_ = nullptr;
-  Level* coarse_ = nullptr;
   std::span<const std::size_t> batch_;
   std::vector<KernelPoint<Dim>> prepared_;
   std::array<std::vector<double>, Dim> positions_;

@@ -12,7 +12,6 @@
 #include "solidnoise/noise/convolution/impulse_process.h"
 #include "solidnoise/noise/kernel/kernel_family.h"
 #include "solidnoise/noise/point/impulse_cells.h"
-#include "solidnoise/noise/point/scale_transition.h"
 
 namespace solidnoise {
 
@@ -51,11 +50,10 @@ class PointConvolution {
     // Half the thickness of the layer around a surface that impulses are taken from, in kernel radii; 0: no
     // layer, the kernel is a ball. In 3D only.
     double layer = 0.0;
-    ScaleTransition transition = ScaleTransition::fade;
     // Of one grid, for kernels of one radius (world units): cells' side and impulses in each. Else side 0: a
     // hierarchy of grids, with `count` impulses on average in a cube whose side is a kernel's scale,
-    // effective (the kurtosis of a Poisson process is that of as many). If that is fixed, cells have a whole
-    // number, with turns in as many parts; with ScaleTransition::fade only.
+    // effective (the kurtosis of a Poisson process is that of as many), whose turns are those of ScaleFade.
+    // If that is fixed, cells have a whole number, with turns in as many parts.
     double side = 0.0;
     ImpulseCount count{};
     std::uint64_t seed = 0;

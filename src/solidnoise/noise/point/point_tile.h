@@ -61,7 +61,7 @@ struct KernelExtent {
   float layer = 0.0f;
   float reach = 1.0f;  // farthest impulse, in kernel radii
   float span = 1.0f;   // cells that the impulses of one may lie in
-  bool fade = false;   // whether impulses are of interest in their turn only (ScaleTransition::fade)
+  bool fade = false;   // whether impulses are of interest in their turn only (ScaleFade)
 
   explicit KernelExtent(double layer_) : layer(static_cast<float>(layer_)), reach(std::hypot(1.0f, layer)) {}
 };
