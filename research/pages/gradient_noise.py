@@ -83,8 +83,8 @@ def write_planes(data, page):
 ## Half resolution: a plane that vanishes
 Variance of projected noise on a plane at a height over a layer of the lattice, normal to z, by the printed pseudocode with unit gradients. With half resolution
 and the printed window, which reaches one unit, the plane half-way between two layers is {zero:g}: none of them is in reach. The window has to be
-twice as wide (`ProjectedGradientNoise`). What is left of the modulation is the window's: the squares of the published one do not add up
-to 1, those of our `cosine` do.
+twice as wide. What is left of the modulation is the window's: the squares of the published one do not add up to 1, as those of
+cos(pi/2 (3 u^2 - 2 u^3)), u the distance, would.
 """)
     page.write(table(["height", "full resolution", "half, as printed", "half, window of 2 units"], rows))
 

@@ -19,8 +19,6 @@
 namespace solidnoise::projected_gradient_test {
 namespace {
 
-using Options = ProjectedGradientOptions;
-
 constexpr double kPi = std::numbers::pi;
 
 std::vector<float> values_of(const ProjectedGradientNoise& noise, const Scattered<3>& scattered) {
@@ -29,74 +27,41 @@ std::vector<float> values_of(const ProjectedGradientNoise& noise, const Scattere
   return values;
 }
 
-template <typename Check>
-void for_each_option(const Check& check) {
-  for (const auto kernel : {Options::Kernel::kensler, Options::Kernel::zero_dc}) {
-    for (const auto support : {Options::Support::full, Options::Support::half}) {
-      for (const auto window : {Options::Window::hermite, Options::Window::cosine}) {
-        for (const auto hash : {Options::Hash::xor_tables, Options::Hash::integer}) {
-          SCOPED_TRACE(testing::Message()
-                       << "kernel " << static_cast<int>(kernel) << ", support " << static_cast<int>(support)
-                       << ", window " << static_cast<int>(window) << ", hash " << static_cast<int>(hash));
-          check(Options{1.0, kernel, support, window, hash, 5});
-        }
-      }
-    }
-  }
-}
-
 // A noise whose lattice unit is 1 to the last bits.
-ProjectedGradientNoise in_lattice_units(Options options) {
-  options.frequency = 1.0;
-  options.frequency = ProjectedGradientNoise(options).lattice_spacing();
-  return ProjectedGradientNoise(options);
+ProjectedGradientNoise in_lattice_units(std::uint64_t seed = 5) {
+  const ProjectedGradientNoise unscaled({.frequency = 1.0});
+  return ProjectedGradientNoise({.frequency = unscaled.lattice_spacing(), .seed = seed});
 }
 
 TEST(ProjectedGradientNoise, AgreesWithTheReferenceForEveryInstructionSet) {
-  for_each_option([](const Options& options) {
-    const ProjectedGradientNoise noise = in_lattice_units(options);
-    const Scattered<3> scattered = scattered_points<3>(60, 300.0);
-    reference::ProjectedKensler procedure;
-    if (options.kernel == Options::Kernel::zero_dc) {
-      procedure.c1 = 3.5;  // t^4 (7 t - 5) / 2
-      procedure.c2 = 2.5;
-    }
-    procedure.stride = options.support == Options::Support::half ? 2 : 1;
-    procedure.cosine_window = options.window == Options::Window::cosine;
-    procedure.integer_hash = options.hash == Options::Hash::integer;
-    procedure.seed = options.seed;
-    std::vector<double> expected;
-    for (std::size_t i = 0; i < scattered.size(); ++i) {
-      const Vec<3> normal =
-          glm::normalize(Vec<3>(scattered.normal[0][i], scattered.normal[1][i], scattered.normal[2][i]));
-      const std::array<double, 3> point{scattered.offset[0][i], scattered.offset[1][i],
-                                        scattered.offset[2][i]};
-      expected.push_back(procedure(point, {normal[0], normal[1], normal[2]}) /
-                         std::sqrt(noise.lattice_variance()));
-    }
-    for_each_simd_target([&](std::int64_t) {
-      const std::vector<float> values = values_of(noise, scattered);
-      // 60 terms of some ten roundings, and positions rounded to 2^-20 of a cell where slopes are up to 10
-      // per cell.
-      for (std::size_t i = 0; i < values.size(); ++i)
-        ASSERT_NEAR(values[i], expected[i], 5e-5) << "point " << i;
-    });
+  const ProjectedGradientNoise noise = in_lattice_units();
+  const Scattered<3> scattered = scattered_points<3>(60, 300.0);
+  const reference::ProjectedKensler procedure{.seed = 5};
+  std::vector<double> expected;
+  for (std::size_t i = 0; i < scattered.size(); ++i) {
+    const Vec<3> normal =
+        glm::normalize(Vec<3>(scattered.normal[0][i], scattered.normal[1][i], scattered.normal[2][i]));
+    const std::array<double, 3> point{scattered.offset[0][i], scattered.offset[1][i], scattered.offset[2][i]};
+    expected.push_back(procedure(point, {normal[0], normal[1], normal[2]}) /
+                       std::sqrt(noise.lattice_variance()));
+  }
+  for_each_simd_target([&](std::int64_t) {
+    const std::vector<float> values = values_of(noise, scattered);
+    // 60 terms of some ten roundings, and positions rounded to 2^-20 of a cell where slopes are up to 10
+    // per cell.
+    for (std::size_t i = 0; i < values.size(); ++i)
+      ASSERT_NEAR(values[i], expected[i], 5e-5) << "point " << i;
   });
 }
 
 TEST(ProjectedGradientNoise, MeanVarianceIsTheClosedForm) {
   // In lattice units, for unit gradients: two thirds of the integral of the window's square times that of the
-  // two-dimensional noise, .0761598; an eighth of it, with a window twice as wide, with half the resolution.
-  const auto variance = [](Options::Support support, Options::Window window) {
-    return ProjectedGradientNoise({.support = support, .window = window}).lattice_variance();
-  };
-  EXPECT_NEAR(variance(Options::Support::full, Options::Window::hermite), 0.0377172, 5e-8);
-  EXPECT_NEAR(variance(Options::Support::full, Options::Window::cosine), 0.0507732, 5e-8);
-  EXPECT_NEAR(variance(Options::Support::half, Options::Window::cosine), 0.0507732 / 4.0, 5e-8);
+  // two-dimensional noise, .0761598.
+  EXPECT_NEAR(ProjectedGradientNoise({}).lattice_variance(), 0.0377172, 5e-8);
 }
 
-// Points far apart, with random normals, each at a random position in its cell; and their neighbours at `lag`
-// on the plane, which follow them.
+// Points far apart, but in one repetition of the tables, with random normals, each at a random position in
+// its cell; and their neighbours at `lag` on the plane, which follow them.
 Scattered<3> independent_pairs(std::size_t count, double lag) {
   RandomStream random(3);
   Scattered<3> result;
@@ -109,7 +74,7 @@ Scattered<3> independent_pairs(std::size_t count, double lag) {
     for (int point = 0; point < (lag == 0.0 ? 1 : 2); ++point) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
         const double jitter = point == 0 ? random.next_unit() : 0.0;
-        const double base = point == 0 ? 12.0 * static_cast<double>(cell[axis]) + 2.0 * jitter
+        const double base = point == 0 ? 6.25 * static_cast<double>(cell[axis]) + jitter
                                        : static_cast<double>(result.offset[axis].back());
         result.offset[axis].push_back(
             static_cast<float>(base + point * step[static_cast<glm::length_t>(axis)]));
@@ -121,55 +86,39 @@ Scattered<3> independent_pairs(std::size_t count, double lag) {
 }
 
 TEST(ProjectedGradientNoise, HasUnitVarianceOverPositionsAndNormals) {
-  for_each_option([](const Options& options) {
-    if (options.hash == Options::Hash::xor_tables) return;  // repeats within these points
-    const std::vector<float> values = values_of(in_lattice_units(options), independent_pairs(40000, 0.0));
-    expect_within_4_sigma(estimate_mean(values, [](double x) { return x; }), 0.0);
-    expect_within_4_sigma(estimate_mean(values, [](double x) { return x * x; }), 1.0);
-  });
+  const std::vector<float> values = values_of(in_lattice_units(), independent_pairs(40000, 0.0));
+  expect_within_4_sigma(estimate_mean(values, [](double x) { return x; }), 0.0);
+  expect_within_4_sigma(estimate_mean(values, [](double x) { return x * x; }), 1.0);
 }
 
 TEST(ProjectedGradientNoise, CovarianceOnPlanesIsTheTransformOfTheSpectrum) {
-  for (const auto kernel : {Options::Kernel::kensler, Options::Kernel::zero_dc}) {
-    for (const auto support : {Options::Support::full, Options::Support::half}) {
-      const ProjectedGradientNoise noise =
-          in_lattice_units({.kernel = kernel, .support = support, .hash = Options::Hash::integer});
-      for (const double lag : {0.0, 0.4, 0.9}) {
-        const double expected =
-            2.0 * kPi *
-            integrate(
-                [&](double f) {
-                  return noise.power_spectrum({0.8 * f, 0.6 * f}) * f * mean_cosine(2, 2.0 * kPi * f * lag);
-                },
-                0.0, 6.0, 60);
-        if (lag == 0.0) {
-          EXPECT_NEAR(expected, 1.0, 1e-4);  // the spectrum beyond 6 cycles per lattice unit
-          continue;
-        }
-        const std::vector<float> values = values_of(noise, independent_pairs(30000, lag));
-        std::vector<double> products;
-        for (std::size_t i = 0; i < values.size(); i += 2) {
-          products.push_back(static_cast<double>(values[i]) * static_cast<double>(values[i + 1]));
-        }
-        expect_within_4_sigma(estimate_mean(products, [](double x) { return x; }), expected);
-      }
+  const GradientKernel<2> kernel(GradientNoiseOptions::Kernel::kensler);
+  for (const double lag : {0.4, 0.9}) {
+    const double expected =
+        2.0 * kPi / kernel.mean_variance() *
+        integrate(
+            [&](double f) { return kernel.power_spectrum(f) * f * mean_cosine(2, 2.0 * kPi * f * lag); }, 0.0,
+            6.0, 60);
+    const std::vector<float> values = values_of(in_lattice_units(), independent_pairs(30000, lag));
+    std::vector<double> products;
+    for (std::size_t i = 0; i < values.size(); i += 2) {
+      products.push_back(static_cast<double>(values[i]) * static_cast<double>(values[i + 1]));
     }
+    expect_within_4_sigma(estimate_mean(products, [](double x) { return x; }), expected);
   }
 }
 
-// Mean square over seeds and a plane z = height, of the noise before scaling.
-Estimate mean_square_on_plane(const Options& options, double height) {
+// Mean square over seeds and a plane z = height, of the noise before scaling. The places of one seed are in
+// one repetition of its tables.
+Estimate mean_square_on_plane(double height) {
   std::vector<float> squares;
-  for (std::uint64_t seed = 0; seed < 4; ++seed) {
-    Options of_seed = options;
-    of_seed.seed = seed;
-    of_seed.hash = Options::Hash::integer;
-    const ProjectedGradientNoise noise = in_lattice_units(of_seed);
+  for (std::uint64_t seed = 0; seed < 16; ++seed) {
+    const ProjectedGradientNoise noise = in_lattice_units(seed);
     RandomStream random(seed);
     Scattered<3> plane;
-    for (int i = 0; i < 10000; ++i) {
-      plane.offset[0].push_back(static_cast<float>(8.0 * (i % 100) + 2.0 * random.next_unit()));
-      plane.offset[1].push_back(static_cast<float>(8.0 * (i / 100) + 2.0 * random.next_unit()));
+    for (int i = 0; i < 2500; ++i) {
+      plane.offset[0].push_back(static_cast<float>(5.0 * (i % 50) + random.next_unit()));
+      plane.offset[1].push_back(static_cast<float>(5.0 * (i / 50) + random.next_unit()));
       plane.offset[2].push_back(static_cast<float>(height));
       plane.normal[0].push_back(0.0f);
       plane.normal[1].push_back(0.0f);
@@ -183,66 +132,49 @@ Estimate mean_square_on_plane(const Options& options, double height) {
 }
 
 TEST(ProjectedGradientNoise, PowerOfAPlaneBetweenTheLayersIsThatOfTheWindow) {
-  // The sum over layers of the squared window: 1 in a layer, and half-way 2 (1/2)^2 for the Hermite cubic, 1
-  // for the cosine. Times the variance in the plane, 2/3 of the two-dimensional one.
+  // The sum over layers of the squared window: 1 in a layer, and half-way 2 (1/2)^2. Times the variance in
+  // the plane, 2/3 of the two-dimensional one.
   const double in_layer = 2.0 / 3.0 * 0.0761598;
-  expect_within_4_sigma(mean_square_on_plane({.window = Options::Window::hermite}, 0.0), in_layer);
-  expect_within_4_sigma(mean_square_on_plane({.window = Options::Window::hermite}, 0.5), 0.5 * in_layer);
-  for (const double height : {0.0, 0.25, 0.5}) {
-    expect_within_4_sigma(mean_square_on_plane({.window = Options::Window::cosine}, height), in_layer);
-  }
-}
-
-TEST(ProjectedGradientNoise, HalfResolutionHasNoEmptyPlanes) {
-  // A quarter of the density in the plane. With the printed window the plane at 1 would be empty.
-  for (const double height : {0.0, 0.5, 1.0}) {
-    expect_within_4_sigma(
-        mean_square_on_plane({.support = Options::Support::half, .window = Options::Window::cosine}, height),
-        2.0 / 3.0 * 0.0761598 / 4.0);
-  }
+  expect_within_4_sigma(mean_square_on_plane(0.0), in_layer);
+  expect_within_4_sigma(mean_square_on_plane(0.5), 0.5 * in_layer);
 }
 
 TEST(ProjectedGradientNoise, APointDoesNotDependOnTheOthersOrTheirOrder) {
-  for_each_option([](const Options& options) {
-    const ProjectedGradientNoise noise(options);
-    const Scattered<3> scattered = scattered_points<3>(2000, 10.0);
-    const std::vector<float> expected = values_of(noise, scattered);
-    std::vector<std::size_t> numbers;
-    for (std::size_t i = scattered.size(); i-- > 0;) {
-      if (i % 5 == 1) numbers.push_back(i);
-    }
-    const std::vector<float> some = values_of(noise, scattered.picked(numbers));
-    for (std::size_t i = 0; i < numbers.size(); ++i) ASSERT_EQ(some[i], expected[numbers[i]]) << numbers[i];
-    EXPECT_EQ(values_of(noise, scattered.picked(std::vector<std::size_t>{7}))[0], expected[7]);
-  });
+  const ProjectedGradientNoise noise({.frequency = 1.0, .seed = 5});
+  const Scattered<3> scattered = scattered_points<3>(2000, 10.0);
+  const std::vector<float> expected = values_of(noise, scattered);
+  std::vector<std::size_t> numbers;
+  for (std::size_t i = scattered.size(); i-- > 0;) {
+    if (i % 5 == 1) numbers.push_back(i);
+  }
+  const std::vector<float> some = values_of(noise, scattered.picked(numbers));
+  for (std::size_t i = 0; i < numbers.size(); ++i) ASSERT_EQ(some[i], expected[numbers[i]]) << numbers[i];
+  EXPECT_EQ(values_of(noise, scattered.picked(std::vector<std::size_t>{7}))[0], expected[7]);
 }
 
 TEST(ProjectedGradientNoise, NormalsHaveNoSignAndTheNoiseNoSeams) {
-  for_each_option([](const Options& options) {
-    const ProjectedGradientNoise noise(options);
-    Scattered<3> scattered = scattered_points<3>(300, 10.0);
-    const std::vector<float> expected = values_of(noise, scattered);
-    for (auto& component : scattered.normal) {
-      for (float& x : component) x *= -2.0f;
-    }
-    EXPECT_EQ(values_of(noise, scattered), expected);
+  const ProjectedGradientNoise noise({.frequency = 1.0, .seed = 5});
+  Scattered<3> scattered = scattered_points<3>(300, 10.0);
+  const std::vector<float> expected = values_of(noise, scattered);
+  for (auto& component : scattered.normal) {
+    for (float& x : component) x *= -2.0f;
+  }
+  EXPECT_EQ(values_of(noise, scattered), expected);
 
-    // Along a line, and with a normal that turns: a jump would stay as large with finer steps.
-    const auto largest_step = [&](std::size_t count, bool turn) {
-      Scattered<3> path = scattered_points<3>(1, 4.0).picked(std::vector<std::size_t>(count, 0));
-      for (std::size_t i = 0; i < count; ++i) {
-        const double t = 3.0 * static_cast<double>(i) / static_cast<double>(count);
-        (turn ? path.normal[0][i] : path.offset[0][i]) = static_cast<float>(turn ? std::sin(t) : t);
-      }
-      const std::vector<float> values = values_of(noise, path);
-      double largest = 0.0;
-      for (std::size_t i = 1; i < count; ++i)
-        largest = std::fmax(largest, std::abs(static_cast<double>(values[i] - values[i - 1])));
-      return largest;
-    };
-    for (const bool turn : {false, true})
-      EXPECT_LT(largest_step(20000, turn), 0.2 * largest_step(2000, turn));
-  });
+  // Along a line, and with a normal that turns: a jump would stay as large with finer steps.
+  const auto largest_step = [&](std::size_t count, bool turn) {
+    Scattered<3> path = scattered_points<3>(1, 4.0).picked(std::vector<std::size_t>(count, 0));
+    for (std::size_t i = 0; i < count; ++i) {
+      const double t = 3.0 * static_cast<double>(i) / static_cast<double>(count);
+      (turn ? path.normal[0][i] : path.offset[0][i]) = static_cast<float>(turn ? std::sin(t) : t);
+    }
+    const std::vector<float> values = values_of(noise, path);
+    double largest = 0.0;
+    for (std::size_t i = 1; i < count; ++i)
+      largest = std::fmax(largest, std::abs(static_cast<double>(values[i] - values[i - 1])));
+    return largest;
+  };
+  for (const bool turn : {false, true}) EXPECT_LT(largest_step(20000, turn), 0.2 * largest_step(2000, turn));
 }
 
 TEST(ProjectedGradientNoise, RefusesWhatIsNotAllowed) {

@@ -26,7 +26,7 @@ class ProjectedKenslerPseudocode {
     }
   }
 
-  // `window_reach` is 1 as printed; half resolution needs 2, see ProjectedGradientNoise.
+  // `window_reach` is 1 as printed; half resolution needs 2: with 1 a plane between two layers is 0.
   float operator()(const std::array<float, 3>& point, const std::array<float, 3>& normal,
                    float window_reach = 1.0f) const {
     const int first = stride_ == 1 ? -1 : 0;

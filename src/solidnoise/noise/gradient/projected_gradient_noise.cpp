@@ -26,22 +26,7 @@ ProjectedGradientOptions validated(const ProjectedGradientOptions& options) {
   return options;
 }
 
-bool is_half(const ProjectedGradientOptions& options) {
-  return options.support == ProjectedGradientOptions::Support::half;
-}
-
-// Integral over |o| < H of the window's square.
-double window_power(const ProjectedGradientOptions& options) {
-  const double of_unit = options.window == ProjectedGradientOptions::Window::hermite ? 26.0 / 35.0 : 1.0;
-  return is_half(options) ? 2.0 * of_unit : of_unit;
-}
-
-// The cells whose corners are the lattice points.
-std::array<CellAxis, 3> make_axes(const ProjectedGradientOptions& options, double spacing) {
-  std::array<CellAxis, 3> axes;
-  axes.fill(CellAxis(is_half(options) ? 2.0 * spacing : spacing));
-  return axes;
-}
+constexpr double kWindowPower = 26.0 / 35.0;  // integral over |o| < 1 of the window's square
 
 // What turns the gradients of lattice points.
 class TurningGradients {
@@ -75,18 +60,15 @@ class LatticePoints {
   LatticePoints(const ProjectedGradientNoise& noise, const GradientLattice<3>& lattice,
                 const GradientKernel<2>& kernel)
       : lattice_(lattice),
-        axis_(make_axes(noise.options(), noise.lattice_spacing())[0]),
-        radius_(is_half(noise.options()) ? 1.0f : 2.0f) {
-    kernel_.window = noise.options().window;
-    kernel_.root = static_cast<float>(kernel.c2() / kernel.c1());
-    // Offsets are in cells, of 2 / radius_ lattice units.
-    scale_ = kernel.c1() / std::sqrt(noise.lattice_variance()) * 2.0 / radius_;
+        axis_(noise.lattice_spacing()),
+        kernel_{static_cast<float>(kernel.c2() / kernel.c1())},
+        scale_(kernel.c1() / std::sqrt(noise.lattice_variance())) {
     if (noise.options().evolution.moves()) turning_.emplace(noise.options());
   }
 
   const CellAxis& axis() const { return axis_; }
-  float radius() const { return radius_; }
-  double layer() const { return 1.0 / radius_; }
+  float radius() const { return GradientKernel<2>::kRadius; }
+  double layer() const { return 1.0 / GradientKernel<2>::kRadius; }
   int span() const { return 1; }
 
   void append(const Index<3>& anchor, const Index<3>& cell, const ImpulseReach<3>&,
@@ -109,32 +91,26 @@ class LatticePoints {
  private:
   const GradientLattice<3>& lattice_;
   CellAxis axis_;
-  float radius_;  // in cells: 2, and the window 1; or, with half resolution, both 1
   ProjectedKernel kernel_;
-  double scale_ = 1.0;  // of gradients
+  double scale_;  // of gradients
   std::optional<TurningGradients> turning_;
 };
 
 }  // namespace
 
 ProjectedGradientNoise::ProjectedGradientNoise(const ProjectedGradientOptions& options)
-    : options_(validated(options)), kernel_(options.kernel) {
+    : options_(validated(options)) {
   spacing_ = kernel_.radial_peak() / options.frequency;
-  const double density = is_half(options) ? 1.0 / 8.0 : 1.0;
-  lattice_variance_ = density * window_power(options) * 2.0 / 3.0 * kernel_.mean_variance();
-  const GradientNoiseOptions of_lattice{
-      .support = options.support, .hash = options.hash, .seed = options.seed};
-  lattice_ = std::make_shared<GradientLattice<3>>(of_lattice, make_axes(options, spacing_));
+  lattice_variance_ = kWindowPower * 2.0 / 3.0 * kernel_.mean_variance();
+  std::array<CellAxis, 3> axes;  // of the cells whose corners are the lattice points
+  axes.fill(CellAxis(spacing_));
+  lattice_ = std::make_shared<GradientLattice<3>>(GradientNoiseOptions{.seed = options.seed}, axes);
 }
 
 void ProjectedGradientNoise::evaluate(const SurfacePoints& points, const Samples<3>& samples) const {
   points.validate();
   const LatticePoints source(*this, *lattice_, kernel_);
   sum_on_surface<LatticePoints>({&source, 1}, points, {}, samples);
-}
-
-double ProjectedGradientNoise::power_spectrum(const Vec<2>& f) const {
-  return kernel_.power_spectrum(spacing_ * glm::length(f)) * spacing_ * spacing_ / kernel_.mean_variance();
 }
 
 Noise<2>::Band ProjectedGradientNoise::band() const {

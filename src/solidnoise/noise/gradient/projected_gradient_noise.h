@@ -6,27 +6,14 @@
 #include "solidnoise/noise/evolution.h"
 #include "solidnoise/noise/gradient/gradient_kernel.h"
 #include "solidnoise/noise/gradient/gradient_lattice.h"
-#include "solidnoise/noise/gradient/gradient_noise_options.h"
 #include "solidnoise/noise/noise.h"
-#include "solidnoise/noise/point/point_cluster.h"
 #include "solidnoise/noise/point/point_parameters.h"
 
 namespace solidnoise {
 
 // Parameters of Kensler's gradient noise projected on surfaces (Kensler, Knoll, Shirley 2008, section 4).
 struct ProjectedGradientOptions {
-  using Kernel = GradientNoiseOptions::Kernel;
-  using Support = GradientNoiseOptions::Support;
-  using Hash = GradientNoiseOptions::Hash;
-  using Window = ProjectedKernel::Window;
-
   double frequency = 8.0;  // frequency at which the radial power on a plane peaks, cycles per world unit; > 0
-  Kernel kernel = Kernel::kensler;
-  Support support = Support::full;  // half: 8 times fewer lattice points, and a window twice as wide
-  // hermite: as published. cosine: the variance of a plane along the axes is the same between the layers of
-  // the lattice as in them.
-  Window window = Window::hermite;
-  Hash hash = Hash::xor_tables;
   std::uint64_t seed = 0;
   Evolution evolution{};  // at time 0 the noise is the one that stands still
 
@@ -38,22 +25,19 @@ struct ProjectedGradientOptions {
 
 // Kensler's gradient noise on surfaces (Kensler, Knoll, Shirley 2008, section 4): lattice points are
 // projected on the tangent plane of the point x with unit normal n,
-//   noise(x, n) = sum over lattice points i of window(|o| / H) s(|A|) A.G_i,   o = (x - i).n,   A = x - i - o
-//   n,
-// with the unit gradients G_i and s of GradientKernel, lengths in lattice units. H is 1, or 2 for
-// Support::half.
+//   noise(x, n) = sum over lattice points i of window(|o|) s(|A|) A.G_i,   o = (x - i).n,   A = x - i - o n,
+//   window(u) = 3 (1 - u)^2 - 2 (1 - u)^3, 0 for u >= 1,
+// with the unit gradients G_i and s of GradientKernel as published, lengths in lattice units.
 //
 // On a plane the spectrum, averaged over positions, is that of the two-dimensional noise. The variance
-// averaged over positions is, by C the integral of the window's square over |o| < H,
-//   mean variance = density (C/3) 2 pi integral of r^3 s(r)^2 dr = density C (2/3) (mean variance of the 2D
-//   noise):
-// .0377172 with the published kernel and window (C = 26/35). Values are scaled to a mean variance of 1. It is
-// not stationary: at a point it depends on position and normal.
+// averaged over positions is, by C = 26/35 the integral of the window's square over |o| < 1,
+//   mean variance = (C/3) 2 pi integral of r^3 s(r)^2 dr = C (2/3) (mean variance of the 2D noise):
+// .0377172. Values are scaled to a mean variance of 1. It is not stationary: at a point it depends on
+// position and normal.
 //
-// Differences from the paper: all lattice points in reach are summed (its stencil of 4^3 leaves out
-// 0.8 % of them, those beyond a distance of 2, and values jump by up to 2.7e-4); with half resolution the
-// window is twice as wide, for with the printed one a plane between two layers of the coarser lattice is 0;
-// gradients as in GradientNoise.
+// Differences from the paper: all lattice points in reach are summed (its stencil of 4^3 leaves out 0.8 % of
+// them, those beyond a distance of 2, and values jump by up to 2.7e-4); no half resolution, in which a plane
+// between two layers of the coarser lattice is 0 by the printed window; gradients as in GradientNoise.
 //
 // A value depends on the point's position and normal only, not on the other points (vector widths without
 // fused multiply-add may differ in the last bits). Immutable; may be shared between threads.
@@ -72,14 +56,12 @@ class ProjectedGradientNoise {
   void evaluate(const SurfacePoints& points, const Samples<3>& samples) const;
 
   double variance() const { return 1.0; }  // mean over positions
-  // On a plane, averaged over positions: the integral over its frequencies (cycles per world unit) is 1.
-  double power_spectrum(const Vec<2>& f) const;
-  // The frequencies that hold all but a thousandth of the variance.
+  // On a plane, averaged over positions: the frequencies that hold all but a thousandth of the variance.
   Noise<2>::Band band() const;
 
  private:
   ProjectedGradientOptions options_;
-  GradientKernel<2> kernel_;
+  GradientKernel<2> kernel_{GradientNoiseOptions::Kernel::kensler};
   double spacing_ = 1.0;
   double lattice_variance_ = 1.0;
   std::shared_ptr<const GradientLattice<3>> lattice_;

@@ -69,13 +69,8 @@ void sum_layer_waves(const LayerWaveKernel& kernel, const PointCluster& cluster,
 
 // Gradient noise projected on surfaces: impulses are lattice points with gradients G, and with d = o n + A
 // the offset split along the normal and along the surface, the kernel is
-//   (A . G) t^4 (t - root) window(|o| / height),  t = 1 - |A|^2 / r^2, 0 where negative.
+//   (A . G) t^4 (t - root) (3 x^2 - 2 x^3),  t = 1 - |A|^2 / r^2,  x = 1 - |o| / height, 0 where negative.
 struct ProjectedKernel {
-  enum class Window {
-    hermite,  // 3 x^2 - 2 x^3, x = 1 - u
-    cosine,   // cos(pi/2 (3 u^2 - 2 u^3)): the squares of two of them, 1 apart, add up to 1
-  };
-  Window window = Window::hermite;
   float root = 0.75f;
 };
 // Of the cluster it takes coordinates, normals and inverse squares; the same for all lanes.

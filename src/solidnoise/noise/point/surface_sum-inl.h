@@ -128,20 +128,7 @@ HWY_INLINE V SmoothStep(V x) {
   return hn::Mul(hn::Mul(x, x), hn::NegMulAdd(x, hn::Set(d, 2.0f), hn::Set(d, 3.0f)));
 }
 
-// Of u >= 0; 0 for u >= 1.
-template <ProjectedKernel::Window kWindow>
-HWY_INLINE V Window(V u) {
-  const Tag d;
-  const V one = hn::Set(d, 1.0f);
-  const V inside = hn::Max(hn::Sub(one, u), hn::Zero(d));
-  if constexpr (kWindow == ProjectedKernel::Window::hermite) return SmoothStep(inside);
-  // cos(pi/2 S(u)) = sin(pi/2 S(1 - u)): exactly 0 at the end.
-  V cosine, sine;
-  CosineSine(d, hn::Mul(SmoothStep(inside), hn::Set(d, 0.25f)), cosine, sine);
-  return sine;
-}
-
-template <ProjectedKernel::Window kWindow, Derivatives kDerivatives>
+template <Derivatives kDerivatives>
 class ProjectedTerms {
  public:
   static constexpr std::size_t kAtOnce = 1;
@@ -165,7 +152,8 @@ class ProjectedTerms {
     const V slope = hn::NegMulAdd(height, Dot<3>(frame_.normal, gradient), Dot<3>(offset, gradient));
     const V t = hn::Max(hn::NegMulAdd(square, frame_.shrink, hn::Set(d, 1.0f)), hn::Zero(d));
     const V t2 = hn::Mul(t, t);
-    const V window = Window<kWindow>(hn::Mul(hn::Abs(height), frame_.flatten));
+    const V inside = hn::Sub(hn::Set(d, 1.0f), hn::Mul(hn::Abs(height), frame_.flatten));
+    const V window = SmoothStep(hn::Max(inside, hn::Zero(d)));
     const V factor = hn::Mul(hn::Mul(hn::Mul(t2, t2), hn::Sub(t, root_)), window);
     sum_ = hn::MulAdd(factor, slope, sum_);
     if constexpr (kDerivatives == Derivatives::gradient) {
@@ -208,19 +196,11 @@ inline void SumLayerWaves(const LayerWaveKernel& kernel, const PointCluster& clu
 
 inline void SumProjected(const ProjectedKernel& kernel, const PointCluster& cluster,
                          const ImpulseList& impulses, ClusterSums& sums) {
-  using Window = ProjectedKernel::Window;
-  const auto sum = [&]<Window kWindow>() {
-    using surface_sum::ProjectedTerms;
-    if (cluster.derivatives == Derivatives::gradient) {
-      SumTerms<ProjectedTerms<kWindow, Derivatives::gradient>>(kernel, cluster, impulses, sums);
-    } else {
-      SumTerms<ProjectedTerms<kWindow, Derivatives::none>>(kernel, cluster, impulses, sums);
-    }
-  };
-  if (kernel.window == Window::hermite) {
-    sum.template operator()<Window::hermite>();
+  using surface_sum::ProjectedTerms;
+  if (cluster.derivatives == Derivatives::gradient) {
+    SumTerms<ProjectedTerms<Derivatives::gradient>>(kernel, cluster, impulses, sums);
   } else {
-    sum.template operator()<Window::cosine>();
+    SumTerms<ProjectedTerms<Derivatives::none>>(kernel, cluster, impulses, sums);
   }
 }
 
