@@ -102,7 +102,7 @@ void add_surface(std::vector<Ratio>& ratios) {
     const std::string name =
         std::string("points/surface/") + (isotropic ? "isotropic" : "oriented") + "/N32/";
     register_points(name + "stationary", [noise](std::span<float> values) {
-      noise->evaluate(sphere().surface(), {values, {}});
+      noise->evaluate(sphere().surface(), {}, {values, {}});
     });
     const std::vector<float> frequencies = sphere().frequencies(options.frequency);
     register_points(name + "varying", [noise, frequencies](std::span<float> values) {

@@ -85,7 +85,7 @@ void add_gabor(DigestCases& cases) {
     cases.push_back(case_of("surface gabor/" + name + "/thin layer", [=](std::vector<float>& values) {
       SurfaceGaborOptions thin = surface;
       thin.layer = 0.2;
-      SurfaceGaborNoise(thin).evaluate(scattered_points<3>(kPoints, kSide).surface(), {values, {}});
+      SurfaceGaborNoise(thin).evaluate(scattered_points<3>(kPoints, kSide).surface(), {}, {values, {}});
     }));
   }
 }

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "solidnoise/core/numerics.h"
+#include "solidnoise/noise/gabor/gabor_noise.h"
 #include "solidnoise/noise/gabor/surface_gabor_noise.h"
 #include "support/message_of.h"
 
@@ -131,11 +132,13 @@ TEST(BakeTextures, HasTheVarianceThatTexelsLeave) {
   double sum = 0.0;
   for (const float value : image.pixels) sum += double{value} * double{value};
   const double variance = sum / (kSize * kSize);
-  // The variance of the mean square is 2 / area times the integral of the squared spectrum; five standard
-  // deviations, one false alarm in two million, and the error of compact kernels.
+  // The variance of the mean square is 2 / area times the integral of the squared spectrum, which is that of
+  // noise in the plane; five standard deviations, one false alarm in two million, and the error of compact
+  // kernels.
+  const GaborNoise<2> plane({.frequency = kFrequency, .error = recipe.noise.error, .filter = deviation});
   const double squared = integrate(
       [&](double f) {
-        return 2.0 * kPi * f * std::pow(noise.power_spectrum({f, 0.0}), 2);
+        return 2.0 * kPi * f * std::pow(plane.power_spectrum({f, 0.0}), 2);
       },
       0.0, 12.0, 100);
   const double bound = 5.0 * std::sqrt(2.0 * squared) / kLength + recipe.noise.error * noise.variance();

@@ -13,7 +13,7 @@
 #include "solidnoise/mesh/bake_cost.h"
 #include "solidnoise/mesh/bake_mesh.h"
 #include "solidnoise/mesh/refine.h"
-#include "solidnoise/noise/gabor/surface_gabor_noise.h"
+#include "solidnoise/noise/gabor/gabor_noise.h"
 #include "support/paths.h"
 #include "support/surfaces.h"
 
@@ -26,7 +26,7 @@ PolygonMesh wyrm() {
 
 // E[(noise(x + d) - noise(x))^2] on a plane, by the spectrum S of the noise of frequency 1:
 // 2 integral of 2 pi f S(f) (1 - J0(2 pi f d)) df.
-double expected_square(const SurfaceGaborNoise& noise, double distance) {
+double expected_square(const GaborNoise<2>& noise, double distance) {
   constexpr double kHighest = 4.0;
   constexpr int kSteps = 400;
   double sum = 0.0;
@@ -47,7 +47,7 @@ struct EdgeSteps {
 EdgeSteps measure_steps(const BakePlan& plan, const BakeRecipe& recipe) {
   const BakedMesh baked = bake(plan, recipe);
   const std::vector<double>& values = baked.mesh.property("noise")->values;
-  const SurfaceGaborNoise noise(
+  const GaborNoise<2> noise(
       {.frequency = 1.0, .bandwidth = recipe.bandwidth.from, .error = recipe.noise.error});
   constexpr double kFarthest = 1.0;  // of the table, wavelengths
   constexpr std::size_t kTable = 256;

@@ -116,7 +116,7 @@ TEST_P(PointGradient, OfSurfaceNoiseIsAlongTheSurface) {
   });
   set_constant(slopes, noise.options().frequency);
   expect_gradient_along_surface(scattered, slopes, [&](const Points<3>& points, const Samples<3>& samples) {
-    noise.evaluate(surface(points), samples);
+    noise.evaluate(surface(points), {}, samples);
   });
 }
 

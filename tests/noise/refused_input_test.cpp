@@ -95,7 +95,7 @@ TEST(Samples, WithoutRoomForPointsOfASurfaceAreRefused) {
   const auto expect_refused = [&](const auto& evaluate) {
     EXPECT_EQ(refusal(evaluate), "values has room for 7 numbers; it must have room for 8");
   };
-  expect_refused([&] { SurfaceGaborNoise({}).evaluate(surface, {values, {}}); });
+  expect_refused([&] { SurfaceGaborNoise({}).evaluate(surface, {}, {values, {}}); });
   expect_refused([&] { ProjectedGradientNoise({}).evaluate(surface, {values, {}}); });
   expect_refused([&] { VaryingGaborNoise<3>({}).evaluate(Points<3>{positions}, {}, {values, {}}); });
 }

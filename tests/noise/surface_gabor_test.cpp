@@ -78,17 +78,14 @@ double reference_value(const reference::VaryingGaborProcedure<3>& procedure, con
   return procedure(point);
 }
 
-// The side of balanced cubes of impulses, in radii of the kernel.
-double balanced_side_in_radii(const SurfaceGaborNoise& noise) {
-  const auto& options = noise.options();
+// Of the kernel of the options in a layer of half the thickness layer * nominal.
+StrataChoice strata_of(const SurfaceGaborOptions& options, double nominal) {
   const double a = gaussian_parameter(options.frequency, options.bandwidth);
-  const RandomPhaseGaborKernel<2> oriented(1.0, a, Vec<2>(0.0));
-  const auto isotropic = IsotropicGaborKernel<2>::with_unit_peak(options.frequency, a);
-  const auto side = [&](const auto& kernel) {
-    return layer_strata_choice(kernel, options.layer * kernel.radius_for_error(kNominalError), layer_window)
-        .balanced_side();
-  };
-  return (options.waves == GaborWaves::oriented ? side(oriented) : side(isotropic)) / noise.radius();
+  const double half = options.layer * nominal;
+  return options.waves == GaborWaves::oriented
+             ? layer_strata_choice(RandomPhaseGaborKernel<2>(1.0, a, Vec<2>(0.0)), half, layer_window)
+             : layer_strata_choice(IsotropicGaborKernel<2>::with_unit_peak(options.frequency, a), half,
+                                   layer_window);
 }
 
 // See varying_gabor_test.cpp; the distance along the surface loses another digit where the offset along the
@@ -103,13 +100,20 @@ TEST(SurfaceGaborNoise, AgreesWithTheReferenceForEveryInstructionSet) {
       SurfaceGaborOptions options = some_options(waves);
       options.layer = layer;
       const SurfaceGaborNoise noise(options);
+      const double nominal = family.nominal_share() * noise.radius();
+      const StrataChoice choice = strata_of(options, nominal);
+      const double support = 2.0 * std::numbers::pi * layer * std::pow(nominal, 3);
+      const Strata strata = choice.of_density(kImpulses / support);
       const reference::VaryingGaborProcedure<3> varying({.impulses = noise.impulses_per_kernel(),
                                                          .nominal = family.nominal_share(),
-                                                         .strata = balanced_side_in_radii(noise),
+                                                         .strata = choice.balanced_side() / noise.radius(),
                                                          .layer = layer,
                                                          .seed = 11});
-      const reference::VaryingGaborProcedure<3> stationary(
-          {.nominal = family.nominal_share(), .layer = layer, .grid = noise.impulses()});
+      const reference::VaryingGaborProcedure<3> stationary({.impulses = static_cast<double>(strata.count),
+                                                            .nominal = family.nominal_share(),
+                                                            .layer = layer,
+                                                            .side = strata.side,
+                                                            .seed = 11});
       std::vector<double> expected_varying, expected_stationary;
       for (std::size_t i = 0; i < scattered.size(); ++i) {
         const double magnitude = scattered.magnitude[i];

@@ -190,31 +190,5 @@ TEST(VaryingGaborStatistics, CovarianceIsThatOfTheStationaryNoiseAtEveryScale) {
   expect_covariance<3>(0.8);
 }
 
-TEST(VaryingGaborStatistics, SpectrumOfTheOptionsIsThatOfTheStationaryNoise) {
-  const VaryingGaborNoise<3> noise({.frequency = 2.0, .bandwidth = 1.4});
-  const GaborNoise<3> stationary({.frequency = 2.0, .bandwidth = 1.4});
-  for (double f = 0.0; f < 5.0; f += 0.3) {
-    EXPECT_NEAR(noise.power_spectrum({f, 0.0, 0.0}), stationary.power_spectrum({f, 0.0, 0.0}), 1e-9);
-  }
-}
-
-TEST(VaryingGaborStatistics, OrientedSpectrumIntegratesToOneAndLiesAlongTheDirection) {
-  VaryingGaborOptions options;
-  options.frequency = 1.0;
-  options.bandwidth = 2.0;
-  options.waves = GaborWaves::oriented;
-  options.direction = Vec<4>(3.0, 4.0, 0.0, 0.0);
-  const VaryingGaborNoise<2> noise(options);
-  double sum = 0.0;
-  constexpr double kStep = 0.05;
-  // The spectrum is smooth and falls as f^-7 or faster; the midpoint rule converges as fast.
-  for (double x = -8.0 + kStep / 2; x < 8.0; x += kStep) {
-    for (double y = -8.0 + kStep / 2; y < 8.0; y += kStep)
-      sum += noise.power_spectrum({x, y}) * kStep * kStep;
-  }
-  EXPECT_NEAR(sum, 1.0, 1e-3);
-  EXPECT_GT(noise.power_spectrum({0.6, 0.8}), 50.0 * noise.power_spectrum({-0.8, 0.6}));
-}
-
 }  // namespace
 }  // namespace solidnoise::varying_gabor_statistics_test

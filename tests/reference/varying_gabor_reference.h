@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <functional>
 #include <numbers>
-#include <optional>
 
 #include "reference/gabor_kernels.h"
 #include "solidnoise/core/random.h"
@@ -17,12 +16,12 @@ namespace solidnoise::reference {
 
 template <int Dim>
 struct VaryingSetting {
-  double impulses = 20.0;  // N
+  double impulses = 20.0;  // N, or of one grid those of a cell
   double nominal = 1.0;    // the radius that N and a layer's thickness are measured by, in radii
   double strata = 0.0;     // the side of cells of a fixed number of impulses, in radii; 0: a Poisson process
   double layer = 0.0;      // half thickness of a surface's layer, in nominal radii; 0: the kernel is a ball
+  double side = 0.0;       // of the cells of one grid in strata, in world units; 0: a hierarchy of grids
   std::uint64_t seed = 0;
-  std::optional<ImpulseProcess<Dim>> grid{};  // of all impulses, in place of a hierarchy of grids
 };
 
 template <int Dim>
@@ -82,9 +81,10 @@ class VaryingGaborProcedure {
       energy *= kWindowPower * setting_.layer * setting_.nominal * point.radius;
       reach = std::hypot(1.0, setting_.layer * setting_.nominal);
     }
-    if (setting_.grid) {
-      const double density = setting_.grid->mean_per_cell() / std::pow(setting_.grid->axes()[0].size(), Dim);
-      return sum_of_grid(point, *setting_.grid, reach) / std::sqrt(density * energy);
+    if (setting_.side > 0.0) {
+      const double density = setting_.impulses / std::pow(setting_.side, Dim);
+      return sum_of_grid(point, grid(0, setting_.side, setting_.impulses), reach) /
+             std::sqrt(density * energy);
     }
     const double scale = scale_ * point.radius;
     const double amplitude = 1.0 / std::sqrt(density_ / std::pow(scale, Dim) * second_ * energy);
@@ -105,7 +105,7 @@ class VaryingGaborProcedure {
     // Keys: stream 1 of the seed, and of that one stream per level from 2^20 on.
     const std::uint64_t key =
         derive_seed(derive_seed(setting_.seed, 1), (1u << 20) + static_cast<std::uint64_t>(level));
-    return ImpulseProcess<Dim>(axes, {mean, setting_.strata > 0.0}, key);
+    return ImpulseProcess<Dim>(axes, {mean, setting_.strata > 0.0 || setting_.side > 0.0}, key);
   }
 
   double sum_of_grid(const VaryingPoint<Dim>& point, const ImpulseProcess<Dim>& process, double reach) const {
@@ -146,7 +146,7 @@ class VaryingGaborProcedure {
       for (int axis = 0; axis < Dim; ++axis) offset[axis] -= height * point.normal[axis];
       factor *= window(height / (setting_.layer * setting_.nominal * point.radius));
     }
-    if (!setting_.grid) {
+    if (setting_.side == 0.0) {
       const double share = static_cast<double>(impulse.mark & 0xffffffu) / 0x1p24;
       const double lowest = std::exp2(-Dim);
       factor *= fade<Dim>(std::pow(scale_ * point.radius / size, Dim) * (lowest + (1.0 - lowest) * share));

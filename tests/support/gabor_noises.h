@@ -29,16 +29,19 @@ double support_of(const OrientedGaborNoise<Dim>& noise) {
   return noise.envelope().radius();
 }
 
+template <int Dim>
+StrataChoice strata_of(const VaryingGaborOptions& options) {
+  const double a = gaussian_parameter(options.frequency, options.bandwidth);
+  return options.waves == GaborWaves::oriented
+             ? strata_choice(RandomPhaseGaborKernel<Dim>(1.0, a, Vec<Dim>(0.0)))
+             : strata_choice(IsotropicGaborKernel<Dim>::with_unit_peak(options.frequency, a), {});
+}
+
 // The side of balanced cubes of impulses, in radii of the kernel.
 template <int Dim>
 double balanced_side_in_radii(const VaryingGaborNoise<Dim>& noise) {
   const auto& options = noise.options();
-  const double a = gaussian_parameter(options.frequency, options.bandwidth);
-  const StrataChoice choice =
-      options.waves == GaborWaves::oriented
-          ? strata_choice(RandomPhaseGaborKernel<Dim>(1.0, a, Vec<Dim>(0.0)))
-          : strata_choice(IsotropicGaborKernel<Dim>::with_unit_peak(options.frequency, a), {});
-  return choice.balanced_side() / noise.radius(options.frequency, options.bandwidth);
+  return strata_of<Dim>(options).balanced_side() / noise.radius(options.frequency, options.bandwidth);
 }
 
 // Runs a check with the isotropic Gabor noise and with oriented ones of directions all around, in a cone and

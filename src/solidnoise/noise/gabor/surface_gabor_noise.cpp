@@ -48,8 +48,7 @@ StrataChoice surface_choice(const SurfaceGaborOptions& options, double half_thic
 SurfaceGaborNoise::SurfaceGaborNoise(const SurfaceGaborOptions& options)
     : options_(validated(options)),
       family_(std::make_shared<KernelFamily>(2, options.waves, options.bandwidth, options.error)),
-      kernel_(family_->at(options.bandwidth)),
-      compact_(family_->compact(kernel_)) {
+      kernel_(family_->at(options.bandwidth)) {
   if (options.filter > 0.0)
     filtered_ = family_->filtered(options.frequency, options.bandwidth, options.filter);
   const double r = radius();
@@ -90,10 +89,6 @@ double SurfaceGaborNoise::radius() const {
   return kernel_.cycles / options_.frequency;
 }
 
-void SurfaceGaborNoise::evaluate(const SurfacePoints& points, const Samples<3>& samples) const {
-  evaluate(points, {}, samples);
-}
-
 void SurfaceGaborNoise::evaluate(const SurfacePoints& points, const VaryingParameters<3>& parameters,
                                  const Samples<3>& samples) const {
   points.validate();
@@ -129,20 +124,6 @@ void SurfaceGaborNoise::evaluate(const SurfacePoints& points, const VaryingParam
     }
   };
   convolution.evaluate(points.positions, prepare, samples);
-}
-
-double SurfaceGaborNoise::power_spectrum(const Vec<2>& f) const {
-  const double r = radius();
-  const double response = std::exp(-2.0 * std::pow(std::numbers::pi * options_.filter * glm::length(f), 2));
-  const auto transform = [&](const Vec<2>& at) { return compact_.spectrum(r * glm::length(at)); };
-  double spectrum = 0.0;
-  if (options_.waves == GaborWaves::isotropic) {
-    spectrum = transform(f);
-  } else {
-    const Vec<2> wave(options_.frequency, 0.0);
-    spectrum = 0.5 * (transform(f - wave) + transform(f + wave));
-  }
-  return std::pow(r * response * spectrum, 2) / kernel_.energy;
 }
 
 Noise<2>::Band SurfaceGaborNoise::band() const {

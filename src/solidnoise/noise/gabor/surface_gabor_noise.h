@@ -77,26 +77,17 @@ class SurfaceGaborNoise {
   double radius() const;                                    // of the options' kernel, world units
   double impulses_per_kernel() const { return impulses_; }  // N, mean
 
-  // The stationary noise, one sample per point. Throws std::invalid_argument naming the first point whose
-  // position is not finite or whose normal has no direction.
-  void evaluate(const SurfacePoints& points, const Samples<3>& samples) const;
-
-  // The noise whose parameters vary from point to point; also throws what VaryingParameters::validate() does.
-  // If neither frequency nor bandwidth vary it is the stationary noise above, times magnitude and with the
-  // directions given; if they do, it has other impulses, in a hierarchy of grids, and differs from the
-  // stationary noise even where the parameters agree.
+  // One sample per point. Throws std::invalid_argument naming the first point whose position is not finite or
+  // whose normal has no direction, and what VaryingParameters::validate() does. If neither frequency nor
+  // bandwidth vary it is a stationary noise, times magnitude and with the directions given; if they do, it
+  // has other impulses, in a hierarchy of grids, and differs from that even where the parameters agree.
   void evaluate(const SurfacePoints& points, const VaryingParameters<3>& parameters,
                 const Samples<3>& samples) const;
 
   // 1, or of the options' kernel what the filter leaves.
   double variance() const { return filtered_ ? filtered_->variance : 1.0; }
-  // Spectral density on a plane, of the options' kernel: the integral over the plane's frequencies f (cycles
-  // per world unit) is variance(). For oriented waves the first axis of the plane is along the direction.
-  double power_spectrum(const Vec<2>& f) const;
   // E[value^4] / E[value^2]^2 - 3, of the options' kernel.
   double excess_kurtosis() const { return excess_kurtosis_; }
-  // The impulses where neither frequency nor bandwidth vary: for whoever sums them in another way.
-  ImpulseProcess<3> impulses() const { return stationary_->impulses(); }
   // The frequencies that hold all but a thousandth of the variance, without a filter.
   Noise<2>::Band band() const;
 
@@ -105,7 +96,6 @@ class SurfaceGaborNoise {
   std::shared_ptr<const KernelFamily> family_;
   KernelFamily::Member kernel_;                     // of the options, without a filter
   std::optional<KernelFamily::Filtered> filtered_;  // with one
-  CompactKernel compact_;                           // the same, on the unit ball
   double impulses_ = 0.0;
   double excess_kurtosis_ = 0.0;
   double scale_in_radii_ = 1.0;  // that impulses of the hierarchy follow

@@ -63,8 +63,7 @@ template <int Dim>
 VaryingGaborNoise<Dim>::VaryingGaborNoise(const VaryingGaborOptions& options)
     : options_(validated(options)),
       family_(std::make_shared<KernelFamily>(Dim, options.waves, options.bandwidth, options.error)),
-      kernel_(family_->at(options.bandwidth)),
-      compact_(family_->compact(kernel_)) {
+      kernel_(family_->at(options.bandwidth)) {
   if (options.filter > 0.0)
     filtered_ = family_->filtered(options.frequency, options.bandwidth, options.filter);
   const double r = radius(options.frequency, options.bandwidth);
@@ -137,20 +136,6 @@ void VaryingGaborNoise<Dim>::evaluate(const Points<Dim>& points, const VaryingPa
     }
   };
   convolution.evaluate(points, prepare, samples);
-}
-
-template <int Dim>
-double VaryingGaborNoise<Dim>::power_spectrum(const Vec<Dim>& frequency) const {
-  const double r = kernel_.cycles / options_.frequency;
-  const auto transform = [&](const Vec<Dim>& at) { return compact_.spectrum(r * glm::length(at)); };
-  double spectrum = 0.0;
-  if (options_.waves == GaborWaves::isotropic) {
-    spectrum = transform(frequency);
-  } else {
-    const Vec<Dim> wave = options_.frequency * unit_direction<Dim>(first_axes<Dim>(options_.direction));
-    spectrum = 0.5 * (transform(frequency - wave) + transform(frequency + wave));
-  }
-  return std::pow(r, Dim) * spectrum * spectrum / kernel_.energy;
 }
 
 template class VaryingGaborNoise<2>;

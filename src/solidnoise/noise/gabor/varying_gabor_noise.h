@@ -74,19 +74,14 @@ class VaryingGaborNoise {
   void evaluate(const Points<Dim>& points, const VaryingParameters<Dim>& parameters,
                 const Samples<Dim>& samples) const;
 
-  // Of the noise with the parameters of the options: two-sided power spectral density at a frequency (cycles
-  // per world unit), its integral is 1 without a filter; and E[value^4] / E[value^2]^2 - 3.
-  double power_spectrum(const Vec<Dim>& frequency) const;
+  // E[value^4] / E[value^2]^2 - 3 of the noise with the parameters of the options.
   double excess_kurtosis() const { return excess_kurtosis_; }
-  // The impulses where neither frequency nor bandwidth vary: for whoever sums them in another way.
-  ImpulseProcess<Dim> impulses() const { return stationary_->impulses(); }
 
  private:
   VaryingGaborOptions options_;
   std::shared_ptr<const KernelFamily> family_;
   KernelFamily::Member kernel_;                     // of the options, without a filter
   std::optional<KernelFamily::Filtered> filtered_;  // with one
-  CompactKernel compact_;                           // the same, on the unit ball
   double impulses_ = 0.0;
   double excess_kurtosis_ = 0.0;
   double scale_in_radii_ = 1.0;  // that impulses of the hierarchy follow

@@ -68,9 +68,6 @@ class PointConvolution {
   // units of world units^Dim of one grid, of the scale^Dim of a hierarchy.
   double power() const { return power_; }
 
-  // The impulses of one grid.
-  ImpulseProcess<Dim> impulses() const { return grid(0, settings_.side); }
-
   // Says what the kernels at some points are: those with the numbers `points`, one kernel for each.
   using Prepare =
       std::function<void(std::span<const std::size_t> points, std::span<KernelPoint<Dim>> kernels)>;
