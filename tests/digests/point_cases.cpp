@@ -77,7 +77,6 @@ void add_gabor(DigestCases& cases) {
     surface.direction = {0.6, -0.3, 1.0};
     for (const Variation& variation : kVariations) {
       const std::string both = name + "/" + variation.name;
-      cases.push_back(varying_case<2>(both, options, variation));
       cases.push_back(varying_case<3>(both, options, variation));
       cases.push_back(varying_case<4>(both, options, variation));
       cases.push_back(surface_case(both, surface, variation));

@@ -193,26 +193,29 @@ TEST(FilteredSurfaceNoise, IsNothingWhereNothingIsLeft) {
 
 TEST(FilteredVaryingNoise, IsTheNoiseConvolvedWithAGaussian) {
   constexpr double kDeviation = 0.05;
-  constexpr int kHalf = 10;
+  constexpr int kHalf = 8;
   constexpr double kStep = 4.0 * kDeviation / kHalf;
   VaryingGaborOptions options{.frequency = 3.0, .seed = 4};
-  const VaryingGaborNoise<2> noise(options);
+  const VaryingGaborNoise<3> noise(options);
   options.filter = kDeviation;
-  const VaryingGaborNoise<2> filtered(options);
+  const VaryingGaborNoise<3> filtered(options);
   double error = 0.0;
   for (int place = 0; place < 40; ++place) {
-    const Vec<2> centre(0.37 * place, 0.11 * place);
-    std::vector<Vec<2>> positions{centre};
+    const Vec<3> centre(0.37 * place, 0.11 * place, 0.05 * place);
+    std::vector<Vec<3>> positions{centre};
     std::vector<double> weights{0.0};
     for (int i = -kHalf; i <= kHalf; ++i) {
       for (int j = -kHalf; j <= kHalf; ++j) {
-        positions.push_back(centre + kStep * Vec<2>(i, j));
-        weights.push_back(kStep * kStep / (2.0 * kPi * kDeviation * kDeviation) *
-                          std::exp(-0.5 * (i * i + j * j) * kStep * kStep / (kDeviation * kDeviation)));
+        for (int k = -kHalf; k <= kHalf; ++k) {
+          const Vec<3> away = kStep * Vec<3>(i, j, k);
+          positions.push_back(centre + away);
+          weights.push_back(std::pow(kStep / kDeviation, 3) / std::pow(2.0 * kPi, 1.5) *
+                            std::exp(-0.5 * glm::dot(away, away) / (kDeviation * kDeviation)));
+        }
       }
     }
     const std::vector<float> frequency(positions.size(), 3.0f);
-    VaryingParameters<2> parameters;
+    VaryingParameters<3> parameters;
     parameters.frequency = frequency;
     std::vector<float> values(positions.size());
     noise.evaluate({positions}, parameters, {values, {}});

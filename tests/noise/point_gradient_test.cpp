@@ -99,7 +99,6 @@ void expect_of_varying_noise(GaborWaves waves) {
 }
 
 TEST_P(PointGradient, OfVaryingNoiseIsThatWithItsParametersHeldFixed) {
-  expect_of_varying_noise<2>(GetParam());
   expect_of_varying_noise<3>(GetParam());
   expect_of_varying_noise<4>(GetParam());
 }

@@ -92,7 +92,6 @@ void expect_unit_variance_under_varying_parameters(std::size_t count) {
 }
 
 TEST(VaryingGaborStatistics, VarianceIsOneUnderAnyFieldOfParameters) {
-  expect_unit_variance_under_varying_parameters<2>(80000);
   expect_unit_variance_under_varying_parameters<3>(48000);
   expect_unit_variance_under_varying_parameters<4>(16000);
 }
@@ -126,7 +125,6 @@ void expect_kurtosis_of_strata(GaborWaves waves) {
 
 TEST(VaryingGaborStatistics, StrataTakeTheExcessKurtosisAwayAtEveryScale) {
   for (const GaborWaves waves : {GaborWaves::isotropic, GaborWaves::oriented}) {
-    expect_kurtosis_of_strata<2>(waves);
     expect_kurtosis_of_strata<3>(waves);
   }
 }
@@ -134,13 +132,13 @@ TEST(VaryingGaborStatistics, StrataTakeTheExcessKurtosisAwayAtEveryScale) {
 TEST(VaryingGaborStatistics, FadingKeepsTheKurtosisOfAPoissonProcess) {
   const VaryingGaborOptions options{
       .frequency = 1.0, .impulses = 24.0, .impulses_process = ImpulseSpread::poisson, .seed = 3};
-  const VaryingGaborNoise<2> noise(options);
-  const GaborNoise<2> stationary(
+  const VaryingGaborNoise<3> noise(options);
+  const GaborNoise<3> stationary(
       {.frequency = 1.0, .impulses = 24.0, .impulses_process = ImpulseSpread::poisson});
   for (const double frequency : {0.8, 1.0, 1.3}) {
-    auto points = independent_points<2>(60000, 2.1 * noise.radius(frequency, 1.0));
+    auto points = independent_points<3>(60000, 2.1 * noise.radius(frequency, 1.0));
     points.frequency.assign(points.size(), static_cast<float>(frequency));
-    expect_within_4_sigma(estimate_mean(evaluate<2>(noise, points), [](double x) { return std::pow(x, 4); }),
+    expect_within_4_sigma(estimate_mean(evaluate<3>(noise, points), [](double x) { return std::pow(x, 4); }),
                           stationary.excess_kurtosis() + 3.0);
   }
 }
@@ -185,8 +183,8 @@ void expect_covariance(double frequency) {
 }
 
 TEST(VaryingGaborStatistics, CovarianceIsThatOfTheStationaryNoiseAtEveryScale) {
-  expect_covariance<2>(1.0);
-  expect_covariance<2>(1.37);
+  expect_covariance<3>(1.0);
+  expect_covariance<3>(1.37);
   expect_covariance<3>(0.8);
 }
 

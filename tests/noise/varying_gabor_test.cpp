@@ -34,7 +34,7 @@ std::vector<float> values_of(const VaryingGaborNoise<Dim>& noise, const Scattere
   return values;
 }
 
-// Runs a check in 2, 3 and 4 dimensions with both kinds of waves.
+// Runs a check in 3 and 4 dimensions with both kinds of waves.
 template <typename Check>
 void for_each_kind(const Check& check) {
   const auto run = [&]<int Dim>() {
@@ -43,7 +43,6 @@ void for_each_kind(const Check& check) {
       check.template operator()<Dim>(waves);
     }
   };
-  run.template operator()<2>();
   run.template operator()<3>();
   run.template operator()<4>();
 }
@@ -133,19 +132,19 @@ TEST(VaryingGaborNoise, WithoutVaryingParametersAgreesWithTheReferenceOnOneGrid)
 
 TEST(VaryingGaborNoise, NarrowAndWideBandsAgreeWithTheReference) {
   for (const double bandwidth : {0.1, 0.3, 4.0}) {
-    Scattered<2> scattered = scattered_points<2>(40, 8.0);
+    Scattered<3> scattered = scattered_points<3>(40, 8.0);
     scattered.bandwidth.assign(scattered.size(), static_cast<float>(bandwidth));
-    const VaryingGaborNoise<2> noise(some_options<2>(GaborWaves::isotropic));
-    const KernelFamily family(2, GaborWaves::isotropic, 1.0, 0.02);
-    const reference::VaryingGaborProcedure<2> procedure({.impulses = noise.impulses_per_kernel(),
+    const VaryingGaborNoise<3> noise(some_options<3>(GaborWaves::isotropic));
+    const KernelFamily family(3, GaborWaves::isotropic, 1.0, 0.02);
+    const reference::VaryingGaborProcedure<3> procedure({.impulses = noise.impulses_per_kernel(),
                                                          .nominal = family.nominal_share(),
                                                          .strata = balanced_side_in_radii(noise),
                                                          .seed = 7});
-    const std::vector<float> values = values_of<2>(noise, scattered);
+    const std::vector<float> values = values_of<3>(noise, scattered);
     for (std::size_t i = 0; i < values.size(); ++i) {
       const double expected =
           scattered.magnitude[i] *
-          reference_value<2>(procedure, family, scattered, i, scattered.frequency[i], scattered.bandwidth[i]);
+          reference_value<3>(procedure, family, scattered, i, scattered.frequency[i], scattered.bandwidth[i]);
       // The rounding that CompactKernel states for Clenshaw's rule, relative to the kernel's mean square,
       // where a few terms may be ten times that.
       ASSERT_NEAR(values[i], expected, 2e-3 * std::fmax(1.0, std::abs(expected)))
@@ -175,15 +174,15 @@ TEST(VaryingGaborNoise, APointDoesNotDependOnTheOthersTheirOrderOrTheThread) {
 
 TEST(VaryingGaborNoise, MayBeSharedByThreadsFromTheFirstPointOn) {
   // Kernels are tabulated when they are first asked for: here by several threads at once.
-  const Scattered<2> scattered = scattered_points<2>(2000, 3.0);
+  const Scattered<3> scattered = scattered_points<3>(2000, 3.0);
   const std::vector<float> expected =
-      values_of<2>(VaryingGaborNoise<2>(some_options<2>(GaborWaves::isotropic)), scattered);
-  const VaryingGaborNoise<2> shared(some_options<2>(GaborWaves::isotropic));
+      values_of<3>(VaryingGaborNoise<3>(some_options<3>(GaborWaves::isotropic)), scattered);
+  const VaryingGaborNoise<3> shared(some_options<3>(GaborWaves::isotropic));
   std::vector<std::vector<float>> results(4);
   std::vector<std::thread> threads;
   for (auto& result : results) {
     threads.emplace_back(
-        [&, own = scattered] { result = values_of<2>(shared, own); });  // points() is for one thread
+        [&, own = scattered] { result = values_of<3>(shared, own); });  // points() is for one thread
   }
   for (std::thread& thread : threads) thread.join();
   for (const auto& result : results) EXPECT_EQ(result, expected);
@@ -335,8 +334,8 @@ TEST(VaryingGaborNoise, RefusesOptionsOutOfRange) {
 }
 
 TEST(VaryingGaborNoise, NoPointsAreNoValues) {
-  const VaryingGaborNoise<2> noise({});
-  noise.evaluate(Points<2>{}, {}, {});
+  const VaryingGaborNoise<3> noise({});
+  noise.evaluate(Points<3>{}, {}, {});
 }
 
 }  // namespace

@@ -138,7 +138,6 @@ void VaryingGaborNoise<Dim>::evaluate(const Points<Dim>& points, const VaryingPa
   convolution.evaluate(points, prepare, samples);
 }
 
-template class VaryingGaborNoise<2>;
 template class VaryingGaborNoise<3>;
 template class VaryingGaborNoise<4>;
 

@@ -35,7 +35,7 @@ struct VaryingGaborOptions {
   friend bool operator==(const VaryingGaborOptions&, const VaryingGaborOptions&) = default;
 };
 
-// Gabor noise in Dim dimensions, 2 to 4, with a frequency, bandwidth, magnitude and direction of its own at
+// Gabor noise in Dim dimensions, 3 or 4, with a frequency, bandwidth, magnitude and direction of its own at
 // each point (Lagae et al. 2011, section V). With X_i random points and W_i weights of 1 or
 // -1,
 //   noise(x) = sum of W_i g(x - X_i; parameters at x),

@@ -47,7 +47,7 @@ struct PointPolynomials {
 //   layer:    |d| is the distance along the surface, d - (d . normal) normal, and there is another factor
 //             h = (1 - (d . normal)^2 / H^2)^2, 0 for |d . normal| > H.
 struct PointKernel {
-  int dimensions = 3;  // 2 to 4
+  int dimensions = 3;  // or 4
   bool layer = false;  // in 3 dimensions only
   bool oriented = false;
   bool fade = false;  // fade(y) of ScaleFade; 1 otherwise

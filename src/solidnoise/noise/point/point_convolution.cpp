@@ -263,7 +263,6 @@ void PointConvolution<Dim>::evaluate(const Points<Dim>& points, const Prepare& p
   Evaluation(*this, points, prepare, samples).run();
 }
 
-template class PointConvolution<2>;
 template class PointConvolution<3>;
 template class PointConvolution<4>;
 

@@ -105,10 +105,8 @@ void require_finite_positions(const Points<Dim>& points) {
   }
 }
 
-template struct VaryingParameters<2>;
 template struct VaryingParameters<3>;
 template struct VaryingParameters<4>;
-template void require_finite_positions(const Points<2>&);
 template void require_finite_positions(const Points<3>&);
 template void require_finite_positions(const Points<4>&);
 

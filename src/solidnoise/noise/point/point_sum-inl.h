@@ -191,14 +191,10 @@ inline void SumPointImpulses(const PointKernel& kernel, const PointCluster& clus
                              const PointPolynomials& polynomials, const ImpulseList& impulses,
                              ClusterSums& sums) {
   if (kernel.layer) return point_sum::SumOfDimension<3, true>(kernel, cluster, polynomials, impulses, sums);
-  switch (kernel.dimensions) {
-    case 2:
-      return point_sum::SumOfDimension<2, false>(kernel, cluster, polynomials, impulses, sums);
-    case 3:
-      return point_sum::SumOfDimension<3, false>(kernel, cluster, polynomials, impulses, sums);
-    default:
-      return point_sum::SumOfDimension<4, false>(kernel, cluster, polynomials, impulses, sums);
+  if (kernel.dimensions == 3) {
+    return point_sum::SumOfDimension<3, false>(kernel, cluster, polynomials, impulses, sums);
   }
+  point_sum::SumOfDimension<4, false>(kernel, cluster, polynomials, impulses, sums);
 }
 
 }  // namespace HWY_NAMESPACE

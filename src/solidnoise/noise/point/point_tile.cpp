@@ -171,10 +171,8 @@ PointCull coarsened(const PointCull& cull, const std::array<float, kRoles>& offs
   return coarse;
 }
 
-template struct PointTile<2>;
 template struct PointTile<3>;
 template struct PointTile<4>;
-template PointCull bounds(std::span<const LocatedPoint<2>>, const KernelExtent&);
 template PointCull bounds(std::span<const LocatedPoint<3>>, const KernelExtent&);
 template PointCull bounds(std::span<const LocatedPoint<4>>, const KernelExtent&);
 
