@@ -5,6 +5,7 @@
 
 #include "evaluation.h"
 #include "noise.h"
+#include "solidnoise/noise/error_budget.h"
 #include "solidnoise/noise/interpolation/interpolated_noise.h"
 
 namespace solidnoise::python {
@@ -33,7 +34,7 @@ py::object evaluate_on_lattice(const std::shared_ptr<const Noise<Dim>>& noise, c
 
 py::object evaluate_lattice_of(const NoiseObject& noise, const LatticePlace& place, const Wanted& wanted,
                                bool interpolated, const Call& call) {
-  const double error = interpolated ? error_of(noise.recipe()) : 0.0;
+  const double error = interpolated ? ErrorBudget(error_of(noise.recipe())).interpolation : 0.0;
   return noise.visit([&]<typename Pointer>(const Pointer& field) {
     return evaluate_on_lattice<kDimOf<Pointer>>(field, lattice_of<kDimOf<Pointer>>(place), error, wanted,
                                                 call);

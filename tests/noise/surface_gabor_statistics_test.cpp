@@ -201,6 +201,7 @@ TEST(SurfaceGaborStatistics, DefaultNumberOfImpulsesTakesTheExcessKurtosisAway) 
     options.waves = waves;
     const SurfaceGaborNoise noise(options);
     EXPECT_LT(std::abs(noise.excess_kurtosis()), 0.02);
+    EXPECT_LT(std::abs(noise.varying_excess_kurtosis()), 0.1);
   }
 }
 

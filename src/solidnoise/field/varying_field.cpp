@@ -107,7 +107,9 @@ class VaryingField final : public PointwiseField {
     double fourth_cumulant = 0.0;
     for (const VaryingOctave<Dim>& octave : octaves_) {
       variance += octave.amplitude * octave.amplitude;
-      fourth_cumulant += std::pow(octave.amplitude, 4) * octave.noise.excess_kurtosis();
+      const double kurtosis = fields_.frequency || fields_.bandwidth ? octave.noise.varying_excess_kurtosis()
+                                                                     : octave.noise.excess_kurtosis();
+      fourth_cumulant += std::pow(octave.amplitude, 4) * kurtosis;
     }
     return Statistics{0.0, variance, fourth_cumulant / (variance * variance), band()};
   }

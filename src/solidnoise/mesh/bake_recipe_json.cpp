@@ -96,7 +96,9 @@ Json describe_kernel(const SurfaceNoiseRecipe& recipe, const VertexParameters& p
   return {{"frequency", options.frequency},
           {"radius", noise.radius()},
           {"impulses_per_kernel", noise.impulses_per_kernel()},
-          {"excess_kurtosis", noise.excess_kurtosis()}};
+          {"excess_kurtosis", parameters.frequency.varies() || parameters.bandwidth.varies()
+                                  ? noise.varying_excess_kurtosis()
+                                  : noise.excess_kurtosis()}};
 }
 
 Json describe_steering(const SteeringWeights& steering) {

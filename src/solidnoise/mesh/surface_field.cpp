@@ -91,6 +91,10 @@ class TangentField final : public PointwiseField {
     if constexpr (requires { noise_.variance(); }) statistics.variance = noise_.variance();
     if constexpr (requires { noise_.excess_kurtosis(); })
       statistics.excess_kurtosis = noise_.excess_kurtosis();
+    if constexpr (requires { noise_.varying_excess_kurtosis(); }) {
+      if (fields_.frequency || fields_.bandwidth)
+        statistics.excess_kurtosis = noise_.varying_excess_kurtosis();
+    }
     return statistics;
   }
 

@@ -74,6 +74,7 @@ SurfaceGaborNoise::SurfaceGaborNoise(const SurfaceGaborOptions& options)
   if (options.evolution.moves()) settings.factor = TurningFactor(options.evolution);
   settings.parts = parts_for_points(scale, nominal);
   varying_ = std::make_shared<PointConvolution<3>>(settings);
+  varying_excess_kurtosis_ = varying_->excess_kurtosis(scale, moments, choice.weights, *choice.averages);
   if (layout.count.is_fixed) {
     moments.overlap =
         choice.averages->overlap(layout.side()) * std::pow(moments.second / choice.moments.second, 2);

@@ -88,6 +88,8 @@ class SurfaceGaborNoise {
   double variance() const { return filtered_ ? filtered_->variance : 1.0; }
   // E[value^4] / E[value^2]^2 - 3, of the options' kernel.
   double excess_kurtosis() const { return excess_kurtosis_; }
+  // The excess kurtosis where frequency or bandwidth vary, the mean over frequencies (PointConvolution).
+  double varying_excess_kurtosis() const { return varying_excess_kurtosis_; }
   // The frequencies that hold all but a thousandth of the variance, without a filter.
   Noise<2>::Band band() const;
 
@@ -98,6 +100,7 @@ class SurfaceGaborNoise {
   std::optional<KernelFamily::Filtered> filtered_;  // with one
   double impulses_ = 0.0;
   double excess_kurtosis_ = 0.0;
+  double varying_excess_kurtosis_ = 0.0;
   double scale_in_radii_ = 1.0;  // that impulses of the hierarchy follow
   std::shared_ptr<const PointConvolution<3>> stationary_;
   std::shared_ptr<const PointConvolution<3>> varying_;

@@ -87,6 +87,7 @@ VaryingGaborNoise<Dim>::VaryingGaborNoise(const VaryingGaborOptions& options)
   settings.count = {layout.density * std::pow(scale, Dim), fixed};
   settings.parts = parts_for_points(scale, choice.radius);
   varying_ = std::make_shared<PointConvolution<Dim>>(settings);
+  varying_excess_kurtosis_ = varying_->excess_kurtosis(scale, moments, choice.weights, *choice.averages);
   if (layout.count.is_fixed) {
     moments.overlap =
         choice.averages->overlap(layout.side()) * std::pow(moments.second / choice.moments.second, 2);

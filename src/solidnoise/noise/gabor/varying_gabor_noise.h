@@ -76,6 +76,8 @@ class VaryingGaborNoise {
 
   // E[value^4] / E[value^2]^2 - 3 of the noise with the parameters of the options.
   double excess_kurtosis() const { return excess_kurtosis_; }
+  // The excess kurtosis where frequency or bandwidth vary, the mean over frequencies (PointConvolution).
+  double varying_excess_kurtosis() const { return varying_excess_kurtosis_; }
 
  private:
   VaryingGaborOptions options_;
@@ -85,6 +87,7 @@ class VaryingGaborNoise {
   double impulses_ = 0.0;
   double excess_kurtosis_ = 0.0;
   double scale_in_radii_ = 1.0;  // that impulses of the hierarchy follow
+  double varying_excess_kurtosis_ = 0.0;
   std::shared_ptr<const PointConvolution<Dim>> stationary_;
   std::shared_ptr<const PointConvolution<Dim>> varying_;
 };

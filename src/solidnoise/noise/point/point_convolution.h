@@ -10,6 +10,8 @@
 #include "solidnoise/core/field.h"
 #include "solidnoise/core/points.h"
 #include "solidnoise/noise/convolution/impulse_process.h"
+#include "solidnoise/noise/kernel/cube_averages.h"
+#include "solidnoise/noise/kernel/impulse_statistics.h"
 #include "solidnoise/noise/kernel/kernel_family.h"
 #include "solidnoise/noise/point/impulse_cells.h"
 
@@ -68,6 +70,11 @@ class PointConvolution {
   // units of world units^Dim of one grid, of the scale^Dim of a hierarchy.
   double power() const { return power_; }
 
+  // Of a hierarchy: the excess kurtosis where kernels of these moments, and weights, have this scale, world
+  // units, and of strata, `averages` being the kernels', the mean over all scales.
+  double excess_kurtosis(double scale, const KernelMoments& moments, const WeightMoments& weights,
+                         const CubeAverages& averages) const;
+
   // Says what the kernels at some points are: those with the numbers `points`, one kernel for each.
   using Prepare =
       std::function<void(std::span<const std::size_t> points, std::span<KernelPoint<Dim>> kernels)>;
@@ -81,6 +88,7 @@ class PointConvolution {
   ImpulseProcess<Dim> grid(int level, double cell_size) const;
 
   Settings settings_;
+  double density_ = 0.0;  // of a hierarchy: impulses of all turns per scale^Dim
   double power_ = 0.0;
   std::optional<ImpulseProcess<Dim>> process_;  // of all grids, but for their cells and keys
 };
