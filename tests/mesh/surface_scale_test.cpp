@@ -127,6 +127,24 @@ TEST(SurfaceScale, VerticesAreCountedBeforeTheyAreMade) {
   EXPECT_TRUE(std::isinf(refined_vertices(mesh, std::array{1e-300}, {}, 1e6)));
 }
 
+// Edges half as long take four times the vertices.
+TEST(SurfaceScale, RefiningShowsTheNoisesOfLayers) {
+  const PolygonMesh mesh = torus_mesh(1.0, 0.4, {.n = 24});
+  BakeRecipe recipe;
+  recipe.frequency = ParameterRange{2.0, 2.0};
+  recipe.refine = {.mode = RefineRecipe::Mode::automatic, .budget = 1000000};
+  recipe.layers = {Layer{}};
+  const auto vertices = [&] { return static_cast<double>(plan_bake(mesh, recipe).mesh.positions.size()); };
+  const double own = vertices();
+  recipe.layers.push_back({.noise = NoiseRecipe{GaborNoiseOptions{.frequency = 8.0}, {}}});
+  const double fine = vertices();
+  EXPECT_NEAR(fine / own, 16.0, 4.0);
+  recipe.layer_unit = LayerUnit::feature;
+  recipe.layers[1].noise =
+      NoiseRecipe{GaborNoiseOptions{.frequency = 8.0 * plan_bake(mesh, recipe).feature_size}, {}};
+  EXPECT_EQ(vertices(), fine);
+}
+
 TEST(SurfaceScale, RefiningStaysWithinItsBudget) {
   BakeRecipe recipe;
   recipe.noise.fractal.octaves = 4;

@@ -252,6 +252,16 @@ bool use_place(const std::vector<Layer>& layers, Layer::Place place, const Named
   return used;
 }
 
+double finest_frequency(const std::vector<Layer>& layers, const NamedLayers& named) {
+  double finest = 0.0;
+  for_each_layer(layers, named, [&](const Layer& layer) {
+    if (!layer.noise) return;
+    const auto frequency_of = [](const auto& options) { return options.frequency; };
+    finest = std::max(finest, std::visit(frequency_of, layer.noise->noise));
+  });
+  return finest;
+}
+
 double largest_warp(const std::vector<Layer>& layers, const NamedLayers& named) {
   double largest = 0.0;
   for_each_layer(layers, named, [&](const Layer& layer) {

@@ -122,6 +122,9 @@ bool use_own_noise(const std::vector<Layer>& layers, const NamedLayers& named = 
 // Whether a layer is a place of this kind.
 bool use_place(const std::vector<Layer>& layers, Layer::Place place, const NamedLayers& named = {});
 
+// The highest principal frequency of noises that layers have of their own, without octaves; 0 without any.
+double finest_frequency(const std::vector<Layer>& layers, const NamedLayers& named = {});
+
 // The largest amount of a warp, world units; 0 without any.
 double largest_warp(const std::vector<Layer>& layers, const NamedLayers& named = {});
 

@@ -182,12 +182,21 @@ void require_memory(const PolygonMesh& mesh, std::uint64_t most_memory) {
                   mesh.positions.size(), mesh.face_count(), std::ceil(bytes / 0x1p20)));
 }
 
-// Edges of these lengths at the vertices show frequencies up to `highest` times the principal one.
-std::vector<double> edges_that_show(const VertexNumber& frequency, double highest, std::size_t vertices) {
+// Edges of these lengths at the vertices show frequencies up to `highest` times the principal one, or
+// `finest` where that is higher.
+std::vector<double> edges_that_show(const VertexNumber& frequency, double finest, double highest,
+                                    std::size_t vertices) {
   constexpr double kCyclesPerEdge = 0.5;
   std::vector<double> lengths(vertices);
-  for (std::size_t i = 0; i < vertices; ++i) lengths[i] = kCyclesPerEdge / (highest * at(frequency, i));
+  for (std::size_t i = 0; i < vertices; ++i)
+    lengths[i] = kCyclesPerEdge / (highest * std::max(at(frequency, i), finest));
   return lengths;
+}
+
+// Of the layers' own noises, cycles per world unit.
+double finest_of_layers(const BakeRecipe& recipe, double feature_size) {
+  const double finest = finest_frequency(recipe.layers, recipe.fields);
+  return recipe.layer_unit == LayerUnit::world ? finest : finest / feature_size;
 }
 
 // How much longer than `targets` edges have to be for a budget of vertices.
@@ -243,7 +252,8 @@ BakePlan plan_bake(PolygonMesh mesh, const BakeRecipe& recipe, std::uint64_t mos
   const double highest = surface_band(recipe.noise, 1.0, recipe.bandwidth.from).upper;
   plan.parameters = make_parameters(recipe, frequency, plan.guides.steering.weights);
   plan.mean_cycles_per_edge = mean_cycles_per_edge(mesh, plan.parameters.frequency, highest);
-  std::vector<double> targets = edges_that_show(plan.parameters.frequency, highest, mesh.positions.size());
+  std::vector<double> targets = edges_that_show(
+      plan.parameters.frequency, finest_of_layers(recipe, plan.feature_size), highest, mesh.positions.size());
   if (plan.mean_cycles_per_edge > kHighestCyclesPerEdge) {
     plan.vertices_to_show = refined_vertices(mesh, targets, {}, kMostCounted);
   }
