@@ -1,5 +1,6 @@
 #include "solidnoise/analysis/exemplar/edit_spectrum.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -139,6 +140,28 @@ TEST(GroupSpectrum, FindsThePartsOfAWoldDecomposition) {
   EXPECT_EQ(grouped.bands[1].components.back().group, row);
   EXPECT_EQ(grouped.bands[0].components[20].group, find_group(grouped, "stochastic"));
   EXPECT_NO_THROW(grouped.validate());
+}
+
+// Furrows of bark: 2.4 times as much power within 20 degrees as elsewhere, and nothing where all directions
+// are alike.
+TEST(GroupSpectrum, FindsADirectionThatHoldsTwiceItsShare) {
+  for (const double power : {1.0, 2.4}) {
+    GaborSpectrum spectrum;
+    spectrum.bands = {{0.1, {}}};
+    const double degree = std::acos(-1.0) / 180.0;
+    for (int i = 0; i < 36; ++i) {
+      const double angle = (5.0 * i + 2.5) * degree;
+      const bool along = i >= 6 && i < 10;
+      spectrum.bands[0].components.push_back(
+          {{0.3 * std::cos(angle), 0.3 * std::sin(angle), 0.0}, along ? power : 1.0});
+    }
+    const GaborSpectrum grouped = group_spectrum(spectrum);
+    const auto& groups = grouped.groups;
+    EXPECT_EQ(std::ranges::find(groups, "anisotropic") != groups.end(), power > 1.0);
+    if (power > 1.0) {
+      EXPECT_EQ(grouped.bands[0].components[8].group, find_group(grouped, "anisotropic"));
+    }
+  }
 }
 
 TEST(EditSpectrum, SelectsComponentsByFrequencyAndDirection) {

@@ -288,6 +288,11 @@ TEST(Gaussianity, WarnsOfBricksPatchesAndLopsidedValues) {
   EXPECT_FALSE(structured.warnings.empty());
   EXPECT_GT(std::abs(structured.structure), 1.0);
 
+  // Furrows: the magnitude of a Gaussian texture, sharp where it is 0.
+  DenseField<2> furrows = low_pass_field(4);
+  for (float& value : furrows.values) value = std::abs(value);
+  EXPECT_FALSE(test_gaussianity(furrows).warnings.empty());
+
   // Grain in round patches alone, as leaves have veins.
   DenseField<2> patches = low_pass_field(3);
   for (int x = 0; x < 96; ++x) {

@@ -154,7 +154,7 @@ namespace {
 
 constexpr std::array kDistances{1, 2, 4, 8};
 // Above these an eye tells the texture from its Gaussian version at once.
-constexpr double kStructure = 1.5;
+constexpr double kStructure = 0.6;
 constexpr double kSkewness = 1.0;
 constexpr double kSignificance = 5.0;
 constexpr std::array kDetailDistances{1, 2, 4};

@@ -17,7 +17,7 @@ constexpr double kPeakShare = 0.005;   // of the variance: what a periodic compo
 constexpr double kPeakHeight = 8.0;    // and its height over the density of all others there
 constexpr double kPeakDistance = 3.0;  // and its distance from frequency 0, in a's
 constexpr int kWedges = 36;            // of 5 degrees
-constexpr double kWedgeExcess = 3.0;   // power of an anisotropic direction against the mean of all
+constexpr double kWedgeExcess = 2.0;   // power of an anisotropic direction against the mean of all
 constexpr double kWedgeShare = 0.05;   // and its share of the variance
 
 // Heights of the components' Gaussians.
