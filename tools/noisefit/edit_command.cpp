@@ -124,7 +124,7 @@ void declare_flags(FlagSet& flags, EditCommand& command) {
       "--select", "FROM TO [DEGREES SPREAD]",
       "Make the components of these frequencies, cycles per unit, and of directions within SPREAD of "
       "DEGREES, "
-      "the group \"selected\": for --group, or to --rename",
+      "the group \"selected\", to work on or rename by --group selected",
       [&](const std::vector<double>& v) {
         if (v.size() != 2 && v.size() != 4) {
           throw UsageError("--select takes two numbers or four: FROM TO [DEGREES SPREAD]");
