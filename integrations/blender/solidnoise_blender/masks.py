@@ -6,10 +6,10 @@ import os
 from dataclasses import dataclass
 
 import numpy as np
-import solidnoise
 
 from .clip import clipped
 from .errors import Refused
+from .memory import make_volume
 
 _NO_NOISE = {"type": "gabor", "frequency": 1}
 _AROUND = 3  # voxels around a volume that its mask has, so that it ends out of it
@@ -89,13 +89,13 @@ class Mask:
             file.writelines("f {} {} {}\n".format(*(corners + 1)) for corners in faces)
         recipe = {"noise": _NO_NOISE, "layers": [{"weight": 0, "bias": 1}], "shaping": {"type": "remap", "threshold": 0, "softness": 1},
                   "density": 1, "shape": {"type": "mesh", "file": mesh}, "voxel": voxel, **({"edge": self.feather} if self.feather else {})}
-        solidnoise.make_volume(recipe).write(path)
+        make_volume(recipe).write(path)
         return path
 
 
 def _outside(folder: str, file: str, grid: str, inside: str) -> dict:
     """A mask that is 1 at a grid's active voxels, but for what is in the mesh."""
     whole, outside = (os.path.join(folder, f"{name}.vdb") for name in ("whole", f"outside-{grid}"))
-    solidnoise.make_volume(_constant(1, file, grid)).write(whole, force=True)
-    solidnoise.make_volume({**_constant(0, whole, grid), "mask": {"file": inside}}).write(outside, force=True)
+    make_volume(_constant(1, file, grid)).write(whole, force=True)
+    make_volume({**_constant(0, whole, grid), "mask": {"file": inside}}).write(outside, force=True)
     return {"file": outside, "grid": grid}

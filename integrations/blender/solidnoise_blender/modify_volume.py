@@ -10,7 +10,7 @@ import bpy
 import numpy as np
 import solidnoise
 
-from . import fields, files, masks, recipes, sequence, settings, volumes
+from . import fields, files, masks, memory, recipes, sequence, settings, volumes
 from .add_volume import copy
 from .errors import Refused, reported, require_object
 from .recipes import MODIFY
@@ -70,8 +70,8 @@ def _modified(recipe: dict, mask: Optional[masks.Mask], time: float, tell):
     with tempfile.TemporaryDirectory() as folder:
         limits = mask.limits(folder, file, grids) if mask and grids else {grid.name: {} for grid in grids}
         for place, (name, limit) in enumerate(limits.items()):
-            result = solidnoise.make_volume({**made, **limit, "on": {"file": file, "grid": name}},
-                                            progress=lambda part: tell((place + part) / len(limits)))
+            result = memory.make_volume({**made, **limit, "on": {"file": file, "grid": name}},
+                                        progress=lambda part: tell((place + part) / len(limits)))
             if place + 1 < len(limits):
                 file = os.path.join(folder, f"{place}.vdb")
                 result.write(file)

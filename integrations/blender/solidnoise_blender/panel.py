@@ -1,10 +1,11 @@
 """Menus, and the side panel (N) of what was made."""
 
-import json
+import textwrap
 
 import bpy
 
 from . import files, pictures, recipes, volumes, worker
+from .errors import Refused
 
 
 class VIEW3D_MT_solidnoise_volume_add(bpy.types.Menu):
@@ -51,7 +52,11 @@ class VIEW3D_PT_solidnoise(bpy.types.Panel):
             return
         box = layout.box().column(align=True)
         box.scale_y = 0.75
-        for line in recipes.words(json.loads(obj[volumes.RECIPE])):
+        try:
+            lines = recipes.words(recipes.of_object(obj))
+        except Refused as error:
+            lines = textwrap.wrap(str(error), recipes.WIDTH)
+        for line in lines:
             box.label(text=line)
         if obj.type == "VOLUME" and obj.data.get(files.SOURCES):
             obj.solidnoise_modify.draw_settings(layout)

@@ -21,7 +21,7 @@ def register() -> None:
     for file in sorted(os.listdir(_FOLDER)):
         name, _, ending = file.rpartition("_")
         if ending == "icon.png":
-            _previews.load(name, os.path.join(_FOLDER, file), "IMAGE")
+            tuple(_previews.load(name, os.path.join(_FOLDER, file), "IMAGE").icon_size)  # reads it now: drawn first, some never come
 
 
 def unregister() -> None:

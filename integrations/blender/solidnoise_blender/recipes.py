@@ -8,10 +8,11 @@ import textwrap
 import solidnoise
 
 from . import fields
+from .errors import Refused
 
 VOLUME, BAKE, MODIFY = "volume", "bake", "modify"
 RECIPE = "solidnoise_recipe"  # the custom property of an object that keeps its recipe, JSON
-_WIDTH = 32  # letters of a line of the side panel
+WIDTH = 28  # letters of a line of the side panel
 _DIM = solidnoise.schema(VOLUME)["properties"]["domain"]["properties"]["dim"]["default"]
 _DETAIL = {"type": "gabor", "bandwidth": 1, "octaves": 3, "lacunarity": 2, "gain": 0.5}
 _MODIFICATIONS = {
@@ -59,6 +60,17 @@ def finer(recipe, factor: float):
     return result
 
 
+def of_object(obj) -> dict:
+    """The one that it keeps. Raises Refused where that was changed to what is none."""
+    try:
+        recipe = json.loads(obj[RECIPE])
+    except (TypeError, ValueError):
+        recipe = None
+    if not isinstance(recipe, dict):
+        raise Refused(f"its custom property {RECIPE} is no recipe any more, an object in JSON")
+    return recipe
+
+
 def digest(recipe: dict) -> str:
     """The same for the same values, of this version of the library."""
     text = json.dumps([solidnoise.algorithm, recipe], sort_keys=True)
@@ -70,6 +82,7 @@ def words(recipe: dict) -> list[str]:
     noise = recipe.get("noise") or recipe.get("surface") or {}
     kind = noise.get("type") or noise.get("noise")
     grids = [grid["name"] for grid in recipe.get("grids", []) if "name" in grid]
-    lines = [recipe.get("description", ""), f"{kind}, {noise.get('octaves', 1)} octaves" if kind else "",
+    octaves = noise.get("octaves", 1)
+    lines = [recipe.get("description", ""), f"{kind}, {octaves} {'octave' if octaves == 1 else 'octaves'}" if kind else "",
              f"Grids: {', '.join(grids)}" if grids else ""]
-    return [part for line in lines for part in textwrap.wrap(line, _WIDTH)]
+    return [part for line in lines for part in textwrap.wrap(line, WIDTH)]

@@ -1,6 +1,5 @@
 """Object > Solidnoise > Sequence: a volume that moves, a file for each of the scene's frames."""
 
-import copy
 import json
 import os
 import shutil
@@ -9,7 +8,7 @@ from typing import Callable, Sequence
 import bpy
 import solidnoise
 
-from . import files, recipes, volumes, waits, worker
+from . import files, memory, recipes, volumes, waits, worker
 from .errors import Refused, reported, require_object
 from .fields import plain
 
@@ -29,9 +28,9 @@ def moving(recipe, evolve: float, loop: float):
     return result
 
 
-def scaled_as(recipe: dict, volume) -> dict:
-    """The recipe with the factors that its densities were multiplied by in a volume, so that frames do not flicker."""
-    result = copy.deepcopy(recipe)
+def scaled_as(volume) -> dict:
+    """A volume's recipe with the factors that its densities were multiplied by, so that frames do not flicker."""
+    result = volume.recipe
     for grid, made in zip(result["grids"], volume.grids.values()):
         factor = made.metadata.get("solidnoise:density_factor")
         if factor is not None and "scale" in grid:
@@ -49,8 +48,8 @@ def moments(recipe: dict):
 
     def make(frame: int, time: float, tell):
         nonlocal of_all
-        volume = solidnoise.make_volume(of_all or recipe, time=time, progress=tell)
-        of_all = of_all or scaled_as(recipe, volume)
+        volume = memory.make_volume(of_all or recipe, time=time, progress=tell)
+        of_all = of_all or scaled_as(volume)
         return volume
 
     return make
@@ -97,7 +96,7 @@ class OBJECT_OT_solidnoise_sequence(bpy.types.Operator):
             raise Refused(f"{obj.name} has no recipe of its own; it must be a volume of Add > Volume > Solidnoise")
         fps = scene.render.fps / scene.render.fps_base
         self._frames = range(scene.frame_start, scene.frame_end + 1)
-        self._recipe = moving(json.loads(obj[volumes.RECIPE]), plain(self.evolve), len(self._frames) / fps if self.loops else 0.0)
+        self._recipe = moving(recipes.of_object(obj), plain(self.evolve), len(self._frames) / fps if self.loops else 0.0)
         key = {**self._recipe, "frames": [scene.frame_start, scene.frame_end, fps]}
         self._folder = files.path_for(obj.name, recipes.digest(key), "")
         self._name = obj.name

@@ -6,9 +6,8 @@ import os
 from typing import Callable, Optional
 
 import bpy
-import solidnoise
 
-from . import files, recipes, worker
+from . import files, memory, recipes, worker
 from .errors import Refused
 from .recipes import RECIPE
 
@@ -17,7 +16,7 @@ def making(recipe: dict, path: str) -> Callable:
     """Work that makes a recipe's file, whole or not at all."""
 
     def work(tell: Callable) -> None:
-        solidnoise.make_volume(recipe, progress=tell).write(path, force=True)
+        memory.make_volume(recipe, progress=tell).write(path, force=True)
 
     return work
 
@@ -162,7 +161,7 @@ def _restore(obj) -> None:
         return
     if files.take_back(path):
         return arrived(path)
-    recipe = json.loads(obj[RECIPE])
+    recipe = recipes.of_object(obj)
     if "on" in recipe or volume.is_sequence:
         raise Refused(f"{here} is missing, and {'what was modified' if 'on' in recipe else 'a sequence'} is not made again by itself")
     os.makedirs(os.path.dirname(path), exist_ok=True)

@@ -160,6 +160,13 @@ def test_what_the_library_refuses_is_reported_in_its_words_and_leaves_nothing(bl
     assert blocks() == before and folder() == []
 
 
+def test_more_voxels_than_there_is_memory_for_are_refused_and_leave_nothing(blocks) -> None:
+    before = blocks()
+    with pytest.raises(RuntimeError, match=r"Error: 16000 x 20000 x 16000 voxels may need .*, max_memory allows .*; make dim smaller"):
+        bpy.ops.object.solidnoise_volume_add(preset="smoke", domain_dim=20000)
+    assert blocks() == before and folder() == []
+
+
 def test_it_is_refused_in_edit_mode(blocks) -> None:
     bpy.ops.mesh.primitive_cube_add()
     bpy.ops.object.mode_set(mode="EDIT")

@@ -133,7 +133,7 @@ def test_what_cannot_be_made_again_is_told_and_the_rest_is(tmp_path, add, capfd)
     capfd.readouterr()
     bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "scene.blend"))
     told = capfd.readouterr().out
-    assert "Raw: Expecting property name" in told
+    assert "Raw: its custom property solidnoise_recipe is no recipe any more" in told
     assert "Worn: //solidnoise/smoke-" in told and "is missing, and what was modified is not made again by itself" in told
     assert is_shown("Raw.001") and is_shown("Raw.002")
 

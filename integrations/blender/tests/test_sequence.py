@@ -52,6 +52,21 @@ def test_blender_shows_the_frame_of_the_scene(loops: bool, after: int, smoke) ->
         assert [grid.name for grid in volume.grids] == ["density"]
 
 
+@pytest.mark.parametrize("changed", ["{", "[1]", 7])
+def test_what_is_no_recipe_any_more_is_refused(changed, smoke) -> None:
+    smoke["solidnoise_recipe"] = changed
+    with pytest.raises(RuntimeError, match="Error: its custom property solidnoise_recipe is no recipe any more"):
+        bpy.ops.object.solidnoise_sequence()
+    assert not smoke.data.is_sequence
+
+
+def test_a_recipe_of_few_words_will_do(smoke) -> None:
+    smoke["solidnoise_recipe"] = json.dumps({"dim": 16, "noise": {"type": "gabor", "frequency": 2}, "shaping": {"type": "cloud"}})
+    assert bpy.ops.object.solidnoise_sequence(loops=False) == {"FINISHED"}
+    volumes = [solidnoise.read_volume(folder_of(smoke) / f"frame.{frame:04d}.vdb") for frame in FRAMES]
+    assert len({volume.grids["density"].metadata["solidnoise:density_factor"] for volume in volumes}) == 1
+
+
 def test_a_loop_ends_where_it_began(smoke) -> None:
     bpy.ops.object.solidnoise_sequence(loops=True)
     recipe = json.loads(smoke["solidnoise_recipe"])
