@@ -22,6 +22,8 @@ noisefit "$project/examples/exemplars/soil.jpg" --raw-values --out soil.json --q
 for page in vdbnoise vdbnoise-slice meshnoise-bake noisefit-edit; do
   zcat "$root/usr/share/man/man1/$page.1.gz" | grep --quiet '^\.SH OPTIONS\|^\.SS "' || fail "the manual has no options of $page"
 done
+zcat "$root/usr/share/man/man1/noisefit.1.gz" | grep --after-context=1 '^\.TP' | grep --quiet '^noisefit volume IN.vdb .*OUT.json$' ||
+  fail "the manual of noisefit does not list its commands"
 
 # Flags and words in bash, and in zsh with their help.
 completed=$(bash -ec 'source "$0"; COMP_WORDS=(vdbnoise --pre) COMP_CWORD=1; _solidnoise vdbnoise --pre vdbnoise; echo "${COMPREPLY[*]}"
@@ -32,6 +34,17 @@ if command -v zsh >/dev/null; then
   completed=$(zsh -c '_describe() { print -rl -- $lines }; _files() { print files }; CURRENT=3
     words=(vdbnoise slice --sp) PREFIX=--sp; source $1; words=(vdbnoise info x) PREFIX=x; source $1' zsh "$root/usr/share/zsh/vendor-completions/_solidnoise")
   [[ $completed == *"--spectrum:The slice's"*files ]] || fail "zsh completes to $completed"
+fi
+# And after --flag=, of which bash makes three words, and zsh one.
+completed=$(bash -ec 'source "$0"; COMP_WORDS=(vdbnoise --preset = f) COMP_CWORD=3; _solidnoise vdbnoise f =; echo "${COMPREPLY[*]}"
+  COMP_WORDS=(vdbnoise --fold =) COMP_CWORD=2; _solidnoise vdbnoise "" --fold; echo "${COMPREPLY[*]}"' \
+  "$root/usr/share/bash-completion/completions/vdbnoise" | tr '\n' ' ')
+[[ $completed == "fire none ridged "* ]] || fail "bash completes to $completed after ="
+if command -v zsh >/dev/null; then
+  completed=$(zsh -c '_describe() { print -rl -- $lines }; _files() { print files }; compset() { PREFIX=${PREFIX#*=} }; CURRENT=2
+    words=(vdbnoise --preset=f) PREFIX=--preset=f; source $1; words=(vdbnoise --shape=x) PREFIX=--shape=x; source $1' zsh \
+    "$root/usr/share/zsh/vendor-completions/_solidnoise")
+  [[ $completed == fire*files ]] || fail "zsh completes to $completed after ="
 fi
 
 # The library by CMake, the Python module by the system's Python.

@@ -8,12 +8,19 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 mkdir -p "$folder"
 
+# What help2man reads: commands apart from each other, and two spaces before what they do, which begins with a verb.
+cat >"$work/$name" <<END
+#!/usr/bin/env bash
+"$(realpath "$program")" "\$@" | sed -E '/^  $name /{/[^ ]  +[^ ]/!s/ ([a-z]+s [a-z])/  \1/;G}'
+END
+chmod +x "$work/$name"
+
 # page [COMMAND]: what it does, in one line, is the beginning of what it says.
 page() {
   local title=$name${1:+-$1}
   local does
   does=$("$program" "$@" --help | sed -n '/^Usage:\|^  /q; p' | tr '\n' ' ' | sed "s/^$name\( $*\)\? //; s/[.,:;] .*//")
-  help2man --no-info --help-option=--help-all --version-string="$("$program" --version | cut -d' ' -f2)" --name="${does,}" "$program $*" |
+  help2man --no-info --help-option=--help-all --version-string="$("$program" --version | cut -d' ' -f2)" --name="${does,}" "$work/$name $*" |
     sed "s/^\.TH [^ ]*/.TH ${title^^}/; s/^$name $* \\\\-/$title \\\\-/" | gzip -9n >"$work/$title.1.gz"
 }
 
