@@ -1,14 +1,17 @@
 """three_pictures.py OUT.png: a landscape lit by the noise's own gradient, a volume's preview, and a texture learned from a photograph."""
 
 import sys
+from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 import solidnoise
 
 SIDE = 480
+Picture = npt.NDArray[np.floating[Any]]
 
 
-def landscape():
+def landscape() -> Picture:
     """Hills, each pixel lit by the slope that comes with the value."""
     noise = solidnoise.gabor(dims=2, frequency=2, octaves=6, gain=0.42, seed=11)
     height, slope = noise.lattice(origin=0, step=2.5 / SIDE, shape=(SIDE, SIDE), gradient=True)
@@ -20,11 +23,11 @@ def landscape():
     return np.rot90(color * light[..., None])  # from x, y to rows from the top
 
 
-def smoke():
+def smoke() -> Picture:
     return solidnoise.make_volume(solidnoise.preset("smoke"), dim=160, noise={"seed": 7}).preview()
 
 
-def earth():
+def earth() -> Picture:
     model = solidnoise.fit("examples/exemplars/earth.jpg")
     linear = np.clip(model.texture((SIDE, SIDE), pixel_size=0.4), 0.0, 1.0)
     return np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)

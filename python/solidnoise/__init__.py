@@ -22,7 +22,7 @@ values, to the last bit, as the programs do, for any number of threads.
 
 Everything that takes long leaves the interpreter free for other threads and stops at Ctrl-C with nothing left behind; most of it takes
 threads= and progress=, a function of the fraction that is done. Options that are not allowed raise ValueError, files that cannot
-be read or written OSError, in one line that says what is allowed.
+be read or written OSError, in one line that says what is allowed; what is of another type than it must be raises TypeError.
 """
 
 from . import _solidnoise

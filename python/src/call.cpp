@@ -1,5 +1,6 @@
 #include "call.h"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -9,6 +10,7 @@
 #include <thread>
 #include <utility>
 
+#include <tbb/info.h>
 #include <tbb/task_arena.h>
 
 #include "solidnoise/core/check.h"
@@ -106,7 +108,8 @@ class Worker {
 
 void run_in_arena(std::optional<int> threads, const std::function<void()>& work) {
   if (!threads) return work();
-  tbb::task_arena arena(*threads);
+  // TBB would say on the console that there are no more than that.
+  tbb::task_arena arena(std::min(*threads, tbb::info::default_concurrency()));
   arena.execute(work);
 }
 

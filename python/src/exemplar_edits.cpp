@@ -92,7 +92,7 @@ void add_edits(ModelClass& of) {
       "group"_a = py::none(), "channel"_a = py::none(),
       "select(self, lower, upper, *, direction=0.0, spread=180.0, name='selected', group=None, "
       "channel=None)\n--\n\nA model in which the components of frequencies from lower on and below upper, "
-      "cycles per world unit, are a group of that name: those of directions within spread of direction, "
+      "cycles per world unit, are a group of that name:\nthose of directions within spread of direction, "
       "degrees counterclockwise from the first axis.");
   of.def(
       "remove",

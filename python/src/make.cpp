@@ -86,6 +86,10 @@ VolumeObject read_volume_object(py::handle path, std::optional<int> threads) {
 }
 
 VolumeObject merge_volume_object(const py::iterable& paths, std::optional<int> threads, py::object progress) {
+  if (is_path(paths)) {  // each letter of a text would be one
+    throw py::type_error("paths is a " + name_of_type(paths) +
+                         "; it must be several paths, as a list has them");
+  }
   std::vector<std::filesystem::path> files;
   for (const py::handle path : paths) files.push_back(path_of(path));
   VolumeObject result;
@@ -134,14 +138,25 @@ The keys of a recipe:
              R"(read_volume(path, *, threads=None)
 --
 
-Reads all grids of a .vdb, whoever made it. Raises OSError for a file that cannot be read, or that is damaged.)");
+Reads all grids of a .vdb or .nvdb, whoever made it, to its end: Ctrl-C waits for it.
+
+threads
+    As of Noise.
+
+Returns a Volume. Raises OSError for a file that cannot be read, or that is damaged.)");
   module.def("merge", &merge_volume_object, "paths"_a, py::kw_only(), "threads"_a = py::none(),
              "progress"_a = py::none(),
              R"(merge(paths, *, threads=None, progress=None)
 --
 
-Joins the files of a volume's parts (shard=), in any order: the same volume, to the last bit, as made whole. Raises OSError for a part
-that is missing or is not one.)");
+Joins the files of a volume's parts (shard=): the same volume, to the last bit, as made whole.
+
+paths : several paths, in any order
+    Of the .vdb files, those of all parts.
+threads, progress
+    As of Noise.
+
+Returns a Volume. Raises OSError for a part that is missing or is not one.)");
 }
 
 }  // namespace solidnoise::python

@@ -93,7 +93,9 @@ over all frequencies is the variance. Returns float64 (...).)");
 --
 
 The covariance of values so far apart, an array (..., dims), world units: the transform of the power spectrum, but for the
-noise's error, of 1 dimension up to 0.015; of a noise with a period, as if it had none. Returns float64 (...). Noises that are not stationary (kensler) have none, and give 0.)");
+noise's error, of 1 dimension up to 0.015. Of a noise with a period it is that of the same noise without one: that of the values is
+its sum over displacements that are periods apart. Returns float64 (...). Noises that are not stationary (kensler) have none, and
+give 0.)");
   const auto number = [&](const char* name, auto get, const char* text) {
     of.def_property_readonly(
         name,

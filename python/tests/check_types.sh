@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# check_types.sh PYTHON PROJECT_FOLDER CACHE: checks the package and its tests against the stubs, and the stubs against the module.
+# check_types.sh PYTHON PROJECT_FOLDER CACHE: checks the package, its tests and the examples against the stubs, and the stubs against the module.
 set -euo pipefail
 mkdir -p "$3"
 cd "$3"
-MYPYPATH=$PYTHONPATH "$1" -m mypy --strict --cache-dir="$3/cache" "$2/python/solidnoise" "$2"/python/tests/*.py
+MYPYPATH=$PYTHONPATH "$1" -m mypy --strict --cache-dir="$3/cache" "$2/python/solidnoise" "$2"/python/tests/*.py "$2"/examples/python/*.py
 # Classes of pybind11 have a metaclass of its own, and a constructor where they have none. mypy
 # does not follow the package's __all__ to the module's. The library of pictures is no module.
 cat >allowed <<'END'

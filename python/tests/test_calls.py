@@ -122,6 +122,14 @@ def test_a_volume_that_needs_more_memory_than_is_allowed_is_not_begun() -> None:
     assert solidnoise.make_volume(solidnoise.preset("cumulus"), dim=16, max_memory=2**30).grids
 
 
+def test_more_threads_than_there_are_processors_are_taken_without_a_word() -> None:
+    found = run("""
+        import solidnoise
+        print(solidnoise.gabor().lattice(0, 0.1, 64, threads=4096).shape)
+    """)
+    assert (found.stdout, found.stderr) == ("(64, 64, 64)\n", "")
+
+
 def test_the_interpreter_ends_with_work_under_way() -> None:
     found = run("""
         import threading, time, solidnoise

@@ -37,8 +37,9 @@ def test_values_are_those_of_vdbnoise(name: str, keys: dict[str, Any], tool: Too
     assert by_tool.recipe == made.recipe
 
 
-def test_a_raw_volume_is_the_noise_on_its_lattice() -> None:
-    recipe = {"noise": {"type": "gabor", "frequency": 3, "seed": 5}, "exact": True, "dim": 32}
+@pytest.mark.parametrize("dim", [32, 96])
+def test_a_raw_volume_is_the_noise_on_its_lattice(dim: int) -> None:
+    recipe = {"noise": {"type": "gabor", "frequency": 3, "seed": 5}, "exact": True, "dim": dim}
     grid = solidnoise.make_volume(recipe).grids["density"]
     noise = solidnoise.Noise(recipe["noise"])  # type: ignore[arg-type]
     assert grid.bounds is not None
@@ -211,6 +212,7 @@ REFUSED: list[tuple[Callable[[], object], type[Exception], str]] = [
     (lambda: solidnoise.make_volume(shape={"type": "mesh", "file": "missing.ply"}, dim=8), OSError, "missing.ply"),
     (lambda: solidnoise.make_volume(shard=(3, 2), dim=8), ValueError, "shard"),
     (lambda: solidnoise.read_volume("missing.vdb"), OSError, "missing.vdb"),
+    (lambda: solidnoise.merge("part.vdb"), TypeError, "paths is a str; it must be several paths"),
     (lambda: solidnoise.merge([]), (ValueError, OSError), ""),  # type: ignore[list-item]
     (lambda: solidnoise.make_volume(dim=8).to_numpy("vel"), ValueError, "grid is vel; it must be one of density"),
     (lambda: solidnoise.analyze(solidnoise.make_volume(solidnoise.preset("velocity"), dim=8)), ValueError, "vec3s"),
