@@ -50,9 +50,9 @@ typename Noise<Dim>::Band radial_band(const Density& density, double frequency, 
 
 // Noise convolved with a Gaussian of standard deviation s, world units: with exp(-|x|^2 / (2 s^2)) over its
 // integral. Its frequency response is exp(-2 pi^2 s^2 f^2) = exp(-pi f^2 / b^2), and a Gabor kernel times
-// that is a Gabor kernel again, exactly (IsotropicGaborKernel::filtered, GaborKernel::filtered). A filtered
-// noise is the sum of filtered kernels at the very impulses of the noise that it was made from, in their
-// cells and with their amplitude: nothing is renormalised, variance and spectrum are what the filter leaves.
+// that is a Gabor kernel again, exactly (filtered() of each). A filtered noise is the sum of filtered kernels
+// at the very impulses of the noise that it was made from, in their cells and with their amplitude: nothing
+// is renormalised, variance and spectrum are what the filter leaves.
 
 // b of the response, cycles per world unit; deviation > 0.
 inline double filter_bandwidth(double deviation) {
