@@ -104,7 +104,7 @@ struct AtScale {
 // Values of the same law: all at one place in the range of a level, whose cells the balanced cubes of the
 // kernel are (1 + alpha) times as large as.
 template <int Dim>
-AtScale<Dim> values_at(double alpha, std::size_t count, GaborWaves waves) {
+AtScale values_at(double alpha, std::size_t count, GaborWaves waves) {
   const auto noise = make<Dim>(waves, 0.0);
   const double frequency = balanced_side_in_radii(noise) * noise.radius(1.0, 1.0) / (1.0 + alpha);
   auto points = independent_points<Dim>(count, 2.1 * noise.radius(frequency, 1.0));

@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "solidnoise/core/memo.h"
 #include "solidnoise/core/numerics.h"
 #include "solidnoise/core/special_functions.h"
 #include "solidnoise/noise/convolution/impulse_sums.h"
@@ -84,36 +85,62 @@ float GaborNoise<Dim>::weight(std::uint64_t mark) const {
   return WeightDraw(options_.weights, options_.evolution)(mark);
 }
 
+namespace {
+
+// What noises share that differ in seed, time or filter alone, as the parts of a warp do and pictures of one
+// noise after the other: it takes milliseconds to find.
+template <int Dim>
+struct GaborSetting {
+  CompactKernel compact;
+  ImpulseLayout<Dim> layout;
+  double impulses;  // per kernel
+};
+
+WeightMoments moments_of_weights(const GaborNoiseOptions& options) {
+  const WeightMoments at_rest = weight_moments(options.weights);
+  return options.evolution.moves() ? turning(at_rest) : at_rest;
+}
+
+template <int Dim>
+std::shared_ptr<const GaborSetting<Dim>> setting_of(const IsotropicGaborKernel<Dim>& kernel,
+                                                    const GaborNoiseOptions& options) {
+  const WeightMoments weights = moments_of_weights(options);
+  GaborNoiseOptions shared = options;
+  shared.seed = 0;
+  shared.evolution = {};
+  shared.filter = 0.0;
+  thread_local Memo<std::pair<GaborNoiseOptions, double>, GaborSetting<Dim>> known;
+  return known.get({shared, weights.fourth}, [&] {
+    const CompactKernel compact = fit(kernel, options.error, options);
+    // Impulses are those of unlimited kernels.
+    const StrataChoice choice = strata_choice(kernel, weights);
+    const ImpulseLayout<Dim> layout =
+        make_layout<Dim>(choice, solidnoise::impulse_density(Dim, options.impulses, choice.radius),
+                         options.impulses_process, compact.radius(), options.period);
+    return GaborSetting<Dim>{compact, layout, impulses_in_ball(Dim, layout.density, choice.radius)};
+  });
+}
+
+}  // namespace
+
 template <int Dim>
 GaborNoise<Dim>::GaborNoise(const GaborNoiseOptions& options)
     : options_(validated(options)),
       kernel_(IsotropicGaborKernel<Dim>::with_unit_peak(
           options.frequency, gaussian_parameter(options.frequency, options.bandwidth))),
-      compact_(fit(kernel_, options.error, options)) {
-  const WeightMoments at_rest = weight_moments(options.weights);
-  const WeightMoments weights = options.evolution.moves() ? turning(at_rest) : at_rest;
+      compact_(setting_of(kernel_, options)->compact) {
+  // Impulses and amplitude are those of the noise before it is filtered.
+  const std::shared_ptr<const GaborSetting<Dim>> setting = setting_of(kernel_, options);
+  const ImpulseLayout<Dim>& layout = setting->layout;
   unfiltered_energy_ = compact_.energy();
-  // Impulses and amplitude are those of the noise before it is filtered, impulses those of unlimited kernels.
-  const StrataChoice choice = strata_choice(kernel_, weights);
-  const ImpulseLayout<Dim> layout =
-      make_layout<Dim>(choice, solidnoise::impulse_density(Dim, options.impulses, choice.radius),
-                       options.impulses_process, compact_.radius(), options.period);
   density_ = layout.density;
-  impulses_ = impulses_in_ball(Dim, density_, choice.radius);
+  impulses_ = setting->impulses;
+  const WeightMoments weights = moments_of_weights(options);
   const double amplitude = 1.0 / std::sqrt(noise_variance(density_, unfiltered_energy_, weights));
   std::shared_ptr<const ImpulseKernel> kernel;
   if (options.filter == 0.0 || filter_kernel()) {
     variance_ = compact_.energy() / unfiltered_energy_;
-    KernelMoments moments{compact_.energy(), compact_.fourth_moment()};
-    if (layout.count.is_fixed) {
-      // A compact kernel is about as steep as it is smooth at its end: it has no more than this.
-      const RadialAverages cubes(
-          Dim, [this](double r) { return std::pow(compact_.value(r), 2); }, compact_.radius(),
-          2.0 * kernel_.frequency() + 3.2 * kernel_.a());
-      moments.overlap = cubes.overlap(layout.side());
-      kurtosis_given_place_ = solidnoise::kurtosis_given_place(density_, moments, cubes, layout.side());
-    }
-    excess_kurtosis_ = noise_excess_kurtosis(density_, moments, weights);
+    if (layout.count.is_fixed) side_ = layout.side();
     kernel =
         std::make_shared<WeightedKernel>(RadialSum{support_scale<Dim>(layout.in_cells(compact_.radius())),
                                                    to_single_precision(compact_, RadialSum::kMostDegree)},
@@ -133,6 +160,29 @@ bool GaborNoise<Dim>::filter_kernel() {
   kernel_ = filtered;
   compact_ = fit(filtered, share.error(options_.error), options_);
   return true;
+}
+
+// A compact kernel is about as steep as it is smooth at its end: it has no higher frequencies than this.
+template <int Dim>
+RadialAverages GaborNoise<Dim>::cubes() const {
+  return RadialAverages(
+      Dim, [this](double r) { return std::pow(compact_.value(r), 2); }, compact_.radius(),
+      2.0 * kernel_.frequency() + 3.2 * kernel_.a());
+}
+
+template <int Dim>
+double GaborNoise<Dim>::excess_kurtosis() const {
+  if (variance_ == 0.0) return 0.0;
+  KernelMoments moments{compact_.energy(), compact_.fourth_moment()};
+  if (side_ > 0.0) moments.overlap = cubes().overlap(side_);
+  return noise_excess_kurtosis(density_, moments, moments_of_weights(options_));
+}
+
+template <int Dim>
+double GaborNoise<Dim>::kurtosis_given_place() const {
+  if (variance_ == 0.0 || side_ == 0.0) return 0.0;
+  const KernelMoments moments{compact_.energy(), compact_.fourth_moment()};
+  return solidnoise::kurtosis_given_place(density_, moments, cubes(), side_);
 }
 
 template <int Dim>

@@ -6,6 +6,7 @@
 #include "solidnoise/noise/convolution/sparse_convolution.h"
 #include "solidnoise/noise/gabor/gabor_options.h"
 #include "solidnoise/noise/kernel/compact_kernel.h"
+#include "solidnoise/noise/kernel/cube_averages.h"
 #include "solidnoise/noise/kernel/isotropic_gabor_kernel.h"
 #include "solidnoise/noise/noise.h"
 
@@ -54,9 +55,9 @@ class GaborNoise final : public Noise<Dim> {
   double variance() const override { return variance_; }
   Vec<Dim> gradient_variance() const override;
   double power_spectrum(const Vec<Dim>& frequency) const override;
-  double excess_kurtosis() const override { return excess_kurtosis_; }
+  double excess_kurtosis() const override;
   // How far from that it is, at most, at a given place in the planes of strata; 0 for a Poisson process.
-  double kurtosis_given_place() const { return kurtosis_given_place_; }
+  double kurtosis_given_place() const;
   typename Noise<Dim>::Band band() const override;
   WaveMixture<Dim> waves() const override;
   double covariance(const Vec<Dim>& displacement) const override;
@@ -68,6 +69,7 @@ class GaborNoise final : public Noise<Dim> {
 
  private:
   bool filter_kernel();
+  RadialAverages cubes() const;
 
   GaborNoiseOptions options_;
   IsotropicGaborKernel<Dim> kernel_;
@@ -76,8 +78,7 @@ class GaborNoise final : public Noise<Dim> {
   double density_ = 0.0;
   double unfiltered_energy_ = 0.0;  // of the compact kernel
   double variance_ = 0.0;
-  double excess_kurtosis_ = 0.0;
-  double kurtosis_given_place_ = 0.0;
+  double side_ = 0.0;  // of the cubes of strata; 0: there are none
   std::shared_ptr<const SparseConvolution<Dim>> convolution_;
 };
 

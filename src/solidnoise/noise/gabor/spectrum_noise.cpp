@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -13,6 +15,7 @@
 #include <glm/geometric.hpp>
 
 #include "solidnoise/core/check.h"
+#include "solidnoise/core/memo.h"
 #include "solidnoise/core/random.h"
 #include "solidnoise/noise/convolution/kernel_cells.h"
 #include "solidnoise/noise/gabor/gabor_entries.h"
@@ -57,6 +60,23 @@ CompactKernel envelope_of(const SpectrumBand& band, const SpectrumNoiseOptions& 
                                  : compact_envelope(band.a, Dim, error);
 }
 
+// What of a band depends on its width alone: noises follow each other that differ in its waves.
+struct BandSetting {
+  CompactKernel envelope;
+  StrataChoice choice;
+};
+
+template <int Dim>
+std::shared_ptr<const BandSetting> setting_of(const SpectrumBand& band, const SpectrumNoiseOptions& options) {
+  const double slope = options.bounds_gradient ? rms_frequency(band) : 0.0;
+  thread_local Memo<std::tuple<double, double, double>, BandSetting> known;
+  return known.get({band.a, options.error, slope}, [&] {
+    StrataChoice choice = strata_choice(RandomPhaseGaborKernel<Dim>(1.0, band.a, Vec<Dim>(0.0)));
+    choice.known_side = choice.balanced_side();
+    return BandSetting{envelope_of<Dim>(band, options, options.error), choice};
+  });
+}
+
 GaborSpectrum with_variance(GaborSpectrum spectrum, double variance) {
   const double factor = variance / spectrum.variance();
   for (SpectrumBand& band : spectrum.bands) {
@@ -93,9 +113,8 @@ class BandNoise final : public Noise<Dim> {
           amplitude * amplitude * noise_variance(density_, wave_moments(envelope_, Dim).second, weights);
       spectrum_ = with_variance(std::move(spectrum_), variance_);
     }
-    KernelMoments moments = wave_moments(envelope_, Dim);
-    if (layout.count.is_fixed) moments.overlap = wave_averages(envelope_, Dim).overlap(layout.side());
-    excess_kurtosis_ = noise_excess_kurtosis(density_, moments, weights);
+    weights_ = weights;
+    if (layout.count.is_fixed) side_ = layout.side();
     const double reach = envelope_.radius();
     auto kernel = std::make_shared<WaveKernel<Dim, SpectrumWaveDraw<Dim>>>(
         OrientedSum{support_scale<Dim>(layout.in_cells(reach)),
@@ -116,7 +135,12 @@ class BandNoise final : public Noise<Dim> {
   }
   const GaborSpectrum& spectrum() const { return spectrum_; }
   double variance() const override { return variance_; }
-  double excess_kurtosis() const override { return excess_kurtosis_; }
+  double excess_kurtosis() const override {
+    if (variance_ == 0.0) return 0.0;
+    KernelMoments moments = wave_moments(envelope_, Dim);
+    if (side_ > 0.0) moments.overlap = wave_averages(envelope_, Dim).overlap(side_);
+    return noise_excess_kurtosis(density_, moments, weights_);
+  }
 
   Vec<Dim> gradient_variance() const override {
     Vec<Dim> of_waves(0.0);
@@ -168,7 +192,8 @@ class BandNoise final : public Noise<Dim> {
   CompactKernel envelope_;  // of one axis
   double variance_;
   double density_;
-  double excess_kurtosis_ = 0.0;
+  WeightMoments weights_;
+  double side_ = 0.0;  // of the cubes of strata; 0: there are none
   std::unique_ptr<const SparseConvolution<Dim>> convolution_;
 };
 
@@ -211,9 +236,10 @@ SpectrumNoise<Dim>::SpectrumNoise(const SpectrumNoiseOptions& options) {
     throw std::invalid_argument(
         fmt::format("the spectrum is of {} dimensions; it must be of {}", spectrum_.dimensions, Dim));
   }
+  std::vector<std::shared_ptr<const BandSetting>> settings;
   std::vector<BandShare> shares;
   for (const SpectrumBand& band : unfiltered.bands) {
-    const StrataChoice choice = strata_choice(RandomPhaseGaborKernel<Dim>(1.0, band.a, Vec<Dim>(0.0)));
+    const StrataChoice& choice = settings.emplace_back(setting_of<Dim>(band, options))->choice;
     shares.push_back({variance_of(band), impulses_in_ball(Dim, 1.0, choice.radius), choice});
   }
   const ImpulseBudget budget = share_impulses(shares, options.impulses, options.impulses_process);
@@ -222,7 +248,7 @@ SpectrumNoise<Dim>::SpectrumNoise(const SpectrumNoiseOptions& options) {
   spectrum_.bands.clear();
   std::vector<typename FractalNoise<Dim>::Octave> bands;
   for (std::size_t b = 0; b < shares.size(); ++b) {
-    const CompactKernel envelope = envelope_of<Dim>(unfiltered.bands[b], options, options.error);
+    const CompactKernel& envelope = settings[b]->envelope;
     const auto layout = make_layout<Dim>(shares[b].choice, budget.densities[b], options.impulses_process,
                                          envelope.radius(), options.period);
     auto band = std::make_unique<BandNoise<Dim>>(band_of(unfiltered, b), envelope, layout, options,

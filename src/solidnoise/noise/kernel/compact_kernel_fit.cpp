@@ -2,15 +2,18 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
 #include <fmt/format.h>
 
 #include "solidnoise/core/check.h"
+#include "solidnoise/core/memo.h"
 #include "solidnoise/core/numerics.h"
 #include "solidnoise/core/special_functions.h"
 #include "solidnoise/noise/kernel/compact_kernel.h"
@@ -101,6 +104,12 @@ TaperedBasis::TaperedBasis(int dimensions, int degree) {
 
 Eigen::VectorXd TaperedBasis::project(const RadialFunction& function, double radius) const {
   return projector_ * nodes_.unaryExpr([&](double x) { return function.value(radius * x); });
+}
+
+// The same serves all kernels of a degree, such as those of octaves.
+std::shared_ptr<const TaperedBasis> tapered_basis(int dimensions, int degree) {
+  thread_local Memo<std::pair<int, int>, TaperedBasis, 2> known;
+  return known.get({dimensions, degree}, [&] { return TaperedBasis(dimensions, degree); });
 }
 
 double TaperedBasis::polynomial(const Eigen::VectorXd& coefficients, int degree, double v) const {
@@ -208,11 +217,11 @@ CompactKernel best_compact(const RadialFunction& function, const ImpulseCost& co
   // function's oscillation needs, the second attempt is rare.
   int degree = 16 + static_cast<int>(2.0 * kPi * function.frequency * function.tail_radius);
   for (;; degree *= 2) {
-    const TaperedBasis basis(function.dimensions, degree);
-    const std::optional<Choice> best = Search(function, basis, cost, error).cheapest();
+    const auto basis = tapered_basis(function.dimensions, degree);
+    const std::optional<Choice> best = Search(function, *basis, cost, error).cheapest();
     // No higher degree can be cheaper once its cost at the smallest conceivable radius is not.
     if (best && cost(degree + 1, function.tail_radius) > cost(best->degree, best->radius)) {
-      return assemble(function, basis, *best);
+      return assemble(function, *basis, *best);
     }
   }
 }
@@ -220,13 +229,13 @@ CompactKernel best_compact(const RadialFunction& function, const ImpulseCost& co
 // The lowest degree within the error, at a radius that is given.
 CompactKernel compact_at(const RadialFunction& function, double radius, double error) {
   for (int degree = 16 + static_cast<int>(2.0 * kPi * function.frequency * radius);; degree *= 2) {
-    const TaperedBasis basis(function.dimensions, degree);
-    const Eigen::VectorXd coefficients = basis.project(function, radius);
+    const auto basis = tapered_basis(function.dimensions, degree);
+    const Eigen::VectorXd coefficients = basis->project(function, radius);
     double left = function.energy / std::pow(radius, function.dimensions);
     const double allowed = error * error * left;
     for (int k = 0; k <= degree; ++k) {
       left -= coefficients[k] * coefficients[k];
-      if (k >= 1 && left <= allowed) return assemble(function, basis, {k, radius});
+      if (k >= 1 && left <= allowed) return assemble(function, *basis, {k, radius});
     }
     if (degree > kMostDegree) {
       throw std::invalid_argument(fmt::format(

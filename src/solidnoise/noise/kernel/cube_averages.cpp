@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 
 #include "solidnoise/core/numerics.h"
 #include "solidnoise/core/special_functions.h"
@@ -143,15 +144,27 @@ double RadialAverages::harmonic(double side, int k) const {
     }
   }
   const int size = static_cast<int>(transform_.size());
+  // The first factor, times the weight, is that of a frequency along and of its opposite; it ends in a
+  // circle.
+  std::vector<std::vector<double>> rows(transform_.size() + 1);
+  for (int i = 0; i <= size; ++i) {
+    for (std::size_t j = 0; j < across.size(); ++j) {
+      const double distance = std::hypot(i * step_, static_cast<double>(j) * step_);
+      if (distance / step_ >= size - 1) break;
+      rows[static_cast<std::size_t>(i)].push_back(across[j] * transform(distance));
+    }
+  }
   double sum = 0.0;
   for (int i = -size; i <= size; ++i) {
     const double along = i * step_;
     const double other = k / side - along;
+    const std::vector<double>& row = rows[static_cast<std::size_t>(std::abs(i))];
     double around = 0.0;
-    for (std::size_t j = 0; j < across.size(); ++j) {
-      const double f = static_cast<double>(j) * step_;
-      if (across[j] == 0.0) continue;
-      around += across[j] * transform(std::hypot(along, f)) * transform(std::hypot(other, f));
+    for (std::size_t j = 0; j < row.size(); ++j) {
+      if (row[j] == 0.0) continue;
+      const double distance = std::hypot(other, static_cast<double>(j) * step_);
+      if (distance / step_ >= size - 1) break;
+      around += row[j] * transform(distance);
     }
     sum += sinc(side * along) * sinc(side * other) * around;
   }

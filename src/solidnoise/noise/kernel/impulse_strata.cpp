@@ -84,6 +84,7 @@ double kurtosis_given_place(double density, const KernelMoments& kernel, const C
 }
 
 double StrataChoice::balanced_side() const {
+  if (known_side > 0.0) return known_side;
   const auto excess = [&](double side) {
     return weights.fourth * moments.fourth - 3.0 * weights.second * weights.second * averages->overlap(side);
   };

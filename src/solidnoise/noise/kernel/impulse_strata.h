@@ -48,7 +48,8 @@ struct StrataChoice {
   KernelMoments moments;  // of unlimited support
   WeightMoments weights;
   std::shared_ptr<const CubeAverages> averages;
-  double radius;  // that holds nearly all of a kernel, world units: no cube is much smaller
+  double radius;            // that holds nearly all of a kernel, world units: no cube is much smaller
+  double known_side = 0.0;  // balanced_side(), where it has been found
 
   // Balanced cubes with the fewest impulses in each for which the excess kurtosis given the place is within
   // `given_place`. But no more than kMostOverPoisson times the impulses of a Poisson process of excess
