@@ -161,7 +161,7 @@ function show(next: State): void {
 let saving: ReturnType<typeof setTimeout> | undefined;
 function save(): void {
   keep(kStorage, JSON.stringify(state.value));
-  writeAddress(state.value);
+  setTimeout(() => writeAddress(state.value)); // which by itself is long enough for a task
 }
 
 // What is still being edited is done first: one undo takes all of a gesture back, and redo brings all of it.
@@ -262,8 +262,8 @@ async function apply(tag: string): Promise<void> {
     try {
       const answer = await desk.ask("desk", { do: "edit", recipe: noise.text, edits });
       const info = answer.json as unknown as Info;
-      learn(info.recipe, info);
       batch(() => {
+        learn(info.recipe, info);
         problem.value = undefined;
         // What has been taken away or replaced meanwhile stays so.
         if (noiseAt(place)?.text === noise.text) replaceNoise(noiseOf(info, noise.grid), tag, place, {}, at);

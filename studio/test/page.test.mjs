@@ -307,6 +307,23 @@ test("a volume is lit alike with either axis up, and so is its sky", async () =>
   assert.ok(y.length === z.length && mean < 3, `differs by ${mean} of 255`);
 });
 
+test("a fire glows before black", async () => {
+  const page = await open(`#recipe=${codeOf(readFileSync(join(root, "tools/vdbnoise/presets/fire.json"), "utf8"))}&view=volume`);
+  await page.waitForFunction(() => globalThis.last?.dim === 128, null, kPatience);
+  await page.waitForTimeout(1500);
+  await picture(page, "fire");
+  const { corner, hot } = await page.evaluate(() => {
+    const gl = document.querySelector(".volume canvas").getContext("webgl2");
+    const pixels = new Uint8Array(4 * gl.drawingBufferWidth * gl.drawingBufferHeight);
+    gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+    let hot = 0;
+    for (let i = 0; i < pixels.length; i += 4) if (pixels[i] > 180 && pixels[i] > 1.3 * pixels[i + 2]) ++hot;
+    return { corner: Array.from(pixels.slice(0, 3)), hot: hot / (pixels.length / 4) };
+  });
+  assert.ok(Math.max(...corner) < 8 && hot > 0.01 && hot < 0.5, `${corner} at the corner, ${hot} glows`);
+  await wellOf(page);
+});
+
 test("a body of marble has dark veins", async () => {
   const page = await open();
   await page.click("text=Gallery");

@@ -57,12 +57,6 @@ Answer picture_of(const Exemplar<2>& texture, bool raw) {
   return {Json{{"width", image.width}, {"height", image.height}}, {std::move(pixels)}};
 }
 
-// As text, which goes between page and workers quicker than an object of a thousand numbers.
-ExemplarModel model_of(const Json& question) {
-  return exemplar_file_from_json(Json{{"solidnoise", kRecipeVersion},
-                                      {"exemplar", parse_json(question.at("exemplar").get<std::string>())}});
-}
-
 std::string text_of(const ExemplarModel& model) {
   return to_json(model).dump();
 }
@@ -119,6 +113,32 @@ bool has_group(const GaborSpectrum& spectrum, const Json& edit) {
                                               edit.at("group").get<std::string>()) != spectrum.groups.end();
 }
 
+// As text, which goes between page and workers quicker than an object of a thousand numbers; read once, as
+// long as only what is done to it changes. "edits" are of the components or groups of all channels, or of
+// one.
+ExemplarModel model_of(const Json& question) {
+  static std::string known;
+  static ExemplarModel known_model;
+  const std::string text = question.at("exemplar");
+  if (text != known) {
+    known.clear();
+    known_model =
+        exemplar_file_from_json(Json{{"solidnoise", kRecipeVersion}, {"exemplar", parse_json(text)}});
+    known = text;
+  }
+  ExemplarModel model = known_model;
+  if (!question.contains("edits")) return model;
+  for (const Json& edit : question.at("edits")) {
+    for (std::size_t k = 0; k < model.channels.size(); ++k) {
+      if (edit.contains("channel") && edit.at("channel") != k) continue;
+      if (!has_group(model.channels[k], edit)) continue;
+      edits().at(edit.at("edit"))(model.channels[k], edit);
+    }
+  }
+  model.validate();
+  return model;
+}
+
 }  // namespace
 
 // A model of the photograph in `bytes`.
@@ -157,18 +177,9 @@ Answer draw_example(const Json& question, std::span<const unsigned char>) {
                     model.raw_values);
 }
 
-// "edits" of the components or groups of all channels, or of one.
+// The model with what is done to it.
 Answer edit_example(const Json& question, std::span<const unsigned char>) {
-  ExemplarModel model = model_of(question);
-  for (const Json& edit : question.at("edits")) {
-    for (std::size_t k = 0; k < model.channels.size(); ++k) {
-      if (edit.contains("channel") && edit.at("channel") != k) continue;
-      if (!has_group(model.channels[k], edit)) continue;
-      edits().at(edit.at("edit"))(model.channels[k], edit);
-    }
-  }
-  model.validate();
-  return {Json{{"exemplar", text_of(model)}}};
+  return {Json{{"exemplar", text_of(model_of(question))}}};
 }
 
 }  // namespace solidnoise::studio

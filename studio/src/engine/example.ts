@@ -59,13 +59,13 @@ export async function versionOf(photograph: Photograph): Promise<ImageData> {
   return imageOf(json, floats[0]!);
 }
 
-// The sparse spectrum's texture, whole; the noise in strips, by all workers.
-export async function textureOf(exemplar: string, width: number, height: number, pixel: number, sparse: boolean): Promise<ImageData> {
+// Of a model with what is done to it: the sparse spectrum's texture, whole; the noise in strips, by all workers.
+export async function textureOf(exemplar: string, edits: ComponentEdit[], width: number, height: number, pixel: number, sparse: boolean): Promise<ImageData> {
   const strips = sparse ? 1 : engine.pool.size;
   const image = new ImageData(width, height);
   await Promise.all(Array.from({ length: strips }, async (_, i) => {
     const first = Math.floor((i * width) / strips);
-    const question = { do: "texture", exemplar, first, width: Math.floor(((i + 1) * width) / strips) - first, height, pixel, sparse };
+    const question = { do: "texture", exemplar, edits, first, width: Math.floor(((i + 1) * width) / strips) - first, height, pixel, sparse };
     const { json, floats } = await engine.pool.ask(sparse ? "sparse" : "texture", question, { urgent: true });
     put(image, first, Number(json.width), floats[0]!);
   }));

@@ -1,3 +1,4 @@
+import { busy, idle } from "./calm.ts";
 import { Dropped } from "./pool.ts";
 
 // What follows something that is moved: a coarse picture at once, one at a time, of the newest that is wanted; a fine one when it rests.
@@ -33,7 +34,9 @@ export class Follower<Request> {
     this.running = true;
     while (this.again && this.request) {
       this.again = false;
+      busy();
       await this.unlessDropped(this.coarse(this.request));
+      idle();
     }
     this.running = false;
     const { request } = this;

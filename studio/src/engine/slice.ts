@@ -36,7 +36,7 @@ export interface SliceRequest {
 export async function sampleSlice(pool: Pool, topic: string, request: SliceRequest, { urgent = false, draft = false, parts = pool.size } = {}): Promise<SlicePicture> {
   const { noise, plane, time, columns, rows } = request;
   const begin = performance.now();
-  const strips = Math.max(1, Math.min(parts, Math.floor(columns / 32)));
+  const strips = Math.max(1, Math.min(parts, Math.floor(columns / 12)));
   const question = {
     do: "slice", recipe: noise.text, grid: noise.grid, plane: { ...plane, columns, rows }, draft,
     ...(time === undefined ? {} : { time }),
@@ -113,7 +113,7 @@ export function drawSlice(picture: SlicePicture, ramp: Float32Array | undefined)
 }
 
 const kGlance = 28; // milliseconds that the picture may take that follows a slider
-const kSmallest = 48; // pixels along the longest side of a draft
+const kSmallest = 24; // pixels along the longest side of a draft
 const kLargest = 256;
 // What of a recipe stays where a slider moves: of another form it is not known yet how long pictures take.
 const formOf = ({ text, grid }: Noise): string => `${grid} ${text.replace(/-?\d[\d.e+-]*/g, "")}`;
@@ -126,6 +126,7 @@ const kStrip = 25; // that a strip of the sharp one may, which cannot be stopped
 export class SliceMaker {
   private side = kSmallest; // of the next draft
   private shown = 0; // of the last one
+  private parts = 1; // strips of it: where it takes longer to begin pixels than to make them, one worker does it
   private form = ""; // of its recipe
   private cost = 0; // of a pixel, milliseconds of one worker
   private began = 0; // when the draft that is under way was asked for; 0: there is none
@@ -161,16 +162,18 @@ export class SliceMaker {
 
   private async follow(request: SliceRequest): Promise<void> {
     const form = formOf(request.noise);
-    if (form !== this.form) this.side = kSmallest;
+    if (form !== this.form) Object.assign(this, { side: kSmallest, parts: 1 });
     this.form = form;
     this.shown = this.side;
     this.began = performance.now();
-    const asked = sampleSlice(this.pool, this.topic, sized(request, this.side), { urgent: true, draft: true });
+    const asked = sampleSlice(this.pool, this.topic, sized(request, this.side), { urgent: true, draft: true, parts: this.parts });
     const picture = await asked.finally(() => (this.began = 0));
     this.show(picture, false);
     this.cost = picture.work / (picture.columns * picture.rows);
-    const left = Math.max(0, kGlance - picture.ready) / Math.max(1, picture.milliseconds - picture.ready);
-    this.side = Math.min(kLargest, Math.max(kSmallest, 16 * Math.floor((this.side * Math.sqrt(left)) / 16)));
+    const left = Math.max(1, kGlance - picture.ready);
+    this.parts = picture.work > picture.ready ? this.pool.size : 1;
+    const most = this.side * Math.sqrt(left / Math.max(1, picture.milliseconds - picture.ready));
+    this.side = Math.min(kLargest, Math.max(kSmallest, 8 * Math.floor(most / 8)));
   }
 
   private async sharpen(request: SliceRequest, wanted: () => boolean): Promise<void> {

@@ -1,4 +1,4 @@
-import { batch, signal, useComputed, useSignalEffect } from "@preact/signals";
+import { batch, signal, useComputed } from "@preact/signals";
 import type { JSX } from "preact";
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 import {
@@ -10,12 +10,15 @@ import { engine } from "../engine/engine.ts";
 import { Follower } from "../engine/follower.ts";
 import { Dropped } from "../engine/pool.ts";
 import { commit, type GroupEdit, type KeptPhotograph, setText, type State, state } from "../store.ts";
+import { useEffectAtOnce } from "./at_once.ts";
 import { paint } from "./paint.ts";
 import { SpectrumEditor } from "./spectrum_editor.tsx";
 
 // A noise from a photograph: the exemplar, the best that noise can do of it, its sparse spectrum, the noise; and the spectrum by hand.
 
 const kPhotographs = ["earth", "leaves", "moss", "rock", "sand", "soil", "wood"];
+const kGlance = 36; // milliseconds that the picture may take that follows a slider
+const kLeastShare = 0.125;
 const kNeutral: GroupEdit = { magnitude: 1, scale: 1, rotate: 0 };
 let photograph: Photograph | undefined; // the one that is shown
 // A fit goes on while another view is looked at.
@@ -88,36 +91,42 @@ export function ExampleView(): JSX.Element {
   };
   const wanted = useComputed(() => fitting.value?.photograph ?? state.value.photograph);
   const isEmpty = useComputed(() => !wanted.value && !state.value.example);
-  useSignalEffect(() => {
+  useEffectAtOnce(() => {
     if (wanted.value) void showPhotograph(wanted.value).catch(() => undefined);
     else if (isEmpty.value) clear();
   });
 
-  // The model with what is done to its groups, and its pictures: a small one that follows, then a large one.
-  const changed = useRef("");
-  const drawNoise = async (scale: number, wanted = () => true): Promise<void> => {
+  // The noise, a small picture that follows, then a large one; and the model with what is done to its groups, which others show.
+  type Asked = Pick<State, "example" | "groups">;
+  const drawNoise = async ({ example, groups }: Asked, scale: number, wanted = () => true): Promise<void> => {
     const { width, height } = photograph ?? { width: 256, height: 256 };
     const begin = performance.now();
-    const image = await textureOf(changed.current, Math.round(width * scale), Math.round(height * scale), 1 / (width * scale), false);
+    const edits = groupEdits(groups);
+    const image = await textureOf(example, edits, Math.round(width * scale), Math.round(height * scale), 1 / (width * scale), false);
     if (!wanted()) return;
     put("noise", image, scale === 1);
     setMs(performance.now() - begin);
+    trouble.value = "";
+    void edited(example, edits).then((text) => state.value.example === example && state.value.groups === groups && setModel(text), () => undefined);
     if (scale < 1) return;
-    const sparse = await textureOf(changed.current, width, height, 1 / width, true);
+    const sparse = await textureOf(example, edits, width, height, 1 / width, true);
     if (wanted()) put("sparse", sparse);
   };
-  const follower = useRef<Follower<Pick<State, "example" | "groups">>>(null);
-  follower.current ??= new Follower(async ({ example, groups }) => {
-    changed.current = await edited(example, groupEdits(groups));
-    setModel(changed.current);
-    trouble.value = "";
-    await drawNoise(0.5);
-  }, (_, wanted) => drawNoise(1, wanted), (error) => {
+  const share = useRef(kLeastShare); // of the photograph's side, of the next small one
+  const follow = async (asked: Asked): Promise<void> => {
+    const begin = performance.now();
+    await drawNoise(asked, share.current);
+    const took = performance.now() - begin;
+    if (took > kGlance) share.current = Math.max(kLeastShare, share.current / 2);
+    else if (took < kGlance / 3) share.current = Math.min(0.5, share.current * 2);
+  };
+  const follower = useRef<Follower<Asked>>(null);
+  follower.current ??= new Follower(follow, (asked, wanted) => drawNoise(asked, 1, wanted), (error) => {
     trouble.value = error.message;
   });
   useEffect(() => () => follower.current?.stop(), []);
   useEffect(() => onFile("picture", (file) => void take(file, file.name, side, axes)), [side, axes]);
-  useSignalEffect(() => {
+  useEffectAtOnce(() => {
     const { example, groups } = state.value;
     if (example) follower.current?.want({ example, groups });
     else {

@@ -6,17 +6,22 @@ export function contextOf(canvas: HTMLCanvasElement): WebGL2RenderingContext {
   return gl;
 }
 
-export function programOf(gl: WebGL2RenderingContext, vertex: string, fragment: string): WebGLProgram {
+// Compiled beside the page where the browser can.
+export async function programOf(gl: WebGL2RenderingContext, vertex: string, fragment: string): Promise<WebGLProgram> {
   const program = gl.createProgram();
-  for (const [type, source] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]] as const) {
+  const shaders = ([[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]] as const).map(([type, source]) => {
     const shader = gl.createShader(type)!;
     gl.shaderSource(shader, `#version 300 es\nprecision highp float;\nprecision highp sampler3D;\n${source}`);
     gl.compileShader(shader);
-    if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) throw new Error(gl.getShaderInfoLog(shader) ?? "a shader does not compile");
     gl.attachShader(program, shader);
-  }
+    return shader;
+  });
   gl.linkProgram(program);
-  if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program) ?? "shaders do not link");
+  const beside = gl.getExtension("KHR_parallel_shader_compile");
+  while (beside && !gl.isContextLost() && !gl.getProgramParameter(program, beside.COMPLETION_STATUS_KHR)) await new Promise((done) => setTimeout(done, 10));
+  if (!gl.getProgramParameter(program, gl.LINK_STATUS)) {
+    throw new Error(shaders.map((shader) => gl.getShaderInfoLog(shader)).find((log) => log) || gl.getProgramInfoLog(program) || "shaders do not link");
+  }
   return program;
 }
 

@@ -1,26 +1,27 @@
-import { useSignalEffect } from "@preact/signals";
 import type { JSX } from "preact";
 import { useRef, useState } from "preact/hooks";
 import { Commands, CopyButton, fileWord, quoted, saveAs } from "../controls/copy.tsx";
 import { addressOf } from "../engine/address.ts";
 import { activeNoise, activePlace, infoOf, pixels, problem, setText, state } from "../store.ts";
+import { useEffectAtOnce } from "./at_once.ts";
 
 // The recipe as text, live both ways, with errors at their lines; and the commands that make what is seen.
 
 export function RecipePanel(): JSX.Element {
   const area = useRef<HTMLTextAreaElement>(null);
   const gutter = useRef<HTMLDivElement>(null);
-  const [text, write] = useState("");
+  const [text, write] = useState(() => activeNoise().text);
   const [wrong, setWrong] = useState<{ line: number; message: string } | undefined>(undefined);
   const waiting = useRef<ReturnType<typeof setTimeout> | undefined>(undefined);
-  const own = useRef("");
+  const own = useRef(text);
+  const typing = useRef(false); // what is typed is being taken
   const place = useRef(activePlace());
 
   const mark = (message: string): void => {
     const found = /^(?:line (\d+)|.*line (\d+))/.exec(message);
     setWrong({ line: Number(found?.[1] ?? found?.[2] ?? 0), message });
   };
-  useSignalEffect(() => {
+  useEffectAtOnce(() => {
     const now = activeNoise().text;
     const faulty = problem.value;
     const moved = place.current !== activePlace();
@@ -32,9 +33,10 @@ export function RecipePanel(): JSX.Element {
       return;
     }
     // What is being typed stays as it is typed.
+    const stays = !moved && (now === own.current || typing.current);
     if (moved) clearTimeout(waiting.current);
-    else if (now === own.current) return;
     own.current = now;
+    if (stays) return;
     write(now);
     setWrong(undefined);
   });
@@ -42,7 +44,9 @@ export function RecipePanel(): JSX.Element {
     write(typed);
     clearTimeout(waiting.current);
     waiting.current = setTimeout(async () => {
+      typing.current = true;
       const taken = await setText(typed, "typed");
+      typing.current = false;
       if (taken) {
         own.current = activeNoise().text;
         setWrong(undefined);

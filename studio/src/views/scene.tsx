@@ -5,6 +5,7 @@ import type { Orbit } from "./orbit.ts";
 // A canvas that something is drawn on by WebGL, as seen by an eye that mouse, wheel and keys move around it.
 
 interface Renderer {
+  ready: Promise<void>;
   dispose(): void;
 }
 export interface Scene<Own extends Renderer> {
@@ -36,6 +37,7 @@ export function useScene<Own extends Renderer>(
     const element = canvas.current!;
     try {
       renderer.current = make(element);
+      renderer.current.ready.then(render, (error: Error) => setTrouble(error.message));
     } catch (error) {
       setTrouble((error as Error).message);
       return;

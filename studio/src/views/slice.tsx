@@ -1,9 +1,9 @@
-import { useSignalEffect } from "@preact/signals";
 import type { JSX } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { drawSlice, rangeOf, SliceMaker, type SlicePicture } from "../engine/slice.ts";
 import { engine } from "../engine/engine.ts";
 import { commit, pixels, type Plane, state, time, timeOf, type Vector } from "../store.ts";
+import { useEffectAtOnce } from "./at_once.ts";
 import { Fingers } from "./fingers.ts";
 import { paint } from "./paint.ts";
 
@@ -55,10 +55,14 @@ export function SliceView({ index }: { index: number }): JSX.Element {
   };
 
   // What is drawn while a picture of another plane is on its way: the last one, where it lies now.
+  const drawn = useRef<unknown[]>([]);
   const draw = (): void => {
     const element = canvas.current;
     const picture = last.current;
     if (!element || !picture) return;
+    const what = [picture, state.value.plane, state.value.ramp, element.width, element.height];
+    if (what.every((part, i) => part === drawn.current[i])) return;
+    drawn.current = what;
     const context = paint(element);
     const store = inColors(picture);
     context.imageSmoothingEnabled = true;
@@ -98,12 +102,16 @@ export function SliceView({ index }: { index: number }): JSX.Element {
     };
   }, []);
 
+  const asked = useRef<unknown[]>([]);
   const want = (): void => {
     const noise = state.value.noises[index];
     if (!noise?.text || size[0] < 8 || size[1] < 8) return;
+    const what = [noise.text, noise.grid, state.value.plane, timeOf(noise), ...size];
+    if (what.every((part, i) => part === asked.current[i])) return;
+    asked.current = what;
     maker.current?.want({ noise, plane: state.value.plane, time: timeOf(noise), columns: size[0], rows: size[1] });
   };
-  useSignalEffect(() => {
+  useEffectAtOnce(() => {
     state.value;
     time.value;
     want();

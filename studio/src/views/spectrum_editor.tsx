@@ -1,5 +1,5 @@
 import type { JSX } from "preact";
-import { useEffect, useRef, useState } from "preact/hooks";
+import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 import { Choice } from "../controls/choice.tsx";
 import type { ComponentEdit, Model } from "../engine/example.ts";
 import { during } from "../store.ts";
@@ -30,10 +30,10 @@ export function SpectrumEditor({ model, change }: { model: Model; change: (edits
   const next = useRef<ComponentEdit[] | undefined>(undefined);
   const svg = useRef<SVGSVGElement>(null);
   const own = model.channels[Math.min(channel, model.channels.length - 1)]!;
-  const spots: Spot[] = own.bands
-    .flatMap(({ a, components }, band) => components.map(([x = 0, y = 0, variance = 0, group = 0], component) => ({ band, component, x, y, a, variance, group })))
+  const spots = useMemo(() => own.bands
+    .flatMap(({ a, components }, band) => components.map(([x = 0, y = 0, variance = 0, group = 0], component): Spot => ({ band, component, x, y, a, variance, group })))
     .sort((one, other) => other.variance - one.variance)
-    .slice(0, kMostShown);
+    .slice(0, kMostShown), [own]);
   const largest = spots[0]?.variance ?? 1;
   const reach = useRef(0);
   const now = 1.15 * Math.max(1e-6, ...spots.filter(({ variance }) => variance > 2e-4 * largest).map(({ x, y }) => Math.hypot(x, y)));
@@ -81,43 +81,54 @@ export function SpectrumEditor({ model, change }: { model: Model; change: (edits
     widened.current = undefined;
     focus(to);
   });
+  // Hundreds of them, which are made anew only where they are others; what they do the whole picture hears.
+  const discs = useMemo(() => spots.map((spot, i) => [1, -1].map((sign) => (
+    <ellipse key={`${name(spot)}${sign}`} data-spot={i} cx={sign * px(spot.x)} cy={-sign * px(spot.y)} rx={Math.max(2.5, px(0.47 * spot.a))} ry={Math.max(2.5, px(0.47 * spot.a))}
+      fill={kColors[spot.group % kColors.length]} fill-opacity={0.08 + 0.7 * Math.sqrt(spot.variance / largest)}
+      class={chosen === name(spot) ? "chosen" : ""} tabindex={sign === 1 && i === current ? 0 : -1} {...(sign === 1 ? { role: "button" } : { "aria-hidden": true })}
+      aria-label={`${own.groups[spot.group]}, frequency ${spot.x.toPrecision(3)} ${spot.y.toPrecision(3)}, ${(100 * spot.variance / largest).toFixed(0)} % of the strongest`} />
+  ))), [spots, chosen, reach.current]);
+  const spotOf = (event: Event): Spot | undefined => spots[Number((event.target as SVGElement).dataset.spot ?? -1)];
+  const onKey = (event: KeyboardEvent): void => {
+    const spot = spotOf(event);
+    if (!spot) return;
+    const step = 0.01 * reach.current;
+    const [dx, dy] = ({ ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, step], ArrowDown: [0, -step] } as Record<string, [number, number]>)[event.key] ?? [0, 0];
+    if (dx !== 0 || dy !== 0) send([{ edit: "move", ...place(spot), to: [spot.x + dx, spot.y + dy] }]);
+    else if (event.key === "Delete" || event.key === "Backspace") drop(spot);
+    else if (event.key === "+" || event.key === "-") stronger(spot, event.key === "+" ? kStep : 1 / kStep);
+    else if (event.key === "[" || event.key === "]") wider(spot, event.key === "]" ? kStep : 1 / kStep);
+    else if (event.key === "PageUp" || event.key === "PageDown") go(event.key === "PageUp" ? -1 : 1);
+    else return;
+    event.preventDefault();
+  };
   return (
     <div class="spectrum-editor">
       <Choice label="Channel" words={model.channels.map((_, i) => `Channel ${i + 1}`)} chosen={channel} choose={setChannel} />
       <svg ref={svg} viewBox={`${-half} ${-half} ${kSize} ${kSize}`} role="group" aria-label="The spectrum's Gaussians"
+        onPointerDown={(event) => {
+          const spot = spotOf(event);
+          if (!spot) return;
+          event.currentTarget.setPointerCapture(event.pointerId);
+          choose(name(spot));
+          drag.current = spot; // a mirror image goes where it is dragged, too: both are one wave
+        }}
         onPointerMove={(event) => {
           const spot = drag.current;
           if (spot) send([{ edit: "move", ...place(spot), to: at(event) }]);
         }}
         onPointerUp={() => { drag.current = undefined; }}
-        onDblClick={(event) => insert(at(event))}>
+        onDblClick={(event) => { if (!spotOf(event)) insert(at(event)); }}
+        onWheel={(event) => {
+          const spot = spotOf(event);
+          if (!spot) return;
+          event.preventDefault();
+          wider(spot, event.deltaY < 0 ? kStep : 1 / kStep);
+        }}
+        onFocusIn={(event) => { const spot = spotOf(event); if (spot) choose(name(spot)); }} onKeyDown={onKey}>
         <circle class="axis" r={half * 0.5} fill="none" /><circle class="axis" r={half * 0.99} fill="none" />
         <line class="axis" x1={-half} x2={half} /><line class="axis" y1={-half} y2={half} />
-        {spots.map((spot, i) => [1, -1].map((sign) => (
-          <ellipse key={`${name(spot)}${sign}`} cx={sign * px(spot.x)} cy={-sign * px(spot.y)} rx={Math.max(2.5, px(0.47 * spot.a))} ry={Math.max(2.5, px(0.47 * spot.a))}
-            fill={kColors[spot.group % kColors.length]} fill-opacity={0.08 + 0.7 * Math.sqrt(spot.variance / largest)}
-            class={chosen === name(spot) ? "chosen" : ""} tabindex={sign === 1 && i === current ? 0 : -1} role="button"
-            aria-label={`${own.groups[spot.group]}, frequency ${spot.x.toPrecision(3)} ${spot.y.toPrecision(3)}, ${(100 * spot.variance / largest).toFixed(0)} % of the strongest`}
-            onPointerDown={(event) => {
-              event.currentTarget.ownerSVGElement?.setPointerCapture(event.pointerId);
-              choose(name(spot));
-              drag.current = spot; // a mirror image goes where it is dragged, too: both are one wave
-            }}
-            onDblClick={(event) => event.stopPropagation()}
-            onWheel={(event) => { event.preventDefault(); wider(spot, event.deltaY < 0 ? kStep : 1 / kStep); }}
-            onFocus={() => choose(name(spot))}
-            onKeyDown={(event) => {
-              const step = 0.01 * reach.current;
-              const [dx, dy] = ({ ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, step], ArrowDown: [0, -step] } as Record<string, [number, number]>)[event.key] ?? [0, 0];
-              if (dx !== 0 || dy !== 0) send([{ edit: "move", ...place(spot), to: [spot.x + dx, spot.y + dy] }]);
-              else if (event.key === "Delete" || event.key === "Backspace") drop(spot);
-              else if (event.key === "+" || event.key === "-") stronger(spot, event.key === "+" ? kStep : 1 / kStep);
-              else if (event.key === "[" || event.key === "]") wider(spot, event.key === "]" ? kStep : 1 / kStep);
-              else if (event.key === "PageUp" || event.key === "PageDown") go(event.key === "PageUp" ? -1 : 1);
-              else return;
-              event.preventDefault();
-            }} />
-        )))}
+        {discs}
       </svg>
       <p class="hint">{own.groups.map((group, i) => <span key={group}><i style={{ background: kColors[i % kColors.length] }} />{group} </span>)}
         <br />Drag one, the wheel makes it wider, double-click to add one; or arrows, [ and ], plus and minus for strength, page keys, Delete.</p>

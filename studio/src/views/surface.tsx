@@ -1,10 +1,10 @@
-import { useSignalEffect } from "@preact/signals";
 import type { JSX } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { dragging, onFile } from "../drop.ts";
 import { engine } from "../engine/engine.ts";
 import { Follower } from "../engine/follower.ts";
-import { activeNoise, commit, state, time, timeOf } from "../store.ts";
+import { activeNoise, commit, state, timeOf } from "../store.ts";
+import { useChanges } from "./at_once.ts";
 import { Orbit } from "./orbit.ts";
 import { SceneCanvas, useScene } from "./scene.tsx";
 import { SurfaceRenderer } from "./surface_renderer.ts";
@@ -71,12 +71,7 @@ export function SurfaceView(): JSX.Element {
     setTrouble(error.message);
   });
   useEffect(() => () => follower.current?.stop(), []);
-  useSignalEffect(() => {
-    state.value.bake;
-    state.value.mesh;
-    time.value;
-    follower.current?.want({});
-  });
+  useChanges(() => [state.value.bake, state.value.mesh, timeOf(activeNoise())], () => follower.current?.want({}));
   // What is no mesh is said, and the one that was there stays.
   const take = async (file: File | undefined): Promise<void> => {
     if (!file) return;

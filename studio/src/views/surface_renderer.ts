@@ -45,7 +45,8 @@ void main() {
 
 export class SurfaceRenderer {
   private readonly gl: WebGL2RenderingContext;
-  private readonly program: WebGLProgram;
+  private program: WebGLProgram | undefined;
+  readonly ready: Promise<void>; // to render
   private readonly buffers: WebGLBuffer[];
   private count = 0;
   private centre = [0, 0, 0];
@@ -53,7 +54,7 @@ export class SurfaceRenderer {
 
   constructor(private readonly canvas: HTMLCanvasElement) {
     const gl = (this.gl = contextOf(canvas));
-    this.program = programOf(gl, kVertex, kFragment);
+    this.ready = programOf(gl, kVertex, kFragment).then((program) => void (this.program = program));
     this.buffers = [0, 1, 2, 3].map(() => gl.createBuffer());
     gl.bindVertexArray(gl.createVertexArray());
   }
@@ -84,7 +85,7 @@ export class SurfaceRenderer {
     gl.viewport(0, 0, this.canvas.width, this.canvas.height);
     gl.clearColor(back[0]!, back[1]!, back[2]!, 1);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-    if (this.count === 0) return;
+    if (this.count === 0 || !program) return;
     gl.enable(gl.DEPTH_TEST);
     gl.useProgram(program);
     const at = (name: string): WebGLUniformLocation | null => gl.getUniformLocation(program, name);
@@ -104,6 +105,6 @@ export class SurfaceRenderer {
 
   dispose(): void {
     for (const buffer of this.buffers) this.gl.deleteBuffer(buffer);
-    this.gl.deleteProgram(this.program);
+    if (this.program) this.gl.deleteProgram(this.program);
   }
 }

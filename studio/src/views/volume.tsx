@@ -1,9 +1,9 @@
-import { useSignalEffect } from "@preact/signals";
 import type { JSX } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { engine } from "../engine/engine.ts";
 import { Dropped } from "../engine/pool.ts";
-import { activeNoise, colorsOf, infoOf, state, time, timeOf } from "../store.ts";
+import { activeNoise, colorsOf, infoOf, state, timeOf } from "../store.ts";
+import { useChanges } from "./at_once.ts";
 import { Orbit } from "./orbit.ts";
 import { SceneCanvas, useScene } from "./scene.tsx";
 import { turned, type VolumeData, type VolumeLook, VolumeRenderer } from "./volume_renderer.ts";
@@ -80,12 +80,10 @@ export function VolumeView(): JSX.Element {
       if (!(error instanceof Dropped)) setTrouble((error as Error).message);
     }
   };
-  useSignalEffect(() => {
-    state.value.noises;
-    state.value.active;
-    state.value.ramp;
-    time.value;
-    infoOf(activeNoise());
+  useChanges(() => {
+    const noise = activeNoise();
+    return [noise.text, noise.grid, state.value.ramp, timeOf(noise), infoOf(noise) !== undefined];
+  }, () => {
     engine.pool.drop("volume");
     void make(++generation.current);
   });

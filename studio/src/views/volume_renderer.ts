@@ -141,13 +141,14 @@ function heated({ values, light, glow: [kelvin, share] }: VolumeData): Float32Ar
 
 export class VolumeRenderer {
   private readonly gl: WebGL2RenderingContext;
-  private readonly program: WebGLProgram;
+  private program: WebGLProgram | undefined;
+  readonly ready: Promise<void>; // to render
   private readonly textures: WebGLTexture[];
   private data: VolumeData | undefined;
 
   constructor(private readonly canvas: HTMLCanvasElement) {
     this.gl = contextOf(canvas);
-    this.program = programOf(this.gl, kVertex, kFragment);
+    this.ready = programOf(this.gl, kVertex, kFragment).then((program) => void (this.program = program));
     this.textures = [0, 1, 2].map(() => this.gl.createTexture());
     this.gl.bindVertexArray(this.gl.createVertexArray());
   }
@@ -177,7 +178,7 @@ export class VolumeRenderer {
 
   render(orbit: Orbit, cut: number): void {
     const { gl, data, program } = this;
-    if (!data) return;
+    if (!data || !program) return;
     gl.viewport(0, 0, this.canvas.width, this.canvas.height);
     gl.useProgram(program);
     const at = (name: string): WebGLUniformLocation | null => gl.getUniformLocation(program, name);
@@ -210,6 +211,6 @@ export class VolumeRenderer {
 
   dispose(): void {
     for (const texture of this.textures) this.gl.deleteTexture(texture);
-    this.gl.deleteProgram(this.program);
+    if (this.program) this.gl.deleteProgram(this.program);
   }
 }
