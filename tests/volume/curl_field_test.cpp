@@ -129,7 +129,7 @@ TEST(CurlField, IsTheReferencesCurlWhichHasNoDivergence) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       EXPECT_NEAR(found[static_cast<int>(axis)], expected[axis], 1e-5);
     }
-    // The kernels' second derivatives, which differences see, have a step at their radius.
+    // The kernels' third derivatives, which bound the error of differences, have a step at their radius.
     bool crosses = false;
     for (const auto& part : psi) {
       for (const auto& impulse : part.impulses) {
