@@ -7,10 +7,9 @@ import threading
 
 import addon_utils
 import bpy
-import numpy as np
 
 sys.path.insert(0, os.path.dirname(__file__))
-from drive import in_view, open_panel, open_redo_panel, press, tell, view
+from drive import in_view, open_panel, open_redo_panel, press, tell
 
 TEMPORARY = os.path.join(bpy.app.tempdir, "solidnoise")
 
@@ -32,36 +31,6 @@ def until_done(worker, most: float = 120, turn=lambda job: None):
         most -= 0.1
         assert most > 0, "the work does not end"
         yield 0.1
-
-
-def menu_of_presets():
-    """What the window shows about it as it is opened."""
-    x, y = 600, 400
-    view()[0].event_simulate("MOUSEMOVE", "NOTHING", x=x, y=y)
-    yield 0.5
-    with in_view():
-        bpy.ops.wm.call_menu(name="VIEW3D_MT_solidnoise_volume_add")
-    yield 1
-    path = os.path.join(bpy.app.tempdir, "menu.png")
-    with bpy.context.temp_override(window=view()[0]):
-        bpy.ops.screen.screenshot(filepath=path)
-    yield from press("ESC", x, y)
-    image = bpy.data.images.load(path)
-    width, height = image.size
-    shown = np.array(image.pixels).reshape(height, width, 4)[y - 200 : y + 200, x - 200 : x + 200]
-    bpy.data.images.remove(image)
-    return shown
-
-
-def the_menu_has_its_pictures_at_once(worker):
-    from solidnoise_blender import pictures
-    bpy.context.preferences.view.show_tooltips = False
-    shown = yield from menu_of_presets()
-    pictures.unregister()
-    pictures.register()
-    for picture in pictures._previews.values():
-        picture.icon_size[:]  # which reads it before it is drawn
-    assert np.ptp(shown) > 0.5 and np.array_equal(shown, (yield from menu_of_presets()))
 
 
 def long_work_goes_on_behind_the_window(worker):
@@ -195,7 +164,7 @@ def story():
     addon_utils.enable("solidnoise_blender", default_set=True)
     from solidnoise_blender import worker
     worker.PATIENCE = 0.0  # so that all work goes on behind the window
-    for part in (the_menu_has_its_pictures_at_once, long_work_goes_on_behind_the_window, undone_or_stopped_nothing_is_left_of_it, what_fails_later_is_told_and_leaves_nothing,
+    for part in (long_work_goes_on_behind_the_window, undone_or_stopped_nothing_is_left_of_it, what_fails_later_is_told_and_leaves_nothing,
                  a_bake_comes_when_it_is_ready_and_is_undone_in_a_step, escape_ends_a_sequence, panels_draw_themselves,
                  what_is_at_work_as_the_file_is_saved_arrives_beside_it):
         yield from part(worker)
