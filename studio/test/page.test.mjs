@@ -329,7 +329,7 @@ test("a body of marble has dark veins", async () => {
   await page.click("text=Gallery");
   await page.click('.start:has-text("marble") >> nth=0');
   await page.click('[role=tab]:text-is("Volume")');
-  await page.waitForFunction(() => globalThis.last?.dim === 64, null, kPatience);
+  await page.waitForFunction(() => globalThis.last?.dim === 128, null, kPatience);
   await page.waitForTimeout(1000);
   const greys = await page.evaluate(() => {
     const gl = document.querySelector(".volume canvas").getContext("webgl2");
