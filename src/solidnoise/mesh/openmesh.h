@@ -21,8 +21,8 @@
 // with points of float or double and colours of three or four bytes or floats. Vertices and faces stay as
 // they are; results are properties of the vertices, which are made where they are not there, and marked to be
 // stored. What is deleted but not yet collected is no part of the surface. Points of any type are read once,
-// into doubles, with the faces: curvature and noise are computed in double precision, and what is deleted is
-// left out. One mesh is one thread's at a time.
+// into doubles, with the faces: curvature and noise are computed in double precision. One mesh is one
+// thread's at a time.
 namespace solidnoise {
 
 template <typename Mesh>

@@ -42,20 +42,20 @@ GradientGrid<Dim>::GradientGrid(const GradientNoiseOptions& options, const std::
 }
 
 template <int Dim>
-KnownGradients<Dim> gradients_around(const GradientGrid<Dim>& field, const Box<Dim>& box) {
+KnownGradients<Dim> gradients_around(const GradientGrid<Dim>& grid, const Box<Dim>& box) {
   KnownGradients<Dim> known;
   double total = 1.0;
   for (int axis = 0; axis < Dim; ++axis) {
-    const CellAxis& cells = field.axis(axis);
-    const std::int64_t first = cells.locate(box.lower[axis]).cell - field.reach_cells() + 1;
-    const std::int64_t last = cells.locate(box.upper[axis]).cell + field.reach_cells();
+    const CellAxis& cells = grid.axis(axis);
+    const std::int64_t first = cells.locate(box.lower[axis]).cell - grid.reach_cells() + 1;
+    const std::int64_t last = cells.locate(box.upper[axis]).cell + grid.reach_cells();
     total *= static_cast<double>(last - first + 1);
     if (total > static_cast<double>(kMostKnownGradients)) return known;
     known.cells.first[axis] = first;
     known.cells.count[axis] = static_cast<int>(last - first + 1);
   }
   known.indices.resize(known.cells.size());
-  field.lattice().gradient_indices(known.cells, known.indices.data());
+  grid.lattice().gradient_indices(known.cells, known.indices.data());
   return known;
 }
 
@@ -75,13 +75,12 @@ namespace {
 template <int Dim>
 class PointSource {
  public:
-  PointSource(const GradientGrid<Dim>& field, Derivatives derivatives)
-      : field_(field), derivatives_(derivatives) {
-    const int rows = 2 * field.reach_cells();
+  PointSource(const GradientGrid<Dim>& grid, Derivatives derivatives)
+      : grid_(grid), derivatives_(derivatives) {
+    const int rows = 2 * grid.reach_cells();
     int stride = 1;
     for (int axis = Dim - 1; axis >= 0; --axis) {
-      cluster_.lattice.first[role(axis)] =
-          static_cast<float>(1 - field.reach_cells()) * field.cell_in_radii();
+      cluster_.lattice.first[role(axis)] = static_cast<float>(1 - grid.reach_cells()) * grid.cell_in_radii();
       cluster_.lattice.rows[role(axis)] = rows;
       cluster_.lattice.stride[role(axis)] = stride;
       around_.count[axis] = rows;
@@ -90,7 +89,7 @@ class PointSource {
     cluster_.lattice.gradient_index = indices_.data();
   }
 
-  const std::array<CellAxis, Dim>& axes() const { return field_.axes(); }
+  const std::array<CellAxis, Dim>& axes() const { return grid_.axes(); }
   std::size_t enter(std::span<const CellPoint<Dim>> group) {
     known_ = false;
     return group.size();
@@ -98,29 +97,29 @@ class PointSource {
   bool may_share(const CellPoint<Dim>& a, const CellPoint<Dim>& b) const { return a.cell == b.cell; }
 
   const ClusterSums& sum(std::span<const CellPoint<Dim>> points) {
-    const Index<Dim> first = points.front().cell - static_cast<std::int64_t>(field_.reach_cells() - 1);
+    const Index<Dim> first = points.front().cell - static_cast<std::int64_t>(grid_.reach_cells() - 1);
     if (!known_ || around_.first != first) {
       around_.first = first;
-      field_.lattice().gradient_indices(around_, indices_.data());
+      grid_.lattice().gradient_indices(around_, indices_.data());
       known_ = true;
     }
     cluster_.count = static_cast<int>(points.size());
     for (int axis = 0; axis < Dim; ++axis) {
       for (std::size_t i = 0; i < points.size(); ++i) {
         cluster_.coordinate[role(axis)][i] =
-            points[i].fraction[static_cast<std::size_t>(axis)] * field_.cell_in_radii();
+            points[i].fraction[static_cast<std::size_t>(axis)] * grid_.cell_in_radii();
       }
     }
-    sum_gradient_noise(field_.sum(), cluster_, derivatives_, sums_);
+    sum_gradient_noise(grid_.sum(), cluster_, derivatives_, sums_);
     return sums_;
   }
 
   int role(int axis) const { return gradient_role<Dim>(axis); }
   float amplitude() const { return 1.0f; }
-  float slope(int axis) const { return field_.derivative_factor(axis); }
+  float slope(int axis) const { return grid_.derivative_factor(axis); }
 
  private:
-  const GradientGrid<Dim>& field_;
+  const GradientGrid<Dim>& grid_;
   Derivatives derivatives_;
   CellBox<Dim> around_;  // the lattice points whose gradients are known
   bool known_ = false;
@@ -132,9 +131,9 @@ class PointSource {
 }  // namespace
 
 template <int Dim>
-void evaluate_gradient_noise(const GradientGrid<Dim>& field, const Points<Dim>& points,
+void evaluate_gradient_noise(const GradientGrid<Dim>& grid, const Points<Dim>& points,
                              const Samples<Dim>& samples) {
-  sum_by_cell(points, samples, PointSource<Dim>(field, derivatives_of(samples)));
+  sum_by_cell(points, samples, PointSource<Dim>(grid, derivatives_of(samples)));
 }
 
 template void evaluate_gradient_noise(const GradientGrid<1>&, const Points<1>&, const Samples<1>&);

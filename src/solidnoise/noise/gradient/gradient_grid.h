@@ -26,7 +26,7 @@ class GradientGrid {
 
   GradientGrid(const GradientNoiseOptions& options, const std::array<CellAxis, Dim>& axes,
                const Shape& shape);
-  GradientGrid(const GradientGrid&) = delete;  // sum() points into the field
+  GradientGrid(const GradientGrid&) = delete;  // sum() points into the grid
   GradientGrid& operator=(const GradientGrid&) = delete;
 
   const std::array<CellAxis, Dim>& axes() const { return axes_; }
@@ -58,15 +58,15 @@ struct KnownGradients {
 
 // Looks up the gradients around a box, unless they are too many to keep.
 template <int Dim>
-KnownGradients<Dim> gradients_around(const GradientGrid<Dim>& field, const Box<Dim>& box);
+KnownGradients<Dim> gradients_around(const GradientGrid<Dim>& grid, const Box<Dim>& box);
 
 // Evaluation: samples are located in the grid of cells, gathered into tiles or clusters for the vectorised
 // sums, and the results scattered. What is not known is looked up.
 template <int Dim>
-void evaluate_gradient_noise(const GradientGrid<Dim>& field, const KnownGradients<Dim>& known,
+void evaluate_gradient_noise(const GradientGrid<Dim>& grid, const KnownGradients<Dim>& known,
                              const Lattice<Dim>& lattice, const Samples<Dim>& samples);
 template <int Dim>
-void evaluate_gradient_noise(const GradientGrid<Dim>& field, const Points<Dim>& points,
+void evaluate_gradient_noise(const GradientGrid<Dim>& grid, const Points<Dim>& points,
                              const Samples<Dim>& samples);
 
 }  // namespace solidnoise

@@ -54,13 +54,13 @@ struct TileSpan {
 
 // Locates samples of an axis from `first`: as many as a tile takes, or fewer if they span too many cells.
 template <int Dim>
-TileAxis locate(const GradientGrid<Dim>& field, const Lattice<Dim>& lattice, int axis, int first) {
+TileAxis locate(const GradientGrid<Dim>& grid, const Lattice<Dim>& lattice, int axis, int first) {
   constexpr std::int64_t kQuanta = CellAxis::kQuantaPerCell;
-  const CellAxis& cells = field.axis(axis);
+  const CellAxis& cells = grid.axis(axis);
   const int role = gradient_role<Dim>(axis);
   const int wanted = std::min(samples_per_tile<Dim>(role), lattice.count[axis] - first);
-  const std::int64_t most = (2 * field.reach_cells() + 1) * kQuanta;
-  const float radii_per_quantum = field.cell_in_radii() / static_cast<float>(kQuanta);
+  const std::int64_t most = (2 * grid.reach_cells() + 1) * kQuanta;
+  const float radii_per_quantum = grid.cell_in_radii() / static_cast<float>(kQuanta);
 
   TileAxis located;
   located.base = cells.quanta(lattice.coordinate(axis, first)) >> CellAxis::kFractionBits;
@@ -73,7 +73,7 @@ TileAxis locate(const GradientGrid<Dim>& field, const Lattice<Dim>& lattice, int
         static_cast<float>(static_cast<std::int32_t>(position)) * radii_per_quantum;
     located.count = i + 1;
   }
-  located.rows = static_cast<int>(last >> CellAxis::kFractionBits) + 2 * field.reach_cells();
+  located.rows = static_cast<int>(last >> CellAxis::kFractionBits) + 2 * grid.reach_cells();
   for (int i = located.count; i < samples_per_tile<Dim>(role); ++i) {
     located.position[static_cast<std::size_t>(i)] =
         located.position[static_cast<std::size_t>(located.count - 1)];
@@ -83,7 +83,7 @@ TileAxis locate(const GradientGrid<Dim>& field, const Lattice<Dim>& lattice, int
 
 // Samples and rows of lattice points.
 template <int Dim>
-void place_samples(const GradientGrid<Dim>& field, const TileSpan<Dim>& span, GradientTile& tile) {
+void place_samples(const GradientGrid<Dim>& grid, const TileSpan<Dim>& span, GradientTile& tile) {
   constexpr int kFastRun = kFastLanes<Dim>;
   const float* fast = span.axes[axis_of_gradient_role<Dim>(kFast)].position.data();
   for (int group = 0; group < 2; ++group) {
@@ -109,25 +109,25 @@ void place_samples(const GradientGrid<Dim>& field, const TileSpan<Dim>& span, Gr
     const int role = gradient_role<Dim>(axis);
     const TileAxis& located = span.axes[static_cast<std::size_t>(axis)];
     if (located.count > samples_per_group<Dim>(role)) tile.groups[role] = 2;
-    tile.lattice.first[role] = static_cast<float>(1 - field.reach_cells()) * field.cell_in_radii();
+    tile.lattice.first[role] = static_cast<float>(1 - grid.reach_cells()) * grid.cell_in_radii();
     tile.lattice.rows[role] = located.rows;
   }
 }
 
 // Points the tile to its gradients: the known ones, or else `looked_up`.
 template <int Dim>
-void place_gradients(const GradientGrid<Dim>& field, const TileSpan<Dim>& span,
+void place_gradients(const GradientGrid<Dim>& grid, const TileSpan<Dim>& span,
                      const KnownGradients<Dim>& known, LookedUp<Dim>& looked_up, GradientTile& tile) {
   CellBox<Dim> cells;
   bool is_known = !known.indices.empty();
   for (int axis = 0; axis < Dim; ++axis) {
     const TileAxis& located = span.axes[static_cast<std::size_t>(axis)];
-    cells.first[axis] = located.base - field.reach_cells() + 1;
+    cells.first[axis] = located.base - grid.reach_cells() + 1;
     cells.count[axis] = located.rows;
     is_known = is_known && cells.first[axis] >= known.cells.first[axis] &&
                cells.first[axis] + cells.count[axis] <= known.cells.first[axis] + known.cells.count[axis];
   }
-  if (!is_known) field.lattice().gradient_indices(cells, looked_up.data());
+  if (!is_known) grid.lattice().gradient_indices(cells, looked_up.data());
 
   const CellBox<Dim>& stored = is_known ? known.cells : cells;
   const std::uint8_t* indices = is_known ? known.indices.data() : looked_up.data();
@@ -183,21 +183,21 @@ void scatter(const float* results, float factor, const Lattice<Dim>& lattice, co
 }
 
 template <int Dim>
-void evaluate_tile(const GradientGrid<Dim>& field, const Lattice<Dim>& lattice, const TileSpan<Dim>& span,
+void evaluate_tile(const GradientGrid<Dim>& grid, const Lattice<Dim>& lattice, const TileSpan<Dim>& span,
                    const KnownGradients<Dim>& known, const Samples<Dim>& samples) {
   GradientTile tile;
   LookedUp<Dim> looked_up;
-  place_samples(field, span, tile);
-  place_gradients(field, span, known, looked_up, tile);
+  place_samples(grid, span, tile);
+  place_gradients(grid, span, known, looked_up, tile);
 
   GradientTileSums results;
-  sum_gradient_noise(field.sum(), tile, derivatives_of(samples), results);
+  sum_gradient_noise(grid.sum(), tile, derivatives_of(samples), results);
 
   scatter(results.value, 1.0f, lattice, span, samples.values.data());
   if (!samples.wants_gradient()) return;
   for (int axis = 0; axis < Dim; ++axis) {
     const std::size_t a = static_cast<std::size_t>(axis);
-    scatter(results.gradient[gradient_role<Dim>(axis)], field.derivative_factor(axis), lattice, span,
+    scatter(results.gradient[gradient_role<Dim>(axis)], grid.derivative_factor(axis), lattice, span,
             samples.gradient[a].data());
   }
 }
@@ -205,19 +205,19 @@ void evaluate_tile(const GradientGrid<Dim>& field, const Lattice<Dim>& lattice, 
 }  // namespace
 
 template <int Dim>
-void evaluate_gradient_noise(const GradientGrid<Dim>& field, const KnownGradients<Dim>& known,
+void evaluate_gradient_noise(const GradientGrid<Dim>& grid, const KnownGradients<Dim>& known,
                              const Lattice<Dim>& lattice, const Samples<Dim>& samples) {
   require_room(samples, lattice.size());
   TileSpan<Dim> span;
   const auto locate_axis = [&](int axis) {
     const std::size_t a = static_cast<std::size_t>(axis);
-    span.axes[a] = locate(field, lattice, axis, span.first[a]);
+    span.axes[a] = locate(grid, lattice, axis, span.first[a]);
   };
 
   // Step through the tiles like an odometer, the last axis fastest; an axis is located when its tile changes.
   for (int axis = 0; axis < Dim; ++axis) locate_axis(axis);
   while (true) {
-    evaluate_tile(field, lattice, span, known, samples);
+    evaluate_tile(grid, lattice, span, known, samples);
     int axis = Dim - 1;
     for (; axis >= 0; --axis) {
       const std::size_t a = static_cast<std::size_t>(axis);

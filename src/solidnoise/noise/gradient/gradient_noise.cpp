@@ -57,15 +57,15 @@ CellAxis make_axis(const GradientNoiseOptions& options, double lattice_unit, int
 template <int Dim>
 class GradientBlock final : public FieldBlock<Dim> {
  public:
-  GradientBlock(std::shared_ptr<const GradientGrid<Dim>> field, const Box<Dim>& box)
-      : field_(std::move(field)), known_(gradients_around(*field_, box)) {}
+  GradientBlock(std::shared_ptr<const GradientGrid<Dim>> grid, const Box<Dim>& box)
+      : grid_(std::move(grid)), known_(gradients_around(*grid_, box)) {}
 
   void evaluate(const Lattice<Dim>& lattice, const Samples<Dim>& samples) const override {
-    evaluate_gradient_noise(*field_, known_, lattice, samples);
+    evaluate_gradient_noise(*grid_, known_, lattice, samples);
   }
 
  private:
-  std::shared_ptr<const GradientGrid<Dim>> field_;
+  std::shared_ptr<const GradientGrid<Dim>> grid_;
   KnownGradients<Dim> known_;
 };
 
@@ -84,17 +84,17 @@ GradientNoise<Dim>::GradientNoise(const GradientNoiseOptions& options)
   }
   const typename GradientGrid<Dim>::Shape shape{
       .c1 = kernel_.c1(), .c2 = kernel_.c2(), .amplitude = 1.0 / std::sqrt(kernel_.mean_variance())};
-  field_ = std::make_shared<const GradientGrid<Dim>>(options_, axes, shape);
+  grid_ = std::make_shared<const GradientGrid<Dim>>(options_, axes, shape);
 }
 
 template <int Dim>
 std::unique_ptr<FieldBlock<Dim>> GradientNoise<Dim>::block(const Box<Dim>& box) const {
-  return std::make_unique<GradientBlock<Dim>>(field_, box);
+  return std::make_unique<GradientBlock<Dim>>(grid_, box);
 }
 
 template <int Dim>
 void GradientNoise<Dim>::evaluate(const Points<Dim>& points, const Samples<Dim>& samples) const {
-  evaluate_gradient_noise(*field_, points, samples);
+  evaluate_gradient_noise(*grid_, points, samples);
 }
 
 template <int Dim>

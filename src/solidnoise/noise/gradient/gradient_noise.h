@@ -48,7 +48,7 @@ class GradientNoise final : public Noise<Dim> {
   GradientNoiseOptions options_;
   GradientKernel<Dim> kernel_;
   Vec<Dim> spacing_;
-  std::shared_ptr<const GradientGrid<Dim>> field_;
+  std::shared_ptr<const GradientGrid<Dim>> grid_;
 };
 
 extern template class GradientNoise<1>;
