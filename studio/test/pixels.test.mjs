@@ -63,16 +63,6 @@ test("the closed form of a spectrum is of the values in their range", () => {
   assert.equal(spectrum("unit", wide).length, 3);
 });
 
-test("what another seed does not change is kept, and so is what parts of a warp share", () => {
-  const ready = (seed) => {
-    const recipe = JSON.stringify({ solidnoise: 2, noise: { type: "gabor", frequency: 3.17, octaves: 4, seed }, layers: [{ warp: { amount: 0.1 } }] });
-    return library.ask({ do: "slice", recipe, plane: planes[0], draft: true, first: [0, 0], count: [1, 1] }).json.ready;
-  };
-  const first = ready(1);
-  const again = Math.min(...[2, 3, 4].map(ready));
-  assert.ok(again < 0.4 * first, `${again} ms after ${first} ms`);
-});
-
 test("the texture of a model with what is done to it is that of the model it becomes", () => {
   const side = 32;
   const bytes = Buffer.alloc(4 * side * side, 255);

@@ -162,7 +162,7 @@ export class SliceMaker {
 
   private async follow(request: SliceRequest): Promise<void> {
     const form = formOf(request.noise);
-    if (form !== this.form) Object.assign(this, { side: kSmallest, parts: 1 });
+    if (form !== this.form) [this.side, this.parts] = [kSmallest, 1];
     this.form = form;
     this.shown = this.side;
     this.began = performance.now();

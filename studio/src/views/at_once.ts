@@ -8,13 +8,17 @@ export function useEffectAtOnce(callback: () => void): void {
   useEffect(() => effect(() => latest.current()), []);
 }
 
+// Whether one of the parts is another than when this was asked last.
+export function areOthers(parts: unknown[], last: { current: unknown[] }): boolean {
+  if (parts.every((part, i) => part === last.current[i])) return false;
+  last.current = parts;
+  return true;
+}
+
 // Acts where one of the `parts` has become another, whatever else has.
 export function useChanges(parts: () => unknown[], act: () => void): void {
   const last = useRef<unknown[]>([]);
   useEffectAtOnce(() => {
-    const now = parts();
-    if (now.every((part, i) => part === last.current[i])) return;
-    last.current = now;
-    untracked(act);
+    if (areOthers(parts(), last)) untracked(act);
   });
 }

@@ -3,7 +3,7 @@ import { useEffect, useRef, useState } from "preact/hooks";
 import { drawSlice, rangeOf, SliceMaker, type SlicePicture } from "../engine/slice.ts";
 import { engine } from "../engine/engine.ts";
 import { commit, pixels, type Plane, state, time, timeOf, type Vector } from "../store.ts";
-import { useEffectAtOnce } from "./at_once.ts";
+import { areOthers, useEffectAtOnce } from "./at_once.ts";
 import { Fingers } from "./fingers.ts";
 import { paint } from "./paint.ts";
 
@@ -60,9 +60,7 @@ export function SliceView({ index }: { index: number }): JSX.Element {
     const element = canvas.current;
     const picture = last.current;
     if (!element || !picture) return;
-    const what = [picture, state.value.plane, state.value.ramp, element.width, element.height];
-    if (what.every((part, i) => part === drawn.current[i])) return;
-    drawn.current = what;
+    if (!areOthers([picture, state.value.plane, state.value.ramp, element.width, element.height], drawn)) return;
     const context = paint(element);
     const store = inColors(picture);
     context.imageSmoothingEnabled = true;
@@ -106,9 +104,7 @@ export function SliceView({ index }: { index: number }): JSX.Element {
   const want = (): void => {
     const noise = state.value.noises[index];
     if (!noise?.text || size[0] < 8 || size[1] < 8) return;
-    const what = [noise.text, noise.grid, state.value.plane, timeOf(noise), ...size];
-    if (what.every((part, i) => part === asked.current[i])) return;
-    asked.current = what;
+    if (!areOthers([noise.text, noise.grid, state.value.plane, timeOf(noise), ...size], asked)) return;
     maker.current?.want({ noise, plane: state.value.plane, time: timeOf(noise), columns: size[0], rows: size[1] });
   };
   useEffectAtOnce(() => {
