@@ -145,11 +145,25 @@ double kept_share(const VolumeRecipe& recipe, const VolumePlan& plan) {
   return kept / all;
 }
 
+namespace {
+
+// Of the leaves that instances may reach, each counted once: their share of the sum of each instance's.
+double distinct_share(const SkyPlan& plan) {
+  const GridFrame leaves(8.0 * plan.recipe.voxel);
+  double sum = 0.0;
+  for (const SkyInstance& instance : plan.instances)
+    sum += static_cast<double>(leaves.voxels_in(bounds_of(plan, instance)).volume());
+  const Topology all = voxels_of(plan, leaves, std::nullopt);
+  return static_cast<double>(all.mask->activeVoxelCount()) / sum;
+}
+
+}  // namespace
+
 Cost placing_cost(const SkyPlan& plan, const std::vector<double>& kept) {
   constexpr double kSecondsPerVoxel = 100e-9;  // of an instance's bounds; measured with the preset
   constexpr double kTopologyShare = 1.0 / 12;  // of what a leaf takes: its mask, and its place in lists
   constexpr double kWriting = 1.08;            // what compresses the grid
-  constexpr double kGaps = 24.0 * 0x1p20;      // that clouds leave in memory which are made one by one
+  constexpr double kGaps = 30.0 * 0x1p20;      // that clouds leave in memory which are made one by one
   const auto bytes_of = [](const openvdb::CoordBBox& voxels) {
     return static_cast<double>(estimate_memory(voxels));
   };
@@ -158,11 +172,12 @@ Cost placing_cost(const SkyPlan& plan, const std::vector<double>& kept) {
   for (std::size_t i = 0; i < plan.clouds.size(); ++i)
     cost.bytes += kept[i] * bytes_of(GridFrame(*plan.clouds[i].recipe.voxel).voxels_in(cloud.box));
   const GridFrame frame(plan.recipe.voxel);
+  const double distinct = distinct_share(plan);
   for (const SkyInstance& instance : plan.instances) {
     const openvdb::CoordBBox voxels = frame.voxels_in(bounds_of(plan, instance));
     const GridFrame scaled(*plan.clouds[instance.cloud].recipe.voxel / instance.scale);
-    cost.bytes += kTopologyShare * bytes_of(voxels) +
-                  kWriting * kept[instance.cloud] * bytes_of(scaled.voxels_in(cloud.box));
+    cost.bytes += distinct * (kTopologyShare * bytes_of(voxels) +
+                              kWriting * kept[instance.cloud] * bytes_of(scaled.voxels_in(cloud.box)));
     cost.seconds += kSecondsPerVoxel * voxels.dim().x() * voxels.dim().y() * voxels.dim().z();
   }
   return cost;
