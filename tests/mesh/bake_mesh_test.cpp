@@ -1,7 +1,10 @@
 #include "solidnoise/mesh/bake_mesh.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -310,6 +313,33 @@ TEST(BakeMesh, HasTheRecipesPropertiesAndIsDisplacedByTheHeight) {
     EXPECT_EQ(number("wear"), plan.guides.steering.weights[i]);
     const Vec<3> moved = plan.mesh.positions[i] + 0.125 * number("height") * plan.guides.normals[i];
     EXPECT_LT(glm::length(baked.mesh.positions[i] - moved), 1e-6);
+  }
+}
+
+// Asked often, and between all steps: at whichever it is told to, it stops.
+TEST(BakeMesh, PlansStopWhereTheyAreAskedTo) {
+  class StopAt final : public Progress {
+   public:
+    explicit StopAt(int last) : last_(last) {}
+    void advance(std::uint64_t, std::uint64_t) override {}
+    bool cancelled() override { return asked_++ >= last_; }
+    int asked() const { return asked_; }
+
+   private:
+    int last_;
+    std::atomic<int> asked_{0};
+  };
+  BakeRecipe recipe;
+  recipe.noise.kind = SurfaceNoiseKind::oriented;
+  recipe.smooth_radius = 1.0;
+  recipe.frequency = {4.0, 8.0};
+  recipe.refine = {.mode = RefineRecipe::Mode::rounds, .rounds = 2};
+  StopAt never(std::numeric_limits<int>::max());
+  plan_bake(test_mesh(), recipe, &never);
+  EXPECT_GT(never.asked(), 15);
+  for (int last = 0; last < never.asked(); ++last) {
+    StopAt stop(last);
+    EXPECT_THROW(plan_bake(test_mesh(), recipe, &stop), Cancelled) << last;
   }
 }
 

@@ -179,14 +179,17 @@ void write_recipe(const BakeOptions& options, OutputGroup* group) {
                   {.existing = options.existing(), .group = group});
 }
 
-// Within --max-memory.
+// Within --max-memory, until it is interrupted.
 BakePlan plan_within_memory(PolygonMesh mesh, const BakeOptions& options) {
+  TaskProgress progress(TaskProgress::Visibility::hidden);
   const std::uint64_t limit = options.memory_limit();
-  if (limit == 0) return plan_bake(std::move(mesh), options.recipe);
+  if (limit == 0) return plan_bake(std::move(mesh), options.recipe, &progress);
   const auto most = static_cast<double>(limit);
   const double memory = options.preview.empty() ? most : std::max(most - kImageMemory, 0.0) / kPreviewMemory;
   try {
-    return plan_bake(std::move(mesh), options.recipe, static_cast<std::uint64_t>(memory));
+    return plan_bake(std::move(mesh), options.recipe, &progress, static_cast<std::uint64_t>(memory));
+  } catch (const Cancelled&) {
+    throw;
   } catch (const std::runtime_error& error) {
     const std::string of_preview = options.preview.empty()
                                        ? ""

@@ -13,6 +13,7 @@
 
 #include "common/frames.h"
 #include "common/outputs.h"
+#include "common/progress.h"
 #include "common/run_tool.h"
 #include "solidnoise/core/extension.h"
 #include "solidnoise/core/named_error.h"
@@ -123,7 +124,8 @@ TextureJob plan_texture_job(const std::string& in, const MeshReading& reading, c
   const std::vector<Vec<2>> corners = corner_coordinates(reading, in);
   BakeRecipe recipe = options.recipe;
   recipe.refine.mode = RefineRecipe::Mode::off;
-  BakePlan bake = plan_bake(reading.mesh, recipe);
+  TaskProgress progress(TaskProgress::Visibility::hidden);
+  BakePlan bake = plan_bake(reading.mesh, recipe, &progress);
   TextureJob job;
   job.maps = maps_of(options);
   const bool has_tiles = options.uv.find(kUdim) != std::string::npos;

@@ -222,20 +222,21 @@ double stretch_within(const PolygonMesh& mesh, const std::vector<double>& target
 
 // `targets`: edges_that_show().
 RefinedMesh refine_mesh(const PolygonMesh& mesh, const RefineRecipe& recipe, std::vector<double> targets,
-                        std::uint64_t most_memory) {
+                        std::uint64_t most_memory, Progress* progress) {
   const RefineOptions options =
       limited({.method = recipe.method, .placement = recipe.placement}, most_memory);
-  if (recipe.mode == RefineRecipe::Mode::rounds) return subdivide(mesh, recipe.rounds, options);
+  if (recipe.mode == RefineRecipe::Mode::rounds) return subdivide(mesh, recipe.rounds, options, progress);
   const std::uint64_t budget =
       recipe.budget > 0 ? recipe.budget : default_vertex_budget(mesh.positions.size());
   const double stretch = stretch_within(mesh, targets, budget, options);
   for (double& target : targets) target *= stretch;
-  return refine(mesh, targets, options);
+  return refine(mesh, targets, options, progress);
 }
 
 }  // namespace
 
-BakePlan plan_bake(PolygonMesh mesh, const BakeRecipe& recipe, std::uint64_t most_memory) {
+BakePlan plan_bake(PolygonMesh mesh, const BakeRecipe& recipe, Progress* progress,
+                   std::uint64_t most_memory) {
   recipe.validate();
   require_memory(mesh, most_memory);
   BakePlan plan;
@@ -246,7 +247,7 @@ BakePlan plan_bake(PolygonMesh mesh, const BakeRecipe& recipe, std::uint64_t mos
   {
     const SurfaceMesh surface(mesh);
     plan.mean_edge = surface.mean_edge_length();
-    plan.guides = measure_guides(mesh, surface, recipe, frequency);
+    plan.guides = measure_guides(mesh, surface, recipe, frequency, progress);
   }
   // The band is in proportion to the frequency.
   const double highest = surface_band(recipe.noise, 1.0, recipe.bandwidth.from).upper;
@@ -258,7 +259,7 @@ BakePlan plan_bake(PolygonMesh mesh, const BakeRecipe& recipe, std::uint64_t mos
     plan.vertices_to_show = refined_vertices(mesh, targets, {}, kMostCounted);
   }
   if (recipe.refine.mode != RefineRecipe::Mode::off) {
-    RefinedMesh refined = refine_mesh(mesh, recipe.refine, std::move(targets), most_memory);
+    RefinedMesh refined = refine_mesh(mesh, recipe.refine, std::move(targets), most_memory, progress);
     plan.guides = carry(refined, std::move(plan.guides));
     mesh = std::move(refined.mesh);
     plan.mean_edge = SurfaceMesh(mesh).mean_edge_length();

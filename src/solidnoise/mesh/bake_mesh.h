@@ -40,8 +40,8 @@ struct BakePlan {
 
 // Measures, refines and steers. Throws std::invalid_argument: recipe.validate(), a mesh whose positions are
 // not finite, an attribute that is not there, refining beyond what takes `most_memory` bytes (bake_memory());
-// std::runtime_error for a mesh that takes more by itself.
-BakePlan plan_bake(PolygonMesh mesh, const BakeRecipe& recipe,
+// std::runtime_error for a mesh that takes more by itself; Cancelled.
+BakePlan plan_bake(PolygonMesh mesh, const BakeRecipe& recipe, Progress* progress = nullptr,
                    std::uint64_t most_memory = std::numeric_limits<std::uint64_t>::max());
 
 // A mesh with its noise.

@@ -80,7 +80,7 @@ Curvature measure_curvature(const SurfaceMesh& surface, const CurvatureOptions& 
       rounds.advance(static_cast<std::uint64_t>(round) + 1, static_cast<std::uint64_t>(options.rounds));
     }
     throw_if_cancelled(progress);
-    smoothing.diffuse(shapes, options.radius);
+    smoothing.diffuse(shapes, options.radius, progress);
   }
 
   const std::size_t count = surface.vertex_count();

@@ -12,6 +12,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 
+#include "solidnoise/core/progress.h"
 #include "solidnoise/mesh/smoothing_level.h"
 #include "solidnoise/mesh/tangent_frames.h"
 
@@ -121,8 +122,9 @@ class HeatSolver {
   }
 
   // Replaces x by the solution y of A y = M x, to 1e-4 of x: in the norm of A, for which the preconditioned
-  // residual stands, and so in the root mean square over the surface.
-  void step(std::vector<Value>& x) {
+  // residual stands, and so in the root mean square over the surface. Throws Cancelled where `progress`, which
+  // may be null, asks for it.
+  void step(std::vector<Value>& x, Progress* progress) {
     const HeatMatrix<Value>& matrix = levels_.front().matrix;
     const std::size_t count = matrix.size();
     const auto each = [count](const auto& body) { tbb::parallel_for(std::size_t{0}, count, body); };
@@ -141,6 +143,7 @@ class HeatSolver {
     };
     double norm = error();
     for (int iteration = 0; iteration < kMostIterations && norm > wanted; ++iteration) {
+      throw_if_cancelled(progress);
       each([&](std::size_t i) { image[i] = matrix.row(direction, i); });
       const double length = norm / sum([&](std::size_t i) { return product(direction[i], image[i]); });
       each([&](std::size_t i) {

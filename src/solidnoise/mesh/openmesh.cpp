@@ -9,7 +9,7 @@ BakedMesh bake_in_place(PolygonMesh mesh, const BakeRecipe& recipe, const std::v
         "refine is on; a mesh that is baked in place keeps its vertices: refine it before, by a subdivider");
   }
   require_keepable(keep, recipe);
-  return bake(plan_bake(std::move(mesh), recipe), recipe, keep, progress);
+  return bake(plan_bake(std::move(mesh), recipe, progress), recipe, keep, progress);
 }
 
 }  // namespace solidnoise

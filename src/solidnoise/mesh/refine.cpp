@@ -38,8 +38,9 @@ void require_faces(double count, const RefineOptions& options) {
 
 class Refiner {
  public:
-  Refiner(const PolygonMesh& mesh, std::vector<double> targets, const RefineOptions& options)
-      : mesh_(mesh), options_(options), targets_(std::move(targets)), result_(mesh) {
+  Refiner(const PolygonMesh& mesh, std::vector<double> targets, const RefineOptions& options,
+          Progress* progress)
+      : mesh_(mesh), options_(options), progress_(progress), targets_(std::move(targets)), result_(mesh) {
     require_at_least("most_vertices", static_cast<double>(options.most_vertices), 1.0);
     const SurfaceMesh surface(mesh);
     normals_ = surface.to_vertices(surface.normals());
@@ -92,6 +93,7 @@ class Refiner {
   // One round. Returns whether there was an edge to split.
   template <typename Predicate>
   bool split(const Predicate& to_split) {
+    throw_if_cancelled(progress_);
     // The edges to split, by their vertices, from each triangle that has them.
     struct Edge {
       std::uint64_t vertices;  // the smaller one in the upper half
@@ -192,6 +194,7 @@ class Refiner {
 
   const PolygonMesh& mesh_;
   const RefineOptions& options_;
+  Progress* progress_;
   std::vector<double> targets_;  // of the result's vertices
   std::vector<Vec<3>> normals_;  // of the result's vertices, the surface's
   PolygonMesh
@@ -272,11 +275,12 @@ void require_vertices(std::size_t count, const RefineOptions& options) {
                   options.most_vertices));
 }
 
-RefinedMesh refine(const PolygonMesh& mesh, std::span<const double> target, const RefineOptions& options) {
+RefinedMesh refine(const PolygonMesh& mesh, std::span<const double> target, const RefineOptions& options,
+                   Progress* progress) {
   std::vector<double> targets = targets_of(mesh, target);
   require_faces(refined_faces(mesh, targets, options, static_cast<double>(options.most_faces)), options);
   if (options.method != RefineOptions::Method::own) return refine_by_openmesh(mesh, targets, options);
-  return Refiner(mesh, std::move(targets), options).split_long_edges();
+  return Refiner(mesh, std::move(targets), options, progress).split_long_edges();
 }
 
 double refined_vertices(const PolygonMesh& mesh, std::span<const double> target, const RefineOptions& options,
@@ -288,14 +292,14 @@ double refined_vertices(const PolygonMesh& mesh, std::span<const double> target,
   return vertices + 0.5 * (refined_faces(mesh, targets_of(mesh, target), options, most_faces) - faces);
 }
 
-RefinedMesh subdivide(const PolygonMesh& mesh, int rounds, const RefineOptions& options) {
+RefinedMesh subdivide(const PolygonMesh& mesh, int rounds, const RefineOptions& options, Progress* progress) {
   require_in_range("the rounds of refining", rounds, 0, 16);
   if (options.method != RefineOptions::Method::longest_edge) {
     const double parts = options.method == RefineOptions::Method::sqrt3 ? 3.0 : 4.0;
     require_faces(static_cast<double>(triangulate(mesh).size()) * std::pow(parts, rounds), options);
   }
   if (options.method != RefineOptions::Method::own) return subdivide_by_openmesh(mesh, rounds, options);
-  return Refiner(mesh, std::vector<double>(mesh.positions.size(), 1.0), options).halve_edges(rounds);
+  return Refiner(mesh, std::vector<double>(mesh.positions.size(), 1.0), options, progress).halve_edges(rounds);
 }
 
 }  // namespace solidnoise

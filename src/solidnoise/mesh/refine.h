@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "solidnoise/core/progress.h"
 #include "solidnoise/core/vec.h"
 #include "solidnoise/geometry/polygon_mesh.h"
 
@@ -90,9 +91,9 @@ struct RefinedMesh {
 // Throws std::invalid_argument: a target that is not positive, naming the vertex; a number of targets that is
 // neither 1 nor that of the vertices; more faces than allowed, which are counted before any work; more
 // vertices than allowed; what SurfaceMesh throws; a mesh that is no manifold of triangles, naming the face,
-// where OpenMesh's methods need one.
+// where OpenMesh's methods need one. Cancelled, between the rounds of our own method.
 RefinedMesh refine(const PolygonMesh& mesh, std::span<const double> target,
-                   const RefineOptions& options = {});
+                   const RefineOptions& options = {}, Progress* progress = nullptr);
 
 // About how many vertices refine() makes, without making any: exact for our own method on closed surfaces
 // whose new vertices lie on the edges. Counting ends at `most`, and more is said as infinity. Throws what
@@ -102,7 +103,8 @@ double refined_vertices(const PolygonMesh& mesh, std::span<const double> target,
 
 // Halves every edge, `rounds` times (0 to 16): each triangle becomes 4^rounds, by `sqrt3` 3^rounds; by
 // `longest_edge` edges are split that are longer than the longest over 2^rounds. The rest is as for refine().
-RefinedMesh subdivide(const PolygonMesh& mesh, int rounds, const RefineOptions& options = {});
+RefinedMesh subdivide(const PolygonMesh& mesh, int rounds, const RefineOptions& options = {},
+                      Progress* progress = nullptr);
 
 // refine() and subdivide() by OpenMesh's subdividers, of a method that is not our own. `targets` has a length
 // for every vertex. OpenMesh's adaptive subdividers are left aside: they know no lengths of edges, only faces

@@ -41,7 +41,7 @@ void SurfaceSmoothing::average(std::vector<Line>& lines, const std::vector<doubl
 }
 
 template <typename Value>
-void SurfaceSmoothing::spread(std::vector<Value>& values, double radius) {
+void SurfaceSmoothing::spread(std::vector<Value>& values, double radius, Progress* progress) {
   require_at_least("the smoothing radius", radius, 0.0, "world units");
   if (radius == 0.0) return;
   // Over so few edges a level needs no coarser one.
@@ -49,20 +49,21 @@ void SurfaceSmoothing::spread(std::vector<Value>& values, double radius) {
   std::size_t depth = 0;
   for (const SmoothingLevel* level = &points_;
        level->mean_edge > 0.0 && radius > kFewEdges * level->mean_edge; level = &coarser_[depth++].level) {
+    throw_if_cancelled(progress);
     if (coarser_.size() == depth) coarser_.push_back(make_coarser(*level));
   }
   // In the plane the mean square of the way is 4 t; in one implicit step of time t as well.
   constexpr int kSteps = 2;
   HeatSolver<Value> solver(points_, std::span(coarser_).first(depth), 0.25 * radius * radius / kSteps);
-  for (int i = 0; i < kSteps; ++i) solver.step(values);
+  for (int i = 0; i < kSteps; ++i) solver.step(values, progress);
 }
 
-void SurfaceSmoothing::diffuse(std::vector<ShapeOperator>& shapes, double radius) {
-  spread(shapes, radius);
+void SurfaceSmoothing::diffuse(std::vector<ShapeOperator>& shapes, double radius, Progress* progress) {
+  spread(shapes, radius, progress);
 }
 
-void SurfaceSmoothing::diffuse(std::vector<Vec<3>>& vectors, double radius) {
-  spread(vectors, radius);
+void SurfaceSmoothing::diffuse(std::vector<Vec<3>>& vectors, double radius, Progress* progress) {
+  spread(vectors, radius, progress);
 }
 
 }  // namespace solidnoise

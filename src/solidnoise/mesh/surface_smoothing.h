@@ -3,6 +3,7 @@
 #include <complex>
 #include <vector>
 
+#include "solidnoise/core/progress.h"
 #include "solidnoise/mesh/smoothing_level.h"
 #include "solidnoise/mesh/surface_mesh.h"
 #include "solidnoise/mesh/tangent_frames.h"
@@ -24,13 +25,14 @@ class SurfaceSmoothing {
   // surface): on a plane, the convolution with a bell of that radius, however fine the mesh. Two implicit
   // steps of the heat equation, each to 1e-4 of the values' root mean square, in a time that does not grow
   // with the radius (HeatSolver). No value leaves the range of the others by more than that. Throws
-  // std::invalid_argument if the radius is not at least 0.
-  void diffuse(std::vector<ShapeOperator>& shapes, double radius);
-  void diffuse(std::vector<Vec<3>>& vectors, double radius);  // of space: they are not carried
+  // std::invalid_argument if the radius is not at least 0; Cancelled.
+  void diffuse(std::vector<ShapeOperator>& shapes, double radius, Progress* progress = nullptr);
+  // Of space: they are not carried.
+  void diffuse(std::vector<Vec<3>>& vectors, double radius, Progress* progress = nullptr);
 
  private:
   template <typename Value>
-  void spread(std::vector<Value>& values, double radius);
+  void spread(std::vector<Value>& values, double radius, Progress* progress);
 
   SmoothingLevel points_;
   std::vector<CoarserLevel> coarser_;  // made when first needed

@@ -198,10 +198,10 @@ std::vector<Vec<3>> normals_of(const PolygonMesh& mesh, const SurfaceMesh& surfa
 }
 
 // Where opposite normals meet there is no plane between them, and the surface's own normal stays.
-std::vector<Vec<3>> smooth_normals(const SurfaceMesh& surface, double radius) {
+std::vector<Vec<3>> smooth_normals(const SurfaceMesh& surface, double radius, Progress* progress) {
   constexpr double kShortest = 1e-3;
   std::vector<Vec<3>> smooth = surface.normals();
-  SurfaceSmoothing(surface).diffuse(smooth, radius);
+  SurfaceSmoothing(surface).diffuse(smooth, radius, progress);
   for (std::size_t p = 0; p < smooth.size(); ++p) {
     const double length = glm::length(smooth[p]);
     smooth[p] = length > kShortest ? smooth[p] / length : surface.normals()[p];
@@ -244,22 +244,24 @@ std::vector<double> steering_numbers(const PolygonMesh& mesh, const Curvature& c
 }
 
 VertexGuides measure_guides(const PolygonMesh& mesh, const SurfaceMesh& surface, const BakeRecipe& recipe,
-                            const ParameterRange& frequency) {
+                            const ParameterRange& frequency, Progress* progress) {
+  PartialProgress stop(progress, 0.0, 0.0);  // how far it is nobody can tell
   VertexGuides guides;
   const double radius = smoothing_radius(recipe, frequency);
   guides.normals = normals_of(mesh, surface);
   if (radius > 0.0 && has_plane(recipe.noise) && !surface.triangles().empty())
-    guides.smooth_normals = smooth_normals(surface, radius);
+    guides.smooth_normals = smooth_normals(surface, radius, &stop);
   const bool oriented = has_direction(recipe.noise);
   const bool steered_by_curvature = recipe.steers() && recipe.by.source != SteeringSource::attribute &&
                                     recipe.by.source != SteeringSource::height;
   const bool directed_by_curvature = oriented && recipe.direction.source != DirectionRecipe::Source::axis;
   Curvature curvature;
   if (steered_by_curvature || directed_by_curvature) {
-    curvature = measure_curvature(surface, {.rounds = recipe.smooth, .radius = radius});
+    curvature = measure_curvature(surface, {.rounds = recipe.smooth, .radius = radius}, &stop);
   }
   if (oriented) guides.directions = make_directions(surface, guides.planes(), curvature, recipe);
   if (recipe.noise.kind == SurfaceNoiseKind::spectrum) turn_upright(guides.planes(), guides.directions);
+  throw_if_cancelled(progress);
   if (recipe.steers()) {
     guides.numbers = steering_numbers(mesh, curvature, recipe.by, recipe.up);
     guides.steering = make_weights(guides.numbers, recipe.by, vertex_areas(surface));

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "solidnoise/core/progress.h"
 #include "solidnoise/core/vec.h"
 #include "solidnoise/geometry/polygon_mesh.h"
 #include "solidnoise/mesh/bake_noise.h"
@@ -49,9 +50,9 @@ struct VertexGuides {
 };
 
 // Measures the mesh, for a noise of these frequencies. Throws std::invalid_argument: an attribute that the
-// vertices do not have (the message names those they have).
+// vertices do not have (the message names those they have); Cancelled.
 VertexGuides measure_guides(const PolygonMesh& mesh, const SurfaceMesh& surface, const BakeRecipe& recipe,
-                            const ParameterRange& frequency);
+                            const ParameterRange& frequency, Progress* progress);
 
 // Each vertex's share of the surface, world units squared: vertices at one point share its area.
 std::vector<double> vertex_areas(const SurfaceMesh& surface);
