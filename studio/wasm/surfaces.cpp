@@ -42,7 +42,7 @@ Answer bake_mesh(const Json& question, std::span<const unsigned char>) {
   BakeRecipe recipe = read_bake_recipe(question.at("recipe"));
   if (question.contains("time")) recipe.noise.time = question.at("time");
   constexpr std::uint64_t kMostMemory = std::uint64_t{1} << 30;
-  const BakePlan plan = plan_bake(loaded, recipe, kMostMemory);
+  const BakePlan plan = plan_bake(loaded, recipe, nullptr, kMostMemory);
   const BakedMesh baked = bake(plan, recipe);
   Answer answer{Json{{"mean", baked.moments.mean()},
                      {"sigma", baked.moments.sigma()},
