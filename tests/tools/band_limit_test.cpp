@@ -123,5 +123,29 @@ TEST(VdbnoiseBandLimit, TheRecipeIsKeptAndTheVarianceDescribed) {
   EXPECT_EQ(json.at("recipe").at("band_limit"), true);
 }
 
+// A fold that folds nothing makes no layer, which band limits do not go with.
+TEST(VdbnoiseBandLimit, GoesWithAFoldThatFoldsNothing) {
+  const TemporaryFolder folder;
+  const ToolResult result =
+      run_vdbnoise({"--raw", "--dim", "12", "--fold", "none", "--band-limit", "--quiet", "--out", "x.vdb"},
+                   {.folder = folder.path()});
+  EXPECT_EQ(result.status, 0) << result.err;
+}
+
+TEST(VdbnoiseValues, ThatAreAllTheSameAreWarnedOf) {
+  const TemporaryFolder folder;
+  const auto warns = [&](const std::vector<std::string>& flags) {
+    std::vector<std::string> arguments{"--raw", "--dim", "12", "--force", "--out", "x.vdb"};
+    arguments.insert(arguments.end(), flags.begin(), flags.end());
+    const ToolResult result = run_vdbnoise(arguments, {.folder = folder.path()});
+    EXPECT_EQ(result.status, 0) << result.err;
+    return result.err.find("warning: all voxels have the same value") != std::string::npos;
+  };
+  EXPECT_TRUE(warns({"--impulses", "0.001"}));
+  EXPECT_TRUE(warns({"--frequency", "1e-12"}));
+  EXPECT_FALSE(warns({}));
+  EXPECT_FALSE(warns({"--frequency", "1e-12", "--quiet"}));
+}
+
 }  // namespace
 }  // namespace solidnoise::band_limit_test

@@ -271,6 +271,16 @@ TEST(Vdbnoise, DescribesWhatAPartTakes) {
   }
 }
 
+// The impulses between voxels that are many waves apart take no time.
+TEST(Vdbnoise, DescribesVoxelsFarApartByTheImpulsesAroundThem) {
+  const auto seconds = [](const std::string& side) {
+    const ToolResult described =
+        run_vdbnoise({"--describe", "--raw", "--box", "0", "0", "0", side, side, side, "--dim", "32"});
+    return parse_json(described.out)["cost"]["seconds_of_one_core"].get<double>();
+  };
+  EXPECT_LT(seconds("1000"), 1.5 * seconds("40"));
+}
+
 TEST(Vdbnoise, ShapesStandOnTheUpAxis) {
   const auto box_of = [](const std::vector<std::string>& flags) {
     std::vector<std::string> arguments{"--describe", "--dim", "16"};

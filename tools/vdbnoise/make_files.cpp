@@ -202,6 +202,10 @@ void make_volume_files(const MakeOptions& options, UsdScene* scene) {
   if (options.recipe.band_limit && is_zero(volume) && !options.quiet) {
     std::cerr << "vdbnoise: warning: --band-limit leaves nothing of the noise, all of whose frequencies are "
                  "above what the voxels hold; make --frequency lower or --voxel smaller\n";
+  } else if (!options.recipe.modification && is_constant(volume) && options.part.whole() && !options.quiet) {
+    std::cerr
+        << "vdbnoise: warning: all voxels have the same value: the noise's waves are far longer than the "
+           "volume, or its impulses too rare to reach it; make --frequency or --impulses higher\n";
   }
   if (!options.quiet) print_statistics(volume, options.out.empty() ? options.preview : options.out);
 }

@@ -101,7 +101,9 @@ void set_warp(VolumeRecipe& recipe, const std::vector<double>& numbers) {
 
 void declare_layer_flags(FlagSet& flags, VolumeRecipe& recipe) {
   static const Layer kLayer{};
-  declare_field(flags, kLayer, "fold", [&](Layer::Fold fold) { layer_of(recipe, "--fold").fold = fold; });
+  declare_field(flags, kLayer, "fold", [&](Layer::Fold fold) {
+    if (fold != Layer::Fold::none || !recipe.layers.empty()) layer_of(recipe, "--fold").fold = fold;
+  });
   declare_field(flags, kLayer, "histogram",
                 [&](Layer::Histogram histogram) { layer_of(recipe, "--histogram").histogram = histogram; });
   flags.numbers("--warp", "UNITS [FREQUENCY]",

@@ -10,6 +10,7 @@
 
 #include "common/noise_flags.h"
 #include "common/outputs.h"
+#include "solidnoise/core/printable.h"
 #include "solidnoise/noise/evolution.h"
 #include "solidnoise/noise/interpolation/lattice_frame.h"
 #include "solidnoise/volume/volume_field.h"
@@ -82,9 +83,9 @@ namespace {
 void print_statistics(const MeasuredGrid& measured, const std::string& where) {
   const openvdb::Vec3d size = measured.grid->voxelSize();
   const openvdb::Coord dim = measured.grid->evalActiveVoxelDim();
-  std::cerr << fmt::format("{}: grid {}, {} active voxels in {} x {} x {}, voxel size {:.6g}\n", where,
-                           measured.grid->getName(), measured.moments.front().count(), dim.x(), dim.y(),
-                           dim.z(), size.x());
+  std::cerr << fmt::format("{}: grid {}, {} active voxels in {} x {} x {}, voxel size {:.6g}\n",
+                           printable(where), measured.grid->getName(), measured.moments.front().count(),
+                           dim.x(), dim.y(), dim.z(), size.x());
   const bool is_vector = measured.moments.size() > 1;
   double mean_square = 0.0;
   for (std::size_t i = 0; i < measured.moments.size(); ++i) {
@@ -109,6 +110,13 @@ bool is_zero(const Volume& volume) {
   const auto is_zero = [](const Moments& moments) { return moments.min() == 0.0 && moments.max() == 0.0; };
   return !is_empty(volume) && std::ranges::all_of(volume.grids, [&](const MeasuredGrid& measured) {
     return std::ranges::all_of(measured.moments, is_zero);
+  });
+}
+
+bool is_constant(const Volume& volume) {
+  const auto is_constant = [](const Moments& moments) { return moments.min() == moments.max(); };
+  return std::ranges::all_of(volume.grids, [&](const MeasuredGrid& measured) {
+    return measured.moments.front().count() > 1 && std::ranges::all_of(measured.moments, is_constant);
   });
 }
 

@@ -21,6 +21,8 @@ void check_output_names(const std::string& out, const std::string& preview);
 bool is_empty(const Volume& volume);
 // Whether it has values, all of them 0.
 bool is_zero(const Volume& volume);
+// Whether it has values, all of a grid's the same.
+bool is_constant(const Volume& volume);
 
 // Tells on the standard error what a file holds.
 void print_statistics(const Volume& volume, const std::string& where);

@@ -32,12 +32,6 @@ void require_place(const char* what, std::size_t number, double x) {
                                           number, x, -kFarthest, kFarthest));
 }
 
-// The samples of a field of some channels.
-template <int Dim>
-void require_room(const Field<Dim>& field, const Samples<Dim>& samples, std::size_t count) {
-  require_room(samples, count * static_cast<std::size_t>(field.channels()));
-}
-
 template <int Dim>
 std::vector<std::size_t> order_of(std::span<const Vec<Dim>> points) {
   if constexpr (Dim > 1) {

@@ -134,6 +134,12 @@ class Field {
   virtual std::optional<Statistics> statistics() const { return std::nullopt; }
 };
 
+// Throws std::invalid_argument for samples without room for those of so many positions.
+template <int Dim>
+void require_room(const Field<Dim>& field, const Samples<Dim>& samples, std::size_t count) {
+  require_room(samples, count * static_cast<std::size_t>(field.channels()));
+}
+
 // A field of space, shared by the fields that are made of it.
 using FieldPtr = std::shared_ptr<const Field<3>>;
 

@@ -28,6 +28,7 @@ class CloudField final : public Field<3> {
     return std::make_unique<Block>(model_, model_.with_neighbours(box));
   }
   void evaluate(const Points<3>& points, const Samples<3>& samples) const override {
+    require_room(samples, points.size());
     const auto noise = [&](std::size_t k, std::span<const std::size_t>, std::span<float> values) {
       model_.octaves[k].noise->evaluate(points, {values, {}});
     };
@@ -57,6 +58,7 @@ class CloudField final : public Field<3> {
     }
     void evaluate_all(std::span<const Lattice<3>> lattices, const Samples<3>& samples) const override {
       if (lattices.empty()) return;
+      require_room(samples, lattices.size() * lattices.front().size());
       const glm::ivec3 count = lattices.front().count;
       std::vector<Lattice<3>> wider(lattices.begin(), lattices.end());
       for (Lattice<3>& lattice : wider) {

@@ -153,9 +153,10 @@ class SideBySide final : public Field<3> {
     return sum;
   }
   std::unique_ptr<FieldBlock<3>> block(const Box<3>& box) const override {
-    return std::make_unique<Block>(fields_, box);
+    return std::make_unique<Block>(*this, box);
   }
   void evaluate(const Points<3>& points, const Samples<3>& samples) const override {
+    require_room(*this, samples, points.size());
     std::size_t done = 0;
     for (const FieldPtr& field : fields_) {
       const std::size_t size = static_cast<std::size_t>(field->channels()) * points.size();
@@ -170,8 +171,8 @@ class SideBySide final : public Field<3> {
  private:
   class Block final : public FieldBlock<3> {
    public:
-    Block(std::span<const FieldPtr> fields, const Box<3>& box)
-        : fields_(fields), blocks_(blocks_of(fields, box)) {}
+    Block(const SideBySide& field, const Box<3>& box)
+        : field_(field), blocks_(blocks_of(field.fields_, box)) {}
 
     void evaluate(const Lattice<3>& lattice, const Samples<3>& samples) const override {
       evaluate_all({&lattice, 1}, samples);
@@ -179,12 +180,13 @@ class SideBySide final : public Field<3> {
     // Without gradients.
     void evaluate_all(std::span<const Lattice<3>> lattices, const Samples<3>& samples) const override {
       if (lattices.empty()) return;
+      require_room(field_, samples, lattices.size() * lattices.front().size());
       const std::size_t stride = samples.values.size() / lattices.size();
       const std::size_t channel = lattices.front().size();
       std::size_t first = 0;  // of the field's values among those of a lattice
       std::vector<float> values;
       for (std::size_t i = 0; i < blocks_.size(); ++i) {
-        const std::size_t size = static_cast<std::size_t>(fields_[i]->channels()) * channel;
+        const std::size_t size = static_cast<std::size_t>(field_.fields_[i]->channels()) * channel;
         values.resize(lattices.size() * size);
         blocks_[i]->evaluate_all(lattices, {values, {}});
         for (std::size_t k = 0; k < lattices.size(); ++k) {
@@ -196,7 +198,7 @@ class SideBySide final : public Field<3> {
     }
 
    private:
-    std::span<const FieldPtr> fields_;
+    const SideBySide& field_;
     Blocks blocks_;
   };
 
@@ -245,9 +247,10 @@ class MaskedField final : public Field<3> {
 
   int channels() const override { return field_->channels(); }
   std::unique_ptr<FieldBlock<3>> block(const Box<3>& box) const override {
-    return std::make_unique<Block>(field_->block(box), mask_->block(box));
+    return std::make_unique<Block>(*this, box);
   }
   void evaluate(const Points<3>& points, const Samples<3>& samples) const override {
+    require_room(*this, samples, points.size());
     multiply(
         points.size(), 1, samples,
         [&](std::span<float> mask) {
@@ -260,14 +263,15 @@ class MaskedField final : public Field<3> {
  private:
   class Block final : public FieldBlock<3> {
    public:
-    Block(std::unique_ptr<FieldBlock<3>> field, std::unique_ptr<FieldBlock<3>> mask)
-        : field_(std::move(field)), mask_(std::move(mask)) {}
+    Block(const MaskedField& masked, const Box<3>& box)
+        : masked_(masked), field_(masked.field_->block(box)), mask_(masked.mask_->block(box)) {}
 
     void evaluate(const Lattice<3>& lattice, const Samples<3>& samples) const override {
       evaluate_all({&lattice, 1}, samples);
     }
     void evaluate_all(std::span<const Lattice<3>> lattices, const Samples<3>& samples) const override {
       if (lattices.empty()) return;
+      require_room(masked_, samples, lattices.size() * lattices.front().size());
       multiply(
           lattices.front().size(), lattices.size(), samples,
           [&](std::span<float> mask) {
@@ -277,6 +281,7 @@ class MaskedField final : public Field<3> {
     }
 
    private:
+    const MaskedField& masked_;
     std::unique_ptr<FieldBlock<3>> field_;
     std::unique_ptr<FieldBlock<3>> mask_;
   };

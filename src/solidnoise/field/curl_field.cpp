@@ -63,6 +63,7 @@ class CurlField final : public Field<3> {
     return std::make_unique<Block>(*this, box);
   }
   void evaluate(const Points<3>& points, const Samples<3>& samples) const override {
+    require_room(*this, samples, points.size());
     const Potentials potentials(points.size(), [&](std::size_t c, const Samples<3>& jet) {
       options_.potentials[c]->evaluate(points, jet);
     });
@@ -79,6 +80,7 @@ class CurlField final : public Field<3> {
     }
 
     void evaluate(const Lattice<3>& lattice, const Samples<3>& samples) const override {
+      require_room(field_, samples, lattice.size());
       const Potentials potentials(
           lattice.size(), [&](std::size_t c, const Samples<3>& jet) { blocks_[c]->evaluate(lattice, jet); });
       field_.take_curl(potentials, samples.values);

@@ -25,6 +25,7 @@ class DerivedField final : public Field<3> {
     return std::make_unique<Block>(*this, source_->block(box));
   }
   void evaluate(const Points<3>& points, const Samples<3>& samples) const override {
+    require_room(*this, samples, points.size());
     std::vector<float> source(memory(points.size()));
     source_->evaluate(points, {source, {}});
     make_(source, samples.values);
@@ -37,6 +38,7 @@ class DerivedField final : public Field<3> {
         : field_(field), source_(std::move(source)) {}
 
     void evaluate(const Lattice<3>& lattice, const Samples<3>& samples) const override {
+      require_room(field_, samples, lattice.size());
       std::vector<float> source(field_.memory(lattice.size()));
       source_->evaluate(lattice, {source, {}});
       field_.make_(source, samples.values);

@@ -55,6 +55,7 @@ class GradedField final : public PointwiseField {
   }
 
   void evaluate(const Points<3>& points, const Samples<3>& samples) const override {
+    require_room(samples, points.size());
     std::vector<float> frequencies(points.size());
     frequency_.field->evaluate(points, {frequencies, {}});
     std::vector<SomePoints> of_grade(grades_.size());

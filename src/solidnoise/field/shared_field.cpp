@@ -26,10 +26,11 @@ class KeptBlock {
 
   void evaluate_all(std::span<const Lattice<3>> lattices, const Samples<3>& samples) {
     if (samples.wants_gradient()) return block_->evaluate_all(lattices, samples);
-    if (!std::ranges::equal(lattices, lattices_, same)) {
-      lattices_.assign(lattices.begin(), lattices.end());
+    if (values_.size() != samples.values.size() || !std::ranges::equal(lattices, lattices_, same)) {
+      lattices_.clear();  // until there are values
       values_.resize(samples.values.size());
       block_->evaluate_all(lattices, {values_, {}});
+      lattices_.assign(lattices.begin(), lattices.end());
     }
     std::ranges::copy(values_, samples.values.begin());
   }
@@ -78,7 +79,7 @@ class SharedField final : public Field<3> {
   void evaluate(const Points<3>& points, const Samples<3>& samples) const override {
     if (samples.wants_gradient()) return field_->evaluate(points, samples);
     KeptPoints& kept = of_thread().points;
-    if (kept.are(points)) {
+    if (kept.values().size() == samples.values.size() && kept.are(points)) {
       std::ranges::copy(kept.values(), samples.values.begin());
     } else {
       field_->evaluate(points, samples);  // which may come back here, in the same thread

@@ -15,10 +15,13 @@ namespace {
 // a sum by itself, which compares ways to make it.
 constexpr double kSumsInPractice = 2.0;
 constexpr double kSecondsPerImpulseMade = 25e-9;
-constexpr double kSecondsPerImpulseOfBrick = 300e-9;  // made for a brick alone, and summed at its samples
+constexpr double kSecondsPerImpulseOfBrick = 45e-9;     // made for a brick alone, and summed
+constexpr double kSecondsPerSampleAndImpulse = 0.5e-9;  // at each of its samples
 constexpr double kSecondsPerPointImpulse = 2e-9;
 constexpr double kSecondsPerGradientSample = 6e-9;
 constexpr double kNanosecond = 1e-9;
+
+constexpr double kBall = 4.0 / 3.0 * std::numbers::pi;  // the volume of radius 1
 
 template <int Dim, typename Visit>
 void for_each_part(const Noise<Dim>& noise, const Visit& visit) {
@@ -27,9 +30,17 @@ void for_each_part(const Noise<Dim>& noise, const Visit& visit) {
   if (parts.empty()) visit(0, noise.waves());
 }
 
+// Of so many samples along each axis; where balls around them do not meet, in the balls alone.
+double impulses_around(const WaveMixture<3>& waves, const Vec<3>& step, double samples) {
+  if (!(waves.radius > 0.0)) return 0.0;
+  double impulses = waves.impulses / kBall;
+  for (int axis = 0; axis < 3; ++axis)
+    impulses *= std::min(step[axis] / waves.radius, 2.0) * (samples - 1.0) + 2.0;
+  return impulses;
+}
+
 double impulses_within_reach(const WaveMixture<3>& waves, const Vec<3>& step, double side) {
   if (!(waves.radius > 0.0)) return 0.0;
-  constexpr double kBall = 4.0 / 3.0 * std::numbers::pi;
   double impulses = waves.impulses / kBall;
   for (int axis = 0; axis < 3; ++axis) impulses *= step[axis] * side / waves.radius + 2.0;
   return impulses;
@@ -44,7 +55,7 @@ ImpulsesHeld impulses_held(const WaveMixture<3>& waves, const Vec<3>& step, doub
   // most.
   const double longest = CellAxis::kMaxSpan * waves.radius / std::max({step.x, step.y, step.z});
   const double of_brick = std::min<double>({side, SampleBrick::kSide, std::max(1.0, std::floor(longest))});
-  return {impulses_within_reach(waves, step, of_brick), of_brick};
+  return {impulses_around(waves, step, of_brick + 1.0), of_brick};
 }
 
 Cost cost_on_lattice(const Noise<3>& noise, const LatticeFrame<3>& frame, const LatticeWork& work) {
@@ -53,12 +64,17 @@ Cost cost_on_lattice(const Noise<3>& noise, const LatticeFrame<3>& frame, const 
   Cost cost;
   for_each_part(noise, [&](std::size_t part, const WaveMixture<3>& waves) {
     const ImpulsesHeld held = impulses_held(waves, frame.step, work.side);
-    const double made = work.samples / std::pow(held.side, 3) * held.count;
-    const bool by_brick = plans[part].direct() && held.side < work.side;
-    const double making = by_brick ? kSecondsPerImpulseOfBrick : kSecondsPerImpulseMade;
-    const double sample = waves.impulses > 0.0 ? kSumsInPractice * plans[part].nanoseconds * kNanosecond
-                                               : kSecondsPerGradientSample;
-    cost += {work.samples * sample + made * making, held.count * kBytesPerImpulse};
+    const double cubes = work.samples / std::pow(held.side, 3);
+    double seconds = 0.0;
+    if (plans[part].direct() && held.side < work.side) {
+      seconds = cubes * impulses_around(waves, frame.step, held.side) *
+                (kSecondsPerImpulseOfBrick + kSecondsPerSampleAndImpulse * std::pow(held.side, 3));
+    } else {
+      const double sample = waves.impulses > 0.0 ? kSumsInPractice * plans[part].nanoseconds * kNanosecond
+                                                 : kSecondsPerGradientSample;
+      seconds = work.samples * sample + cubes * held.count * kSecondsPerImpulseMade;
+    }
+    cost += {seconds, held.count * kBytesPerImpulse};
   });
   return cost;
 }
