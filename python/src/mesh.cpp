@@ -155,7 +155,8 @@ py::dict bake_arrays(py::handle vertices, py::handle faces, py::handle recipe, c
   require_names(read, keep);
   PolygonMesh mesh = mesh_of(vertices, faces, attributes);
   BakedMesh baked;
-  run(call, [&](Progress& told) { baked = bake(plan_bake(std::move(mesh), read, &told), read, keep, &told); });
+  run(call,
+      [&](Progress& told) { baked = bake(plan_bake(std::move(mesh), read, &told), read, keep, &told); });
   py::dict result;
   result["vertices"] = array_of(baked.mesh.positions);
   result["faces"] = faces_of(baked.mesh);

@@ -122,8 +122,8 @@ class HeatSolver {
   }
 
   // Replaces x by the solution y of A y = M x, to 1e-4 of x: in the norm of A, for which the preconditioned
-  // residual stands, and so in the root mean square over the surface. Throws Cancelled where `progress`, which
-  // may be null, asks for it.
+  // residual stands, and so in the root mean square over the surface. Throws Cancelled where `progress`,
+  // which may be null, asks for it.
   void step(std::vector<Value>& x, Progress* progress) {
     const HeatMatrix<Value>& matrix = levels_.front().matrix;
     const std::size_t count = matrix.size();

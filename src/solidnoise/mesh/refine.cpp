@@ -299,7 +299,8 @@ RefinedMesh subdivide(const PolygonMesh& mesh, int rounds, const RefineOptions& 
     require_faces(static_cast<double>(triangulate(mesh).size()) * std::pow(parts, rounds), options);
   }
   if (options.method != RefineOptions::Method::own) return subdivide_by_openmesh(mesh, rounds, options);
-  return Refiner(mesh, std::vector<double>(mesh.positions.size(), 1.0), options, progress).halve_edges(rounds);
+  return Refiner(mesh, std::vector<double>(mesh.positions.size(), 1.0), options, progress)
+      .halve_edges(rounds);
 }
 
 }  // namespace solidnoise

@@ -92,8 +92,8 @@ struct RefinedMesh {
 // neither 1 nor that of the vertices; more faces than allowed, which are counted before any work; more
 // vertices than allowed; what SurfaceMesh throws; a mesh that is no manifold of triangles, naming the face,
 // where OpenMesh's methods need one. Cancelled, between the rounds of our own method.
-RefinedMesh refine(const PolygonMesh& mesh, std::span<const double> target,
-                   const RefineOptions& options = {}, Progress* progress = nullptr);
+RefinedMesh refine(const PolygonMesh& mesh, std::span<const double> target, const RefineOptions& options = {},
+                   Progress* progress = nullptr);
 
 // About how many vertices refine() makes, without making any: exact for our own method on closed surfaces
 // whose new vertices lie on the edges. Counting ends at `most`, and more is said as infinity. Throws what
