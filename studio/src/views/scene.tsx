@@ -10,7 +10,7 @@ interface Renderer {
 }
 export interface Scene<Own extends Renderer> {
   canvas: RefObject<HTMLCanvasElement | null>;
-  made(): Promise<Own | null>; // fails where there is no WebGL; empty, or never, where the view is gone
+  renderer: RefObject<Own | null>; // empty where there is no WebGL, or the view is gone
   render(): void; // with the next frame
   trouble: string;
   setTrouble(message: string): void;
@@ -23,12 +23,6 @@ export function useScene<Own extends Renderer>(
 ): Scene<Own> {
   const canvas = useRef<HTMLCanvasElement>(null);
   const renderer = useRef<Own>(null);
-  const [coming] = useState(() => {
-    let come!: () => void;
-    let fail!: (error: unknown) => void;
-    const made = new Promise<void>((...settle) => ([come, fail] = settle));
-    return { made, come, fail };
-  });
   const orbit = useRef(eye);
   const frame = useRef(0);
   const latest = useRef(draw);
@@ -41,16 +35,13 @@ export function useScene<Own extends Renderer>(
   };
   useEffect(() => {
     const element = canvas.current!;
-    coming.made.then(() => renderer.current?.ready).then(render).catch((error: Error) => setTrouble(error.message));
-    // By itself: a browser without a graphics card takes a while to make a context.
-    const timer = setTimeout(() => {
-      try {
-        renderer.current = make(element);
-        coming.come();
-      } catch (error) {
-        coming.fail(error);
-      }
-    });
+    try {
+      renderer.current = make(element);
+      renderer.current.ready.then(render, (error: Error) => setTrouble(error.message));
+    } catch (error) {
+      setTrouble((error as Error).message);
+      return;
+    }
     const stop = orbit.current.attach(element, render);
     const observer = new ResizeObserver(() => {
       const own = scale(element);
@@ -60,14 +51,13 @@ export function useScene<Own extends Renderer>(
     });
     observer.observe(element);
     return () => {
-      clearTimeout(timer);
       stop();
       observer.disconnect();
       renderer.current?.dispose();
       renderer.current = null;
     };
   }, []);
-  return { canvas, made: () => coming.made.then(() => renderer.current), render, trouble, setTrouble };
+  return { canvas, renderer, render, trouble, setTrouble };
 }
 
 export function SceneCanvas<Own extends Renderer>({ scene, what }: { scene: Scene<Own>; what: string }): JSX.Element {

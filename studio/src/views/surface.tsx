@@ -43,12 +43,12 @@ export function SurfaceView(): JSX.Element {
     const dark = document.documentElement.dataset.theme === "dark";
     renderer.render(eye, plain, dark ? [0.05, 0.055, 0.065] : [0.8, 0.79, 0.76]);
   });
-  const { made, render, setTrouble } = scene;
+  const { renderer, render, setTrouble } = scene;
   useEffect(render, [plain]);
 
   const bake = async (): Promise<void> => {
     const { bake: text, mesh } = state.value;
-    if (!text) return;
+    if (!text || !renderer.current) return;
     const begin = performance.now();
     if (inWorker !== mesh) {
       inWorker = "";
@@ -57,9 +57,8 @@ export function SurfaceView(): JSX.Element {
     }
     const when = timeOf(activeNoise());
     const { json, floats } = await engine.modeller.ask("surface", { do: "bake", recipe: text, ...(when === undefined ? {} : { time: when }) });
-    const renderer = await made();
-    if (!renderer) return;
-    renderer.load({ positions: floats[0]!, normals: floats[1]!, colors: floats[2]!, corners: new Uint32Array(floats[3]!.buffer) });
+    if (!renderer.current) return;
+    renderer.current.load({ positions: floats[0]!, normals: floats[1]!, colors: floats[2]!, corners: new Uint32Array(floats[3]!.buffer) });
     render();
     const aliases = Number(json.cycles_per_edge) > 0.5 ? " · finer than the mesh: give refine" : "";
     tell(`${Number(json.vertices).toLocaleString("en")} vertices · ${(performance.now() - begin).toFixed(0)} ms${aliases}`);

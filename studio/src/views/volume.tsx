@@ -31,7 +31,7 @@ export function VolumeView(): JSX.Element {
   const generation = useRef(0);
   const scene = useScene((canvas) => new VolumeRenderer(canvas), new Orbit(0.55, 0.22, 2.15),
     (canvas) => Math.min(1, 900 / Math.max(canvas.clientWidth, canvas.clientHeight)), (renderer, eye) => renderer.render(eye, cut));
-  const { made, render, setTrouble } = scene;
+  const { renderer, render, setTrouble } = scene;
   useEffect(() => () => engine.pool.drop("volume"), []);
   useEffect(render, [cut]);
 
@@ -39,7 +39,7 @@ export function VolumeView(): JSX.Element {
   const make = async (own: number): Promise<void> => {
     const noise = activeNoise();
     const info = infoOf(noise);
-    if (!info) return;
+    if (!info || !renderer.current) return;
     const single = info.grids.find((grid) => grid.names.includes(noise.grid)) ?? info.grids[0]!;
     const looksLike = /"look": "(\w+)"/.exec(noise.text)?.[1] ?? "automatic";
     // A fire is seen by the light of its temperature, and of its flame where it has one.
@@ -66,9 +66,8 @@ export function VolumeView(): JSX.Element {
           light = lit.floats[0];
           factor = Number(lit.json.factor);
         }
-        const renderer = await made();
-        if (own !== generation.current || !renderer) return;
-        renderer.load({ size, values, range, light, glow, factor, sides, look, sun, up,
+        if (own !== generation.current || !renderer.current) return;
+        renderer.current.load({ size, values, range, light, glow, factor, sides, look, sun, up,
           ramp: engine.ramps.get(state.value.ramp) ?? (colorsOf(info) ? engine.body! : engine.ramps.get(single.raw ? "marble" : "grey")!) });
         render();
         tell(`${size.join(" × ")} voxels · ${(performance.now() - begin).toFixed(0)} ms`);
