@@ -130,6 +130,7 @@ TEST(VdbnoiseBandLimit, GoesWithAFoldThatFoldsNothing) {
       run_vdbnoise({"--raw", "--dim", "12", "--fold", "none", "--band-limit", "--quiet", "--out", "x.vdb"},
                    {.folder = folder.path()});
   EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(run_vdbnoise({"--preset", "cumulus", "--fold", "none", "--describe"}).status, 2);  // on a cloud
 }
 
 TEST(VdbnoiseValues, ThatAreAllTheSameAreWarnedOf) {

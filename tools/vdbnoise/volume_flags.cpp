@@ -102,7 +102,9 @@ void set_warp(VolumeRecipe& recipe, const std::vector<double>& numbers) {
 void declare_layer_flags(FlagSet& flags, VolumeRecipe& recipe) {
   static const Layer kLayer{};
   declare_field(flags, kLayer, "fold", [&](Layer::Fold fold) {
-    if (fold != Layer::Fold::none || !recipe.layers.empty()) layer_of(recipe, "--fold").fold = fold;
+    layer_of(recipe, "--fold").fold = fold;
+    if (fold == Layer::Fold::none && is_own_noise(recipe.layers) && recipe.layers.front() == kLayer)
+      recipe.layers.clear();
   });
   declare_field(flags, kLayer, "histogram",
                 [&](Layer::Histogram histogram) { layer_of(recipe, "--histogram").histogram = histogram; });
