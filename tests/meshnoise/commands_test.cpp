@@ -43,6 +43,23 @@ TEST(Meshnoise, DescribesInJsonAndWritesNothing) {
   EXPECT_EQ(folder.names(), std::set<std::string>{"in.ply"});
 }
 
+TEST(Meshnoise, ReadsAPlyFromTheStandardInput) {
+  const TemporaryFolder folder;
+  const std::string info = run_well(folder, {"info", "in.ply"}).out;
+  run_well(folder, {"bake", "in.ply", "--out", "file.ply"});
+  const auto piped = [&](const std::string& file, const std::string& arguments) {
+    const std::string command = "cat " + file + " | " + in_build("tools/meshnoise") + " " + arguments;
+    return RunningTool("/bin/sh", {"-c", command}, {.folder = folder.path()}).wait();
+  };
+  EXPECT_EQ(piped("in.ply", "info -").out, info);
+  const ToolResult baked = piped("in.ply", "bake - --out piped.ply");
+  ASSERT_EQ(baked.status, 0) << baked.err;
+  EXPECT_EQ(folder.read("piped.ply"), folder.read("file.ply"));
+  const ToolResult empty = piped("/dev/null", "info -");
+  EXPECT_EQ(empty.status, 1);
+  EXPECT_EQ(empty.err, "meshnoise: -: the file is empty\n");
+}
+
 TEST(Meshnoise, DescribesWhatRefinementReaches) {
   const TemporaryFolder folder;
   const ToolResult result = run_well(

@@ -44,6 +44,20 @@ INSTANTIATE_TEST_SUITE_P(
                     std::vector<std::string>{"1024.png", "--patch", "128", "--preview", "x.png"},
                     std::vector<std::string>{"wide.png", "--grey", "--preview", "x.png"}));
 
+TEST(FitMemory, OfAPictureIsNotTakenWhereItIsRefused) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the sanitizer takes memory of its own";
+#endif
+  const TemporaryFolder folder;
+  write_image(folder / "large.png", Image(6144, 6144, 3));
+  const ToolResult refused =
+      run_noisefit({"large.png", "--max-memory", "200M", "--out", "x.json"}, {.folder = folder.path()});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_NE(refused.err.find("cannot read large.png: reading it may need "), std::string::npos) << refused.err;
+  EXPECT_NE(refused.err.find("--max-memory allows 200.0 MiB"), std::string::npos) << refused.err;
+  EXPECT_LT(refused.peak_memory, 200.0 * 0x1p20);
+}
+
 TEST(FitMemory, IsWhatAnEditTakes) {
   const RunOptions there{.folder = pictures().path()};
   ASSERT_EQ(run_noisefit({"64.png", "--kappa", "0.25", "--out", "model.json", "--force"}, there).status, 0);

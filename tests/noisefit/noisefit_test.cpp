@@ -51,6 +51,17 @@ TEST(Noisefit, MakesAModelAndASheet) {
   EXPECT_EQ(folder.names(), (std::set<std::string>{"in.png", "out.json", "sheet.png"}));
 }
 
+TEST(Noisefit, ReadsAModelFromTheStandardInput) {
+  const TemporaryFolder folder;
+  write_image(folder / "in.png", wavy_picture(48, 40));
+  const RunOptions there{.folder = folder.path()};
+  ASSERT_EQ(run_noisefit({"in.png", "--out", "a.json"}, there).status, 0);
+  const ToolResult piped =
+      RunningTool("/bin/sh", {"-c", "cat a.json | " + in_build("tools/noisefit") + " info -"}, there).wait();
+  EXPECT_EQ(piped.status, 0) << piped.err;
+  EXPECT_EQ(piped.out, run_noisefit({"info", "a.json"}, there).out);
+}
+
 TEST(Noisefit, WarnsOfFallingLight) {
   const TemporaryFolder folder;
   for (const float fall : {0.0f, 0.6f}) {

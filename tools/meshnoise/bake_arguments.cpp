@@ -82,7 +82,8 @@ BakeOptions options_of_frame(const BakeOptions& options, int frame, std::string&
 
 BakeArguments::BakeArguments(const std::string& command, const std::string& description)
     : flags(command, description) {
-  flags.optional_argument("IN", "The mesh: .ply, .obj, .off, .stl, .om, .glb or .gltf", in);
+  flags.optional_argument(
+      "IN", "The mesh: .ply, .obj, .off, .stl, .om, .glb or .gltf, - for a .ply on the standard input", in);
   declare_bake_flags(flags, options);
   flags.version(kMeshnoise);
 }

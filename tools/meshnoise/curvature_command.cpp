@@ -45,7 +45,7 @@ int run_curvature(const std::vector<std::string>& arguments) {
   CurvatureRecipe recipe;
   RunOptions options;
   FlagSet flags("meshnoise curvature", kCurvatureDescription);
-  flags.argument("IN", "The mesh: .ply, .obj, .off, .stl or .om", in);
+  flags.argument("IN", "The mesh: .ply, .obj, .off, .stl or .om, - for a .ply on the standard input", in);
   flags.keep("--out", "FILE",
              "Where the mesh goes: .ply, .obj, .off or .om, for scenes .glb or .usda; - for a .ply on the "
              "standard output",

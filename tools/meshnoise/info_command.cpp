@@ -35,7 +35,7 @@ void print_properties(const PolygonMesh& mesh) {
 int run_info(const std::vector<std::string>& arguments) {
   std::string file;
   FlagSet flags("meshnoise info", "Prints what a mesh is like, its faults, and the recipe it carries.");
-  flags.argument("FILE", "The mesh", file);
+  flags.argument("FILE", "The mesh, - for a .ply on the standard input", file);
   flags.parse(arguments);
   flags.apply();
 

@@ -105,7 +105,7 @@ void require_cost(const EditCommand& command, const ExemplarModel& before, const
 }
 
 void declare_flags(FlagSet& flags, EditCommand& command) {
-  flags.argument("FILE", "The spectrum file", command.in);
+  flags.argument("FILE", "The spectrum file, - for the standard input", command.in);
   flags.group("Flags");
   flags.keep("--out", "FILE.json", "Where the result goes; - for the standard output", command.out);
   flags.keep("--preview", "FILE.png", "A picture of the noise before, on the left, and after",

@@ -74,6 +74,20 @@ void declare_flags(FlagSet& flags, FitCommand& command) {
 // Pixels along each side of what is tested for structure, in the middle of a picture: enough for any texture.
 constexpr int kLargestTested = 1024;
 
+// The pictures, each refused before it takes more memory than is allowed, with those that are held.
+std::vector<Exemplar<2>> read_exemplars(const FitCommand& command) {
+  std::vector<Exemplar<2>> exemplars;
+  double held = kPictureProgramBytes;
+  for (const std::string& input : command.inputs) {
+    exemplars.push_back(read_exemplar(input, command.reading, nullptr, [&](std::uint64_t pixels) {
+      command.require_cost("reading it", {.bytes = held + 2.0 * static_cast<double>(pixels)});
+    }));
+    const Exemplar<2>& exemplar = exemplars.back();
+    held += static_cast<double>(sizeof(float) * exemplar.channels.size() * exemplar.shape().size());
+  }
+  return exemplars;
+}
+
 void require_fit_cost(const FitCommand& command, const std::vector<Exemplar<2>>& exemplars) {
   constexpr double kBytesPerPixel = 24.0;  // in colour, of a picture and the exemplar that is made of it
   FitSize size = fit_size(exemplars, command);
@@ -154,11 +168,8 @@ int run_fit(const std::vector<std::string>& arguments) {
   parse_fit(flags, arguments, command);
   if (flags.given("--pixel-size")) command.outputs.pixel_size = command.reading.pixel_size;
   command.outputs.check(command.inputs);
-  std::vector<Exemplar<2>> exemplars;
   if (command.chooses_values) command.reading.raw_values = true;
-  for (const std::string& input : command.inputs) {
-    exemplars.push_back(read_exemplar(input, command.reading));
-  }
+  std::vector<Exemplar<2>> exemplars = read_exemplars(command);
   std::string choice;
   if (command.chooses_values) {
     std::vector<bool> linear;

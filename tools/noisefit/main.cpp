@@ -13,7 +13,7 @@ using namespace solidnoise;
 int run_info(const std::vector<std::string>& arguments) {
   std::string file;
   FlagSet flags("noisefit info", "Prints what is in a spectrum file: channels, bands, groups.");
-  flags.argument("FILE", "The file", file);
+  flags.argument("FILE", "The file, - for the standard input", file);
   flags.parse(arguments);
   flags.apply();
   const ExemplarFile exemplar = read_model(file);

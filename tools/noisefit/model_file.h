@@ -12,7 +12,7 @@
 
 namespace solidnoise {
 
-// A spectrum file. Throws std::runtime_error that names the path.
+// A spectrum file; "-" is the standard input. Throws std::runtime_error that names the path.
 ExemplarFile read_model(const std::filesystem::path& path);
 
 // Writes one, all or nothing; "-" is the standard output.

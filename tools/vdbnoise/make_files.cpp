@@ -99,7 +99,8 @@ bool is_made(const MakeOptions& options, const VolumePlan& plan) {
   if (!options.skip_existing || !std::filesystem::exists(options.out)) return false;
   if (!holds_volume(options.out, options.recipe, plan)) {
     throw std::runtime_error(options.out +
-                             ": exists already, and is damaged or of another recipe; --force replaces it");
+                             ": exists already, and is damaged or of another recipe; --force instead of "
+                                 "--skip-existing replaces it");
   }
   if (!options.preview.empty() && !std::filesystem::exists(options.preview)) return false;
   if (!options.quiet) std::cerr << options.out << ": is kept\n";

@@ -103,6 +103,7 @@ MeshReading read_mesh(const std::filesystem::path& path) {
 }
 
 MeshReading read_mesh(const std::filesystem::path& path, Faces faces) {
+  if (path == "-") return read_bytes(read_file("/dev/stdin", kMostBytes), MeshFormat::ply, "-", faces);
   const MeshFormat format = mesh_format(path);
   return read_bytes(read_file(path, kMostBytes), format, path.string(), faces);
 }

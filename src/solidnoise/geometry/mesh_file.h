@@ -63,7 +63,8 @@ struct MeshReading {
 // Throws std::runtime_error in one line that names the path, the vertex or face, counted as the file counts
 // (from 1 in OBJ, from 0 in the others), and the line where the format has lines: what cannot be read, ends
 // early, promises more than the file can hold, is no number, a position that is not finite, a face of
-// vertices that are not there, a mesh without vertices or faces, an unknown extension.
+// vertices that are not there, a mesh without vertices or faces, an unknown extension. "-" is a .ply on the
+// standard input.
 MeshReading read_mesh(const std::filesystem::path& path);
 
 // The same from a file's bytes; `name` stands for the path in messages.

@@ -118,6 +118,7 @@ constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 30;
 // A picture that is being read, and why it is refused.
 struct Reading {
   Progress* progress;
+  const BeforePixels& before;
   bool stopped = false;
   Image image{};
   std::string refusal{};
@@ -145,6 +146,10 @@ float* allocate_image(void* context, int width, int height, int depth, int chann
     if (depth > 1)
       throw std::runtime_error(fmt::format("it is {} pixels deep; a picture must be 1 deep", depth));
     require_picture_size(width, height, channels);
+    if (reading.before) {
+      reading.before(sizeof(float) * static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) *
+                     static_cast<std::uint64_t>(channels));
+    }
     reading.image = Image(width, height, channels);
     return reading.image.pixels.data();
   } catch (const std::bad_alloc&) {
@@ -156,10 +161,10 @@ float* allocate_image(void* context, int width, int height, int depth, int chann
 }
 
 // Throws std::runtime_error that says what is wrong, but not with which file.
-Image decode(std::string_view bytes, Progress* progress) {
+Image decode(std::string_view bytes, Progress* progress, const BeforePixels& before) {
   const char* const format = format_of(bytes);
   check_picture(format, bytes);
-  Reading reading{progress};
+  Reading reading{progress, before};
   std::array<char, 1024> text{};
   SolidnoiseImageError error{text.data(), text.size()};
   const int status = image_module().decode(format, bytes.data(), bytes.size(), allocate_image, told<Reading>,
@@ -199,13 +204,14 @@ void write_image(const fs::path& path, const Image& image, const ImageFileOption
       });
 }
 
-Image read_image(const fs::path& path, Progress* progress) {
-  return read_image(read_file(path, kMostBytes), path.string(), progress);
+Image read_image(const fs::path& path, Progress* progress, const BeforePixels& before) {
+  return read_image(read_file(path, kMostBytes), path.string(), progress, before);
 }
 
-Image read_image(std::string_view bytes, const std::string& name, Progress* progress) {
+Image read_image(std::string_view bytes, const std::string& name, Progress* progress,
+                 const BeforePixels& before) {
   try {
-    return decode(bytes, progress);
+    return decode(bytes, progress, before);
   } catch (const Cancelled&) {
     throw;
   } catch (const std::runtime_error& error) {

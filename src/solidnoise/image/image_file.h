@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -41,10 +43,14 @@ void write_image(const std::filesystem::path& path, const Image& image, const Im
 // first image, all channels, integers scaled to [0, 1], pixels as they are stored. Files may come from
 // anybody: a damaged one, one with depth, with a side of more than 2^20 pixels or of more than 2^28
 // values (width x height x channels) is refused, by std::runtime_error that names the path. Throws Cancelled
-// where `progress` asks to stop.
-Image read_image(const std::filesystem::path& path, Progress* progress = nullptr);
+// where `progress` asks to stop. `before` is told how many bytes the pixels will take, before they do, and
+// may refuse by std::runtime_error.
+using BeforePixels = std::function<void(std::uint64_t bytes)>;
+Image read_image(const std::filesystem::path& path, Progress* progress = nullptr,
+                 const BeforePixels& before = {});
 
 // The same from a file's bytes; `name` stands for the path in messages.
-Image read_image(std::string_view bytes, const std::string& name, Progress* progress = nullptr);
+Image read_image(std::string_view bytes, const std::string& name, Progress* progress = nullptr,
+                 const BeforePixels& before = {});
 
 }  // namespace solidnoise

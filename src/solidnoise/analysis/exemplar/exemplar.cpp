@@ -110,10 +110,10 @@ Exemplar<2> exemplar_of_image(const Image& image, const ExemplarReading& reading
 }
 
 Exemplar<2> read_exemplar(const std::filesystem::path& path, const ExemplarReading& reading,
-                          Progress* progress) {
+                          Progress* progress, const std::function<void(std::uint64_t)>& before) {
   ExemplarReading as_stored = reading;
   if (holds_linear_light(path)) as_stored.raw_values = true;
-  const Image image = read_image(path, progress);
+  const Image image = read_image(path, progress, before);
   return as_file_error([&] { return exemplar_of_image(image, as_stored, path.string()); });
 }
 
