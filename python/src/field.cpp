@@ -34,10 +34,13 @@ void require_no_voxels(const VolumeRecipe& recipe) {
     throw std::invalid_argument(fmt::format("shape is {}; a field has no voxels: it must be box",
                                             domain["shape"]["type"].get<std::string>()));
   }
-  if (recipe.edge && *recipe.edge > 0.0) {
+  const auto require_hard = [](const char* name, const std::optional<double>& edge) {
+    if (edge.value_or(0.0) == 0.0) return;
     throw std::invalid_argument(
-        fmt::format("edge is {}; a field has no voxels: it must be left out, or 0", *recipe.edge));
-  }
+        fmt::format("{} is {}; a field has no voxels: it must be left out, or 0", name, *edge));
+  };
+  require_hard("edge", recipe.edge);
+  require_hard("edge_voxels", recipe.edge_voxels);
 }
 
 // The place among the recipe's grids of the one of a name, or 0.

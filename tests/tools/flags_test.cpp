@@ -94,6 +94,8 @@ TEST(Ranges, OfFlagsAreNamedByTheFlag) {
   }
   expect_refusal(run_vdbnoise({"--edge", "1e30", "--shape", "sphere", "--out", "x.vdb"}),
                  {"", 2, {}, {"--edge is 1", "between 0"}}, "vdbnoise");
+  expect_refusal(run_vdbnoise({"--edge", "1", "--edge-voxels", "2", "--shape", "sphere", "--out", "x.vdb"}),
+                 {"", 2, {}, {"--edge", "--edge-voxels"}}, "vdbnoise");
 }
 
 // A run of vdbnoise that is given a file of the folder through a pipe.

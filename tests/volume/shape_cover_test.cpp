@@ -45,6 +45,9 @@ TEST(ShapeCover, HasTheMassOfABall) {
   VolumeRecipe soft = solid(SphereShape{}, 0.05);
   soft.edge = 0.4;
   EXPECT_NEAR(mass(soft) / (kBall * (1.0 + 0.16 / 4.0)), 1.0, 0.001);
+  VolumeRecipe in_voxels = solid(SphereShape{}, 0.05);
+  in_voxels.edge_voxels = 8.0;
+  EXPECT_EQ(mass(in_voxels), mass(soft));
 }
 
 TEST(ShapeCover, HasNoStepOverAHalf) {

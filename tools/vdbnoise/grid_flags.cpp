@@ -132,7 +132,7 @@ void check_modify_flags(const FlagSet& flags, const VolumeRecipe& recipe) {
     throw UsageError(
         "--on is missing; the recipe works on a grid that exists: --on FILE.vdb or FILE.vdb:GRID");
   }
-  flags.refuse({"--shape", "--box", "--voxel", "--dim", "--edge", "--prune"},
+  flags.refuse({"--shape", "--box", "--voxel", "--dim", "--edge", "--edge-voxels", "--prune"},
                "has no effect with --on, whose voxels are kept");
   flags.refuse({"--grid"}, "has no effect with --on, whose name is kept; --on FILE.vdb:GRID chooses one");
   const Modification& modification = *recipe.modification;

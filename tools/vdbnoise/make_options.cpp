@@ -83,12 +83,13 @@ void declare_shape(FlagSet& flags, VolumeRecipe& recipe) {
   Domain& domain = recipe;
   declare_fields(flags, domain, {"shape"});
   declare_field(flags, recipe, "up", [&](UpAxis up) { turn_up(recipe, up); });
-  declare_fields(flags, domain, {"box", "edge", "voxel"});
+  declare_fields(flags, domain, {"box", "edge", "edge_voxels", "voxel"});
   declare_field(flags, domain, "dim", [&](int dim) {
     recipe.dim = dim;
     recipe.voxel.reset();
   });
   flags.exclude({"--voxel", "--dim"});
+  flags.exclude({"--edge", "--edge-voxels"});
 }
 
 }  // namespace
@@ -129,7 +130,7 @@ void check_make_options(const FlagSet& flags, const MakeOptions& options,
                         const std::vector<std::string>& noise_flags) {
   const VolumeRecipe& recipe = options.recipe;
   if (std::holds_alternative<GridShape>(recipe.shape)) {
-    flags.refuse({"--edge", "--voxel", "--dim"},
+    flags.refuse({"--edge", "--edge-voxels", "--voxel", "--dim"},
                  "has no effect where --shape is a grid, whose voxels are kept");
   }
   if (std::holds_alternative<MeshShape>(recipe.shape) || std::holds_alternative<GridShape>(recipe.shape)) {
@@ -145,7 +146,7 @@ void check_make_options(const FlagSet& flags, const MakeOptions& options,
   check_layer_flags(flags, recipe, noise_flags);
   check_parameter_flags(flags, recipe);
   if (recipe.grids.empty() && std::holds_alternative<RawShaping>(recipe.shaping)) {
-    flags.refuse({"--optical-depth", "--density", "--density-factor", "--edge", "--prune"},
+    flags.refuse({"--optical-depth", "--density", "--density-factor", "--edge", "--edge-voxels", "--prune"},
                  "has no effect on raw noise");
   }
   if (options.out == "-" && options.write_recipe == "-") {

@@ -107,7 +107,8 @@ double edge_of(const VolumeRecipe& recipe, const Vec<3>& voxel) {
   const bool is_box = std::holds_alternative<BoxShape>(recipe.shape);
   if (std::holds_alternative<GridShape>(recipe.shape) || !has_density(recipe)) return 0.0;
   constexpr double kVoxels = 2.0;  // from one to the next no step is over a half
-  return recipe.edge.value_or(is_box ? 0.0 : kVoxels * std::max({voxel.x, voxel.y, voxel.z}));
+  const double voxels = recipe.edge_voxels.value_or(is_box ? 0.0 : kVoxels);
+  return recipe.edge.value_or(voxels * std::max({voxel.x, voxel.y, voxel.z}));
 }
 
 ShapedVoxels make_shape(const VolumeRecipe& recipe, const VolumePlan& plan, Progress* progress) {

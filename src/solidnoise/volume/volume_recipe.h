@@ -84,7 +84,8 @@ struct Domain {
   std::optional<double> voxel{};                    // size in world units; > 0; else from `dim`
   int dim = 256;                                    // voxels along the longest side; 1 to 2^20
   std::optional<double> edge;  // of densities: over which they end at the shape's surface, world units; at
-                               // least 0; else of two voxels, of a box 0
+                               // least 0
+  std::optional<double> edge_voxels;  // the same in voxels, in place of `edge`; without both two, of a box 0
 
   // Throws std::invalid_argument naming the field, its value and what is allowed.
   void validate() const;

@@ -57,7 +57,10 @@ constexpr auto fields_of(std::type_identity<Domain>) {
           .in_place_of("voxel")
           .written_if([](const Domain& domain) { return !domain.voxel; }),
       field("edge", &Domain::edge, between(0.0, kFarthest), "world units",
-            "Width over which densities end at the shape's surface; left out, two voxels, of a box none"));
+            "Width over which densities end at the shape's surface"),
+      field("edge_voxels", &Domain::edge_voxels, between(0.0, 1e6), "voxels",
+            "The same in voxels, in place of edge; without both 2, of a box 0")
+          .in_place_of("edge"));
 }
 
 constexpr auto fields_of(std::type_identity<DensityScale>) {
