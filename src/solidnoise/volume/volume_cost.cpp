@@ -163,9 +163,9 @@ Cost noise_cost(const VolumeRecipe& recipe, const NoiseRecipe& of, const VolumeP
   if (const double warp = largest_warp(recipe.layers, recipe.fields); warp > 0.0) {
     const PointSpread spread = spread_by_warp(plan, warp);
     const double voxel = std::min({lattice.step.x, lattice.step.y, lattice.step.z});
-    Cost cost = cost_at_points(*noise, voxels, lattice, error, spread);
-    cost.bytes *= threads;
     const auto plans = plan_points(*noise, lattice, error, spread);
+    Cost cost = cost_at_points(*noise, voxels, plans);
+    cost.bytes *= threads;
     for (std::size_t i = 0; i < plans.size(); ++i) {
       if (plans[i].direct()) continue;
       cost.bytes +=
@@ -180,11 +180,10 @@ Cost noise_cost(const VolumeRecipe& recipe, const NoiseRecipe& of, const VolumeP
     return {varies ? varying_seconds(recipe, plan, *noise) : cost.seconds, cost.bytes * threads};
   }
   const Quantity quantity = has_gradient(recipe) ? Quantity::gradient : Quantity::values;
-  Cost cost = cost_on_lattice(
-      *noise, lattice, {.samples = voxels, .side = block_side(plan), .error = error, .quantity = quantity});
+  const auto plans = InterpolationPlanner<3>(*noise, lattice).plan(error, quantity);
+  Cost cost = cost_on_lattice(*noise, lattice, {.samples = voxels, .side = block_side(plan)}, plans);
   cost.seconds += normalization_seconds(recipe, *noise);
   cost.bytes *= threads;
-  const auto plans = InterpolationPlanner<3>(*noise, lattice).plan(error, quantity);
   for (std::size_t i = 0; i < plans.size(); ++i) {
     if (plans[i].direct()) continue;
     SampleSpacing samples;
@@ -209,6 +208,31 @@ double streamed_bytes(const VolumeRecipe& recipe, const VolumePlan& plan) {
          std::min(kSlab, kWriting * static_cast<double>(plan.memory));
 }
 
+Cost evaluation_cost(const VolumeRecipe& recipe, const VolumePlan& plan, int threads) {
+  Cost cost;
+  if (plan.modification && plan.modification->modification.displace) {
+    cost.seconds += kSecondsPerDisplacedVoxel * estimate_voxels(recipe, *plan.modification);
+  }
+  for (const VolumeRecipe& grid : recipes_of_grids(recipe)) {
+    const VolumeRecipe resolved = at_resolution(grid, plan.frame.voxel_size());
+    cost.seconds += voxels_of(plan) * channel_count(grid) * seconds_per_voxel(grid);
+    for (const NoiseRecipe& noise : noises_of(resolved)) {
+      const Cost of_noise = noise_cost(resolved, noise, plan, threads);
+      for (int channel = 0; channel < channel_count(grid); ++channel) cost += of_noise;
+    }
+  }
+  return cost;
+}
+
+// With what evaluation takes.
+Cost making_cost(const VolumeRecipe& recipe, const VolumePlan& plan, const Cost& evaluation, Making making) {
+  if (making == Making::streamed) {
+    return {passes_of_stream(recipe) * evaluation.seconds,
+            kProgramBytes + streamed_bytes(recipe, plan) + evaluation.bytes};
+  }
+  return {evaluation.seconds, kProgramBytes + kWriting * static_cast<double>(plan.memory) + evaluation.bytes};
+}
+
 // Of so many voxels of all grids together, with the bytes of the largest part, in a box.
 Cost merge_cost(double voxels, double part, const openvdb::CoordBBox& box) {
   constexpr double kSecondsPerMergedVoxel =
@@ -226,25 +250,7 @@ int max_threads() {
 }
 
 Cost volume_cost(const VolumeRecipe& recipe, const VolumePlan& plan, int threads, Making making) {
-  Cost cost;
-  if (plan.modification && plan.modification->modification.displace) {
-    cost.seconds += kSecondsPerDisplacedVoxel * estimate_voxels(recipe, *plan.modification);
-  }
-  for (const VolumeRecipe& grid : recipes_of_grids(recipe)) {
-    const VolumeRecipe resolved = at_resolution(grid, plan.frame.voxel_size());
-    cost.seconds += voxels_of(plan) * channel_count(grid) * seconds_per_voxel(grid);
-    for (const NoiseRecipe& noise : noises_of(resolved)) {
-      const Cost of_noise = noise_cost(resolved, noise, plan, threads);
-      for (int channel = 0; channel < channel_count(grid); ++channel) cost += of_noise;
-    }
-  }
-  if (making == Making::streamed) {
-    cost.seconds *= passes_of_stream(recipe);
-    cost.bytes += kProgramBytes + streamed_bytes(recipe, plan);
-  } else {
-    cost.bytes += kProgramBytes + kWriting * static_cast<double>(plan.memory);
-  }
-  return cost;
+  return making_cost(recipe, plan, evaluation_cost(recipe, plan, threads), making);
 }
 
 Cost merge_cost(const VolumeRecipe& recipe, const VolumePlan& whole, int parts) {
@@ -277,11 +283,12 @@ Cost merge_cost(const std::vector<std::filesystem::path>& parts, Making making, 
 
 MakingPlan plan_making(const VolumeRecipe& recipe, const VolumePlan& plan, int threads, double memory,
                        Target target) {
-  MakingPlan whole{Making::in_memory, volume_cost(recipe, plan, threads)};
+  const Cost evaluation = evaluation_cost(recipe, plan, threads);
+  MakingPlan whole{Making::in_memory, making_cost(recipe, plan, evaluation, Making::in_memory)};
   if (target == Target::picture) whole.cost.bytes += kPictureBytes;
   if (memory == 0.0 || whole.cost.bytes <= memory || target != Target::file || !may_stream(plan))
     return whole;
-  const MakingPlan streamed{Making::streamed, volume_cost(recipe, plan, threads, Making::streamed)};
+  const MakingPlan streamed{Making::streamed, making_cost(recipe, plan, evaluation, Making::streamed)};
   return streamed.cost.bytes < whole.cost.bytes ? streamed : whole;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -30,44 +31,41 @@ void for_each_part(const Noise<Dim>& noise, const Visit& visit) {
   if (parts.empty()) visit(0, noise.waves());
 }
 
-// Of so many samples along each axis; where balls around them do not meet, in the balls alone.
-double impulses_around(const WaveMixture<3>& waves, const Vec<3>& step, double samples) {
+// That reach a cube of so many steps along each axis, of which each counts for so many radii at most.
+double impulses_around(const WaveMixture<3>& waves, const Vec<3>& step, double steps,
+                       double most_radii = std::numeric_limits<double>::infinity()) {
   if (!(waves.radius > 0.0)) return 0.0;
   double impulses = waves.impulses / kBall;
-  for (int axis = 0; axis < 3; ++axis)
-    impulses *= std::min(step[axis] / waves.radius, 2.0) * (samples - 1.0) + 2.0;
+  for (int axis = 0; axis < 3; ++axis) {
+    impulses *= std::min(step[axis] / waves.radius, most_radii) * steps + 2.0;
+  }
   return impulses;
 }
 
-double impulses_within_reach(const WaveMixture<3>& waves, const Vec<3>& step, double side) {
-  if (!(waves.radius > 0.0)) return 0.0;
-  double impulses = waves.impulses / kBall;
-  for (int axis = 0; axis < 3; ++axis) impulses *= step[axis] * side / waves.radius + 2.0;
-  return impulses;
-}
+// Balls around samples that do not meet.
+constexpr double kApart = 2.0;
 
 }  // namespace
 
 ImpulsesHeld impulses_held(const WaveMixture<3>& waves, const Vec<3>& step, double side) {
-  const double of_cube = impulses_within_reach(waves, step, side);
+  const double of_cube = impulses_around(waves, step, side);
   if (of_cube <= kMostImpulsesInBlock) return {of_cube, side};
   // Bricks are of fewer samples where these are far apart (LocatedAxis); cells are as large as the radius at
   // most.
   const double longest = CellAxis::kMaxSpan * waves.radius / std::max({step.x, step.y, step.z});
   const double of_brick = std::min<double>({side, SampleBrick::kSide, std::max(1.0, std::floor(longest))});
-  return {impulses_around(waves, step, of_brick + 1.0), of_brick};
+  return {impulses_around(waves, step, of_brick, kApart), of_brick};
 }
 
-Cost cost_on_lattice(const Noise<3>& noise, const LatticeFrame<3>& frame, const LatticeWork& work) {
-  const std::vector<InterpolationPlan<3>> plans =
-      InterpolationPlanner<3>(noise, frame).plan(work.error, work.quantity);
+Cost cost_on_lattice(const Noise<3>& noise, const LatticeFrame<3>& frame, const LatticeWork& work,
+                     const std::vector<InterpolationPlan<3>>& plans) {
   Cost cost;
   for_each_part(noise, [&](std::size_t part, const WaveMixture<3>& waves) {
     const ImpulsesHeld held = impulses_held(waves, frame.step, work.side);
     const double cubes = work.samples / std::pow(held.side, 3);
     double seconds = 0.0;
     if (plans[part].direct() && held.side < work.side) {
-      seconds = cubes * impulses_around(waves, frame.step, held.side) *
+      seconds = cubes * impulses_around(waves, frame.step, held.side - 1.0, kApart) *
                 (kSecondsPerImpulseOfBrick + kSecondsPerSampleAndImpulse * std::pow(held.side, 3));
     } else {
       const double sample = waves.impulses > 0.0 ? kSumsInPractice * plans[part].nanoseconds * kNanosecond
@@ -94,11 +92,10 @@ template Cost cost_at_points(const Noise<2>&, double);
 template Cost cost_at_points(const Noise<3>&, double);
 template Cost cost_at_points(const Noise<4>&, double);
 
-Cost cost_at_points(const Noise<3>& noise, double points, const LatticeFrame<3>& frame, double error,
-                    const PointSpread& spread) {
+Cost cost_at_points(const Noise<3>& noise, double points, const std::vector<PointPlan>& plans) {
   Cost cost = cost_at_points(noise, points);
   cost.seconds = 0.0;
-  for (const PointPlan& plan : plan_points(noise, frame, error, spread)) {
+  for (const PointPlan& plan : plans) {
     cost.seconds += points * kSumsInPractice * plan.nanoseconds * kNanosecond;
   }
   return cost;

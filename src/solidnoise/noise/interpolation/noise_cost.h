@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "solidnoise/noise/interpolation/interpolation_plan.h"
 #include "solidnoise/noise/interpolation/lattice_frame.h"
 #include "solidnoise/noise/interpolation/point_plan.h"
@@ -19,16 +21,15 @@ struct Cost {
   }
 };
 
-// What it takes to evaluate a noise at so many samples of a lattice, in blocks of `side` along an axis:
-// impulses that reach a sample, as the planner counts them, and the impulses of a block, which lie in it and
-// within a radius of it. Without impulses (gradient noise) a sample takes the same time everywhere.
+// What it takes to evaluate a noise at so many samples of a lattice, in blocks of `side` along an axis, as
+// InterpolationPlanner plans it: impulses that reach a sample, and the impulses of a block, which lie in it
+// and within a radius of it. Without impulses (gradient noise) a sample takes the same time everywhere.
 struct LatticeWork {
   double samples = 0.0;
   double side = 64.0;  // samples
-  double error = 0.0;  // of interpolation, 0: none; see InterpolationPlanner
-  Quantity quantity = Quantity::values;
 };
-Cost cost_on_lattice(const Noise<3>& noise, const LatticeFrame<3>& frame, const LatticeWork& work);
+Cost cost_on_lattice(const Noise<3>& noise, const LatticeFrame<3>& frame, const LatticeWork& work,
+                     const std::vector<InterpolationPlan<3>>& plans);
 
 // The impulses of noise with these waves that are held at a time to evaluate cubes of `side` samples along
 // each axis, `step` apart in world units: those that reach a cube; or a brick of it, where they are more than
@@ -40,10 +41,9 @@ struct ImpulsesHeld {
 ImpulsesHeld impulses_held(const WaveMixture<3>& waves, const Vec<3>& step, double side);
 inline constexpr double kBytesPerImpulse = 56.0;  // measured
 
-// The same at points, all of them near each other; and where interpolate_at_points() has made it quicker.
+// The same at points, all of them near each other; and as plan_points() plans it.
 template <int Dim>
 Cost cost_at_points(const Noise<Dim>& noise, double points);
-Cost cost_at_points(const Noise<3>& noise, double points, const LatticeFrame<3>& frame, double error,
-                    const PointSpread& spread);
+Cost cost_at_points(const Noise<3>& noise, double points, const std::vector<PointPlan>& plans);
 
 }  // namespace solidnoise
