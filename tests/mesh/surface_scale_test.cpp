@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <functional>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -14,6 +16,7 @@
 #include "solidnoise/mesh/bake_mesh.h"
 #include "solidnoise/mesh/refine.h"
 #include "solidnoise/noise/gabor/gabor_noise.h"
+#include "solidnoise/noise/gabor/oriented_gabor_noise.h"
 #include "support/paths.h"
 #include "support/surfaces.h"
 
@@ -38,6 +41,31 @@ double expected_square(const GaborNoise<2>& noise, double distance) {
   return sum * kHighest / kSteps;
 }
 
+constexpr double kFarthest = 1.0;  // wavelengths
+
+// The same of the recipe's noise, an edge's place in wavelengths: along the direction, and across it.
+std::function<double(const Vec<2>&)> expected_square(const BakeRecipe& recipe) {
+  const double bandwidth = recipe.bandwidth.from;
+  if (recipe.noise.kind == SurfaceNoiseKind::oriented) {
+    const OrientedGaborNoise<2> noise(
+        {.frequency = 1.0, .bandwidth = bandwidth, .error = recipe.noise.error, .anisotropy = 1.0});
+    return [waves = noise.waves()](const Vec<2>& edge) {
+      return 2.0 * (waves.variance() - waves.covariance(edge));
+    };
+  }
+  const GaborNoise<2> noise({.frequency = 1.0, .bandwidth = bandwidth, .error = recipe.noise.error});
+  constexpr std::size_t kTable = 256;
+  std::vector<double> table;
+  for (std::size_t i = 0; i <= kTable; ++i) {
+    table.push_back(expected_square(noise, kFarthest * static_cast<double>(i) / kTable));
+  }
+  return [table](const Vec<2>& edge) {
+    const double place = glm::length(edge) / kFarthest * kTable;
+    const auto i = static_cast<std::size_t>(place);
+    return table[i] + (place - static_cast<double>(i)) * (table[i + 1] - table[i]);
+  };
+}
+
 // What the noise does along the edges of a mesh, against what it does on a plane.
 struct EdgeSteps {
   double torn = 0.0;      // share of the edges where it steps by more than 3.5 standard deviations
@@ -47,14 +75,8 @@ struct EdgeSteps {
 EdgeSteps measure_steps(const BakePlan& plan, const BakeRecipe& recipe) {
   const BakedMesh baked = bake(plan, recipe);
   const std::vector<double>& values = baked.mesh.property("noise")->values;
-  const GaborNoise<2> noise(
-      {.frequency = 1.0, .bandwidth = recipe.bandwidth.from, .error = recipe.noise.error});
-  constexpr double kFarthest = 1.0;  // of the table, wavelengths
-  constexpr std::size_t kTable = 256;
-  std::vector<double> table;
-  for (std::size_t i = 0; i <= kTable; ++i) {
-    table.push_back(expected_square(noise, kFarthest * static_cast<double>(i) / kTable));
-  }
+  const auto expected = expected_square(recipe);
+  const std::vector<Vec<3>>& directions = plan.guides.directions;
   const VertexNumber& frequency = plan.parameters.frequency;
   const auto frequency_at = [&](std::uint32_t v) {
     return frequency.varies() ? static_cast<double>(frequency.values[v]) : frequency.constant;
@@ -66,12 +88,12 @@ EdgeSteps measure_steps(const BakePlan& plan, const BakeRecipe& recipe) {
     for (std::size_t k = 0; k < face.size(); ++k) {
       const std::uint32_t a = face[k];
       const std::uint32_t b = face[(k + 1) % face.size()];
-      const double length = glm::distance(plan.mesh.positions[a], plan.mesh.positions[b]) *
-                            std::sqrt(frequency_at(a) * frequency_at(b));
+      const Vec<3> edge = (plan.mesh.positions[b] - plan.mesh.positions[a]) *
+                          std::sqrt(frequency_at(a) * frequency_at(b));
+      const double length = glm::length(edge);
       if (length <= 0.0 || length >= kFarthest) continue;
-      const double place = length / kFarthest * kTable;
-      const auto i = static_cast<std::size_t>(place);
-      const double square = table[i] + (place - static_cast<double>(i)) * (table[i + 1] - table[i]);
+      const double along = directions.empty() ? 0.0 : glm::dot(edge, directions[a]);
+      const double square = expected({along, std::sqrt(std::max(length * length - along * along, 0.0))});
       const double step = values[b] - values[a];
       steps.torn += step * step > 3.5 * 3.5 * square ? 1.0 : 0.0;
       steps.gradient += step * step / square;
@@ -108,6 +130,25 @@ TEST(SurfaceScale, NoiseDoesNotTearWhereItFollowsTheCurvatureOfAnyMesh) {
   const EdgeSteps raw = measure_steps(plan_bake(wyrm(), varying), varying);
   EXPECT_GT(raw.torn, 0.01);
   EXPECT_GT(raw.gradient, 1.5);
+}
+
+// Where the lines of curvature turn, so do the waves, and the noise with them.
+TEST(SurfaceScale, OrientedNoiseDoesNotTear) {
+  BakeRecipe recipe;
+  recipe.noise.kind = SurfaceNoiseKind::oriented;
+  recipe.noise.error = 0.05;
+  recipe.bandwidth = {0.6, 0.6};
+  BakeRecipe varying = recipe;
+  varying.detail = {0.6, 2.2};
+  varying.by.source = SteeringSource::abs_curvature;
+  for (const PolygonMesh& mesh : {wyrm(), rough_wyrm()}) {
+    const EdgeSteps steady = measure_steps(plan_bake(mesh, recipe), recipe);
+    EXPECT_LT(steady.torn, 0.01);
+    EXPECT_LT(steady.gradient, 1.1);
+    const EdgeSteps steered = measure_steps(plan_bake(mesh, varying), varying);
+    EXPECT_LT(steered.torn, 0.01);
+    EXPECT_LT(steered.gradient, 1.3);
+  }
 }
 
 TEST(SurfaceScale, FrequenciesDoNotDependOnTheTessellation) {
