@@ -203,35 +203,6 @@ TEST(GaborStatistics, SixthCumulantOfStrataIsTheClosedForm) {
   check.template operator()<3>(0.641, 40);
 }
 
-// The tails are the Gaussian's: over 3 standard deviations within 10 %, over 4 within 40 %. A Poisson process
-// of an excess kurtosis of 1/2 has 2 and 7 times as much there.
-TEST(GaborStatistics, TailsAreAGaussians) {
-  const auto check = []<int Dim>(const auto& options, int seeds) {
-    double past_3 = 0.0;
-    double past_4 = 0.0;
-    double count = 0.0;
-    auto of_seed = options;
-    for (int seed = 0; seed < seeds; ++seed) {
-      of_seed.seed = static_cast<std::uint64_t>(seed);
-      const auto noise = make_noise<Dim>(NoiseRecipe{of_seed, {}});
-      Lattice<Dim> lattice;
-      lattice.step = Vec<Dim>(0.4 / options.frequency);
-      lattice.count = glm::vec<Dim, int>(Dim == 2 ? 256 : 48);
-      for (const float value : values_of<Dim>(*noise, lattice)) {
-        past_3 += std::abs(value) > 3.0f ? 1.0 : 0.0;
-        past_4 += std::abs(value) > 4.0f ? 1.0 : 0.0;
-        count += 1.0;
-      }
-    }
-    const auto gaussian = [&](double sigmas) { return count * std::erfc(sigmas / std::numbers::sqrt2); };
-    EXPECT_NEAR(past_3 / gaussian(3.0), 1.0, 0.1);
-    EXPECT_NEAR(past_4 / gaussian(4.0), 1.0, 0.4);
-  };
-  check.template operator()<2>(GaborNoiseOptions{}, 60);
-  check.template operator()<2>(OrientedGaborNoiseOptions{}, 60);
-  check.template operator()<3>(OrientedGaborNoiseOptions{}, 30);
-}
-
 // What an error is allowed for does not move impulses: a draft is the final, up to its error.
 TEST(GaborStatistics, ADraftShowsTheFinal) {
   for_each_dimension([]<int Dim>() {
