@@ -59,7 +59,7 @@ inline void expect_limits(const std::function<ToolResult(const std::vector<std::
   EXPECT_NE(slow.err.find(" seconds, --max-time allows 1e-09"), std::string::npos) << slow.err;
   double estimate = 0.0;
   ToolResult result = run_within("--max-memory", "1");
-  for (int raised = 0; raised < 3 && result.status == 1; ++raised) {
+  for (int raised = 0; raised < 9 && result.status == 1; ++raised) {
     const std::string::size_type at = result.err.find(" may need ");
     ASSERT_NE(at, std::string::npos) << result.err;
     std::string unit;
