@@ -30,8 +30,8 @@ class Tails {
     count_ += static_cast<double>(values.size());
   }
 
-  // Over 3 standard deviations within 10 %, over 4 within 40 %: some four standard errors of as many values
-  // as are taken here.
+  // Over 3 standard deviations within 10 %, over 4 within 40 %: three standard errors or more, of as many
+  // values as are taken here.
   void expect_gaussian() const {
     const auto gaussian = [&](double sigmas) { return count_ * std::erfc(sigmas / std::numbers::sqrt2); };
     EXPECT_GT(count_, 1.9e6);
