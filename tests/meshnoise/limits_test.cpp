@@ -1,3 +1,5 @@
+#include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -52,6 +54,25 @@ TEST(MeshnoiseLimits, CountTheImpulsesOfVerticesThatShareNone) {
   const double alone = seconds("2000");
   EXPECT_GT(alone, 4.0 * together);
   EXPECT_NEAR(alone, seconds("20000"), 0.1 * alone);
+}
+
+// A strip of slivers, whose long edges reach over many waves, while neighbours see the same impulses.
+TEST(MeshnoiseLimits, TakeSliversForTheNeighboursThatTheyAre) {
+  const TemporaryFolder folder;
+  PolygonMesh strip;
+  constexpr std::uint32_t kRows = 20000;
+  for (std::uint32_t i = 0; i < kRows; ++i) {
+    for (const double y : {0.0, 1.0}) strip.positions.push_back({1e-4 * i, y, 0.0});
+    if (i + 1 == kRows) break;
+    const std::uint32_t first = 2 * i;
+    strip.add_face(std::array{first, first + 2, first + 1});
+    strip.add_face(std::array{first + 1, first + 2, first + 3});
+  }
+  write_sample(folder, "strip.ply", strip);
+  const ToolResult described = run_meshnoise(
+      {"bake", "strip.ply", "--frequency", "200", "--octaves", "4", "--describe"}, {.folder = folder.path()});
+  ASSERT_EQ(described.status, 0) << described.err;
+  EXPECT_LT(nlohmann::json::parse(described.out)["cost"]["seconds_of_one_core"].get<double>(), 1.0);
 }
 
 TEST(MeshnoiseLimits, AreHeldToBeforeWork) {

@@ -104,5 +104,16 @@ TEST(VolumeCost, CountsWhatAMapOfFrequenciesTakes) {
   EXPECT_GT(seconds(10.0, 40.0), 5.0 * seconds(8.0, 8.01));
 }
 
+// Kernels of narrow bands are polynomials of high degrees: of 6 and 92, of as many impulses.
+TEST(VolumeCost, CountsThePolynomialsOfNarrowBands) {
+  const auto seconds = [&](double bandwidth) {
+    VolumeRecipe recipe = small_recipe();
+    recipe.dim = 64;
+    recipe.noise.noise = GaborNoiseOptions{.frequency = 8.0, .bandwidth = bandwidth, .impulses = 100.0};
+    return volume_cost(recipe, plan_volume(recipe), 1).seconds;
+  };
+  EXPECT_GT(seconds(0.05), 5.0 * seconds(1.0));
+}
+
 }  // namespace
 }  // namespace solidnoise::grid_in_memory_test

@@ -1,5 +1,11 @@
 #include "solidnoise/mesh/bake_cost.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+
+#include <glm/geometric.hpp>
+
 #include "solidnoise/mesh/surface_field.h"
 
 namespace solidnoise {
@@ -18,13 +24,35 @@ double count_properties(const BakeRecipe& recipe) {
   return count;
 }
 
+// The faces' shortest edges over all of them: 1 where faces are regular, little of slivers.
+double shortest_edges(const PolygonMesh& mesh) {
+  constexpr double kRegular = 0.8;  // of the triangles of scans
+  double shortest = 0.0;
+  double all = 0.0;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const auto face = mesh.face(f);
+    double least = std::numeric_limits<double>::infinity();
+    double sum = 0.0;
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      const double length =
+          glm::distance(mesh.positions[face[i]], mesh.positions[face[(i + 1) % face.size()]]);
+      least = std::min(least, length);
+      sum += length;
+    }
+    shortest += least;
+    all += sum / static_cast<double>(face.size());
+  }
+  return all > 0.0 ? std::min(shortest / (kRegular * all), 1.0) : 1.0;
+}
+
 // Octaves whose impulses are made anew for each vertex: all of those whose kernels reach less far than from
-// vertex to vertex, few of the others.
+// a vertex to the next, few of the others.
 double count_lone_octaves(const BakePlan& plan, const FractalOptions& fractal) {
   constexpr double kReach = 5.0;  // cycles of the highest frequency, where half are made anew
+  const double finest = plan.mean_cycles_per_edge * shortest_edges(plan.mesh);
   double count = 0.0;
   for (int k = 0; k < fractal.octaves; ++k) {
-    const double cycles = plan.mean_cycles_per_edge / fractal.frequency_ratio(k);
+    const double cycles = finest / fractal.frequency_ratio(k);
     count += cycles * cycles / (cycles * cycles + kReach * kReach);
   }
   return count;

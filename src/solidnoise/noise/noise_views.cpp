@@ -147,6 +147,7 @@ class SliceNoise final : public Noise<3> {
     }
     frame.impulses = all.impulses;
     frame.radius = all.radius;
+    frame.work = all.work;
     return frame;
   }
 

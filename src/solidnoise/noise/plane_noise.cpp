@@ -201,6 +201,7 @@ class PlaneNoise final : public Noise<2> {
     result.truncation = all.truncation;
     result.impulses = all.impulses;
     result.radius = all.radius;
+    result.work = all.work;
     return result;
   }
 

@@ -44,9 +44,11 @@ struct WaveMixture {
   double truncation = 0.0;
   std::vector<Wave> truncation_waves;
 
-  // What evaluating a sample costs: the impulses that reach it, and from how far (world units).
+  // What evaluating a sample costs: the impulses that reach it, from how far (world units), and what each
+  // takes over one of an isotropic kernel of an octave's width.
   double impulses = 0.0;
   double radius = 0.0;
+  double work = 1.0;
 
   double variance() const;
   double covariance(const Vec<Dim>& x) const;

@@ -219,6 +219,7 @@ WaveMixture<Dim> GaborNoise<Dim>::waves() const {
   mixture.symmetry = WaveMixture<Dim>::Symmetry::mirror;
   mixture.impulses = impulses_in_ball(Dim, density_, compact_.radius());
   mixture.radius = compact_.radius();
+  mixture.work = std::max(1.0, (compact_.degree() + 2) / 8.0);  // measured at degrees of 6 to 92
   mixture.truncation = variance_ * std::pow(compact_.relative_error(), 2);
   const auto directions = mirrored_directions<Dim>();
   const QuadratureRule& rule = panel_rule();

@@ -65,11 +65,13 @@ Cost cost_on_lattice(const Noise<3>& noise, const LatticeFrame<3>& frame, const 
     const double cubes = work.samples / std::pow(held.side, 3);
     double seconds = 0.0;
     if (plans[part].direct() && held.side < work.side) {
-      seconds = cubes * impulses_around(waves, frame.step, held.side - 1.0, kApart) *
-                (kSecondsPerImpulseOfBrick + kSecondsPerSampleAndImpulse * std::pow(held.side, 3));
+      seconds =
+          cubes * impulses_around(waves, frame.step, held.side - 1.0, kApart) *
+          (kSecondsPerImpulseOfBrick + waves.work * kSecondsPerSampleAndImpulse * std::pow(held.side, 3));
     } else {
-      const double sample = waves.impulses > 0.0 ? kSumsInPractice * plans[part].nanoseconds * kNanosecond
-                                                 : kSecondsPerGradientSample;
+      const double sample = waves.impulses > 0.0
+                                ? waves.work * kSumsInPractice * plans[part].nanoseconds * kNanosecond
+                                : kSecondsPerGradientSample;
       seconds = work.samples * sample + cubes * held.count * kSecondsPerImpulseMade;
     }
     cost += {seconds, held.count * kBytesPerImpulse};
@@ -81,7 +83,8 @@ template <int Dim>
 Cost cost_at_points(const Noise<Dim>& noise, double points) {
   Cost cost;
   for_each_part(noise, [&](std::size_t, const WaveMixture<Dim>& waves) {
-    cost.seconds += points * (waves.impulses * kSecondsPerPointImpulse + kSecondsPerGradientSample);
+    cost.seconds +=
+        points * (waves.work * waves.impulses * kSecondsPerPointImpulse + kSecondsPerGradientSample);
     cost.bytes += waves.impulses * kBytesPerImpulse;
   });
   return cost;
@@ -95,9 +98,9 @@ template Cost cost_at_points(const Noise<4>&, double);
 Cost cost_at_points(const Noise<3>& noise, double points, const std::vector<PointPlan>& plans) {
   Cost cost = cost_at_points(noise, points);
   cost.seconds = 0.0;
-  for (const PointPlan& plan : plans) {
-    cost.seconds += points * kSumsInPractice * plan.nanoseconds * kNanosecond;
-  }
+  for_each_part(noise, [&](std::size_t part, const WaveMixture<3>& waves) {
+    cost.seconds += waves.work * points * kSumsInPractice * plans[part].nanoseconds * kNanosecond;
+  });
   return cost;
 }
 
