@@ -53,7 +53,8 @@ TEST(FitMemory, OfAPictureIsNotTakenWhereItIsRefused) {
   const ToolResult refused =
       run_noisefit({"large.png", "--max-memory", "200M", "--out", "x.json"}, {.folder = folder.path()});
   EXPECT_EQ(refused.status, 1);
-  EXPECT_NE(refused.err.find("cannot read large.png: reading it may need "), std::string::npos) << refused.err;
+  EXPECT_NE(refused.err.find("cannot read large.png: reading it may need "), std::string::npos)
+      << refused.err;
   EXPECT_NE(refused.err.find("--max-memory allows 200.0 MiB"), std::string::npos) << refused.err;
   EXPECT_LT(refused.peak_memory, 200.0 * 0x1p20);
 }

@@ -15,7 +15,8 @@ namespace solidnoise {
 
 ExemplarFile read_model(const std::filesystem::path& path) {
   ExemplarFile file;
-  read_recipe(path, read_text_file(path == "-" ? "/dev/stdin" : path), [&](const Json& json) { file = exemplar_file_of(json); });
+  read_recipe(path, read_text_file(path == "-" ? "/dev/stdin" : path),
+              [&](const Json& json) { file = exemplar_file_of(json); });
   return file;
 }
 

@@ -100,7 +100,7 @@ bool is_made(const MakeOptions& options, const VolumePlan& plan) {
   if (!holds_volume(options.out, options.recipe, plan)) {
     throw std::runtime_error(options.out +
                              ": exists already, and is damaged or of another recipe; --force instead of "
-                                 "--skip-existing replaces it");
+                             "--skip-existing replaces it");
   }
   if (!options.preview.empty() && !std::filesystem::exists(options.preview)) return false;
   if (!options.quiet) std::cerr << options.out << ": is kept\n";

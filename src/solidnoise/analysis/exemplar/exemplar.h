@@ -38,8 +38,8 @@ Exemplar<2> exemplar_of_image(const Image& image, const ExemplarReading& reading
 
 // The same from a file that OpenImageIO reads: 8 and 16 bits are sRGB-encoded, .exr files and Radiance's
 // (.hdr, .rgbe, .pic) are linear light already. Throws std::runtime_error naming the path, and Cancelled
-// where `progress` asks to stop. `before` is told the bytes of the pixels before they are taken, as read_image
-// tells them; the exemplar takes at most as many once more.
+// where `progress` asks to stop. `before` is told the bytes of the pixels before they are taken, as
+// read_image tells them; the exemplar takes at most as many once more.
 Exemplar<2> read_exemplar(const std::filesystem::path& path, const ExemplarReading& reading = {},
                           Progress* progress = nullptr,
                           const std::function<void(std::uint64_t bytes)>& before = {});
