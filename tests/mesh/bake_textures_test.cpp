@@ -289,6 +289,15 @@ TEST(BakeTextures, MixesFiltersOfTheTexelsVariance) {
   EXPECT_EQ(FilterLevels(0.3, 0.3).deviations(), std::vector{0.3});
 }
 
+TEST(BakeTextures, CountsTheFrequenciesOfLayers) {
+  const Sheet sheet = square(2.0);
+  BakeRecipe recipe = recipe_of(2.0);
+  recipe.layers = {Layer{}};
+  const double own = cycles_per_texel(plan(sheet, recipe));
+  recipe.layers.push_back({.noise = NoiseRecipe{GaborNoiseOptions{.frequency = 16.0}, {}}});
+  EXPECT_NEAR(cycles_per_texel(plan(sheet, recipe)), 8.0 * own, 0.3 * own);
+}
+
 TEST(BakeTextures, NamesMapsOfTheRecipe) {
   BakeRecipe recipe;
   recipe.properties["roughness"] = {.use = "value"};

@@ -253,8 +253,9 @@ BakePlan plan_bake(PolygonMesh mesh, const BakeRecipe& recipe, Progress* progres
   const double highest = surface_band(recipe.noise, 1.0, recipe.bandwidth.from).upper;
   plan.parameters = make_parameters(recipe, frequency, plan.guides.steering.weights);
   plan.mean_cycles_per_edge = mean_cycles_per_edge(mesh, plan.parameters.frequency, highest);
-  std::vector<double> targets = edges_that_show(
-      plan.parameters.frequency, finest_of_layers(recipe, plan.feature_size), highest, mesh.positions.size());
+  const double finest = finest_of_layers(recipe, plan.feature_size);
+  std::vector<double> targets =
+      edges_that_show(plan.parameters.frequency, finest, highest, mesh.positions.size());
   if (plan.mean_cycles_per_edge > kHighestCyclesPerEdge) {
     plan.vertices_to_show = refined_vertices(mesh, targets, {}, kMostCounted);
   }
@@ -267,7 +268,7 @@ BakePlan plan_bake(PolygonMesh mesh, const BakeRecipe& recipe, Progress* progres
     plan.mean_cycles_per_edge = mean_cycles_per_edge(mesh, plan.parameters.frequency, highest);
   }
   plan.mesh = std::move(mesh);
-  plan.highest_frequency = highest * std::max(frequency.from, frequency.to);
+  plan.highest_frequency = highest * std::max({frequency.from, frequency.to, finest});
   return plan;
 }
 

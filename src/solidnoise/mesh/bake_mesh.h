@@ -31,7 +31,8 @@ struct BakePlan {
   double filter = 0.0;                // BakeVertices::filter
   double feature_size = 1.0;          // feature_size_of(), world units
   double mean_edge = 0.0;             // of `mesh`, world units; 0 without edges
-  double highest_frequency = 0.0;     // of the noise's band, where it is highest, cycles per world unit
+  double highest_frequency = 0.0;     // of the noise's band, where it is highest, and of those of layers,
+                                      // cycles per world unit
   double mean_cycles_per_edge = 0.0;  // of the highest frequency: above kHighestCyclesPerEdge it aliases
   // Where it does, or would without refining: about how many vertices the mesh takes to show all of the
   // noise, counted up to kMostCounted.
