@@ -72,7 +72,7 @@ TEST(MeshnoiseLimits, TakeSliversForTheNeighboursThatTheyAre) {
   const ToolResult described = run_meshnoise(
       {"bake", "strip.ply", "--frequency", "200", "--octaves", "4", "--describe"}, {.folder = folder.path()});
   ASSERT_EQ(described.status, 0) << described.err;
-  EXPECT_LT(nlohmann::json::parse(described.out)["cost"]["seconds_of_one_core"].get<double>(), 1.0);
+  EXPECT_LT(nlohmann::json::parse(described.out)["cost"]["seconds_of_one_core"].get<double>(), 2.0);
 }
 
 TEST(MeshnoiseLimits, AreHeldToBeforeWork) {
