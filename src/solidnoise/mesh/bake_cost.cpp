@@ -73,7 +73,7 @@ double bake_memory(double vertices, double faces) {
 // Of the impulses within reach of the vertices that are evaluated together, for each that a vertex is reached
 // by. Measured with 2000 and 5000 of them.
 double impulse_memory(SurfaceNoiseKind kind, double impulses) {
-  const double each = kind == SurfaceNoiseKind::oriented  ? 15.0
+  const double each = kind == SurfaceNoiseKind::oriented  ? 16.0
                       : kind == SurfaceNoiseKind::surface ? 7.0
                                                           : 3.0;
   return 1024.0 * each * impulses;
