@@ -46,7 +46,7 @@ test("Firefox shows surfaces and volumes, or says why it does not", async () => 
   const surface = JSON.stringify({ solidnoise: 2, surface: { noise: "kensler" }, frequency: 3, ramp: "marble" });
   for (const [view, text] of [["surface", surface], ["volume", textOf("kensler")]]) {
     const page = await pages.open(`#recipe=${codeOf(text)}&view=${view}`);
-    if (await page.evaluate(() => document.createElement("canvas").getContext("webgl2") !== null)) {
+    if (await page.evaluate(() => new OffscreenCanvas(1, 1).getContext("webgl2") !== null)) {
       await page.waitForFunction((own) => /\d/.test(document.querySelector(`.${own} figcaption`)?.textContent ?? ""), view, kPatience);
       assert.equal(await page.locator(".failure").count(), 0);
       await page.waitForTimeout(500);

@@ -277,12 +277,7 @@ test("a volume is marched through", async () => {
   await page.waitForTimeout(1500);
   await picture(page, "volume");
   // A cloud on a sky: not of one colour.
-  const colors = await page.evaluate(() => {
-    const gl = document.querySelector(".volume canvas").getContext("webgl2");
-    const pixels = new Uint8Array(4 * gl.drawingBufferWidth * gl.drawingBufferHeight);
-    gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
-    return new Set(pixels.filter((_, i) => i % 4 === 0)).size;
-  });
+  const colors = await page.evaluate(async () => new Set((await globalThis.shown(".volume canvas")).data.filter((_, i) => i % 4 === 0)).size);
   assert.ok(colors > 60, `${colors} greys`);
   await wellOf(page);
 });
@@ -293,13 +288,8 @@ test("a volume is lit alike with either axis up, and so is its sky", async () =>
     const recipe = { solidnoise: 2, up, noise: { type: "gabor" }, shaping: { type: "remap", threshold: -10 }, domain: { shape: { type: "sphere" } } };
     const page = await open(`#recipe=${codeOf(JSON.stringify(recipe))}&view=volume`, { viewport: { width: 820, height: 480 } });
     await page.waitForFunction(() => globalThis.last?.dim === 128, null, kPatience);
-    const bytes = await page.evaluate(async () => {
-      await new Promise(requestAnimationFrame);
-      const gl = document.querySelector(".volume canvas").getContext("webgl2");
-      const pixels = new Uint8Array(4 * gl.drawingBufferWidth * gl.drawingBufferHeight);
-      gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
-      return Array.from(pixels);
-    });
+    await page.waitForTimeout(1500);
+    const bytes = await page.evaluate(async () => Array.from((await globalThis.shown(".volume canvas")).data));
     await wellOf(page);
     return bytes;
   }));
@@ -312,10 +302,8 @@ test("a fire glows before black", async () => {
   await page.waitForFunction(() => globalThis.last?.dim === 128, null, kPatience);
   await page.waitForTimeout(1500);
   await picture(page, "fire");
-  const { corner, hot } = await page.evaluate(() => {
-    const gl = document.querySelector(".volume canvas").getContext("webgl2");
-    const pixels = new Uint8Array(4 * gl.drawingBufferWidth * gl.drawingBufferHeight);
-    gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+  const { corner, hot } = await page.evaluate(async () => {
+    const pixels = (await globalThis.shown(".volume canvas")).data;
     let hot = 0;
     for (let i = 0; i < pixels.length; i += 4) if (pixels[i] > 180 && pixels[i] > 1.3 * pixels[i + 2]) ++hot;
     return { corner: Array.from(pixels.slice(0, 3)), hot: hot / (pixels.length / 4) };
@@ -331,13 +319,12 @@ test("a body of marble has dark veins", async () => {
   await page.click('[role=tab]:text-is("Volume")');
   await page.waitForFunction(() => globalThis.last?.dim === 128, null, kPatience);
   await page.waitForTimeout(1000);
-  const greys = await page.evaluate(() => {
-    const gl = document.querySelector(".volume canvas").getContext("webgl2");
-    const pixels = new Uint8Array(4 * 200 * 200);
-    gl.readPixels(gl.drawingBufferWidth / 2 - 100, gl.drawingBufferHeight / 2 - 100, 200, 200, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
-    return Array.from(pixels.filter((_, i) => i % 4 === 0)).sort((a, b) => a - b);
+  const greys = await page.evaluate(async () => {
+    const { data, width, height } = await globalThis.shown(".volume canvas");
+    const isNear = (i) => Math.abs((i % width) - width / 2) < 100 && Math.abs(Math.floor(i / width) - height / 2) < 100;
+    return Array.from(data.filter((_, i) => i % 4 === 0).filter((_, i) => isNear(i))).sort((a, b) => a - b);
   });
-  const median = greys[greys.length / 2];
+  const median = greys[greys.length >> 1];
   assert.ok(median > 150 && greys[0] < 0.6 * median, `${greys[0]} to ${median}`);
   await wellOf(page);
 });
@@ -433,8 +420,61 @@ test("a file that is no photograph is refused in a line", async () => {
   await wellOf(page);
 });
 
+// Waits until a canvas shows pixels that were there before, or others.
+const isShown = (page, canvas, pixels, expected) =>
+  page.waitForFunction(async ([own, before, same]) => (String((await globalThis.shown(own)).data) === before) === same, [canvas, pixels, expected], kPatience);
+
+test("scenes are drawn beside the page: by keys, in their size, and again when a context was lost", async () => {
+  const surface = JSON.stringify({ solidnoise: 2, surface: { noise: "kensler" }, frequency: 3, ramp: "marble" });
+  for (const [view, text] of [["volume", textOf("kensler")], ["surface", surface]]) {
+    const page = await pages.open(`#recipe=${codeOf(text)}&view=${view}`, { viewport: { width: 900, height: 480 } }, async (own) => {
+      await own.addInitScript(() => {
+        globalThis.contexts = new Set();
+        for (const { prototype } of [HTMLCanvasElement, OffscreenCanvas]) {
+          const { getContext } = prototype;
+          prototype.getContext = function (kind, ...rest) {
+            globalThis.contexts.add(kind);
+            return getContext.call(this, kind, ...rest);
+          };
+        }
+      });
+      await own.route("**/scene.js", async (route) => {
+        const keep = "const { getContext } = OffscreenCanvas.prototype; OffscreenCanvas.prototype.getContext = function (kind) { return (self.kept = getContext.call(this, kind)); };";
+        await route.fulfill({ contentType: "text/javascript", body: keep + readFileSync(join(root, "build/studio/scene.js"), "utf8") });
+      });
+    });
+    const canvas = `.${view} canvas`;
+    const settled = async () => {
+      await page.waitForTimeout(1500);
+      return page.evaluate(async (own) => String((await globalThis.shown(own)).data), canvas);
+    };
+    await page.waitForFunction(() => globalThis.last?.dim === 128 || globalThis.last?.colors, null, kPatience);
+    const first = await settled();
+    await page.focus(canvas);
+    await page.keyboard.press("ArrowRight");
+    await isShown(page, canvas, first, false);
+    const turned = await settled();
+    const scene = page.workers().find((worker) => worker.url().endsWith("scene.js"));
+    await scene.evaluate(() => void (self.loss = self.kept.getExtension("WEBGL_lose_context")).loseContext());
+    await page.waitForTimeout(300);
+    await scene.evaluate(() => self.loss.restoreContext());
+    await page.keyboard.press("ArrowRight");
+    await isShown(page, canvas, turned, false);
+    await page.keyboard.press("ArrowLeft");
+    await isShown(page, canvas, turned, true);
+    await page.setViewportSize({ width: 900, height: 600 });
+    await page.waitForFunction(async (own) => {
+      const { width, height } = await globalThis.shown(own);
+      const { clientWidth, clientHeight } = document.querySelector(own);
+      return Math.abs(width / height - clientWidth / clientHeight) < 0.01;
+    }, canvas, kPatience);
+    assert.deepEqual(await page.evaluate(() => [...globalThis.contexts].filter((kind) => kind.startsWith("webgl"))), []);
+    await wellOf(page);
+  }
+});
+
 test("without WebGL slices work, and volumes say why they do not", async () => {
-  const bare = await launchChromium(["--disable-gpu", "--disable-3d-apis"]);
+  const bare = await launchChromium(["--disable-gpu", "--disable-software-rasterizer"]);
   const page = await bare.newPage();
   await page.goto(pages.address);
   await page.waitForFunction(() => document.querySelector('figcaption [data-sharp="true"]'), null, kPatience);

@@ -47,6 +47,13 @@ export async function startPages(launch) {
           if (event.detail?.sharp) ++globalThis.sharp;
           globalThis.last = event.detail;
         }, true);
+        // What is seen on a canvas that a worker draws on, row by row from the top.
+        globalThis.shown = async (selector) => {
+          const picture = await createImageBitmap(document.querySelector(selector));
+          const context = new OffscreenCanvas(picture.width, picture.height).getContext("2d");
+          context.drawImage(picture, 0, 0);
+          return context.getImageData(0, 0, picture.width, picture.height);
+        };
       });
       await prepare(page);
       await page.goto(address + hash);

@@ -1,13 +1,14 @@
 // The little of WebGL2 that both views share.
 
-export function contextOf(canvas: HTMLCanvasElement): WebGL2RenderingContext {
-  const gl = canvas.getContext("webgl2", { antialias: true, preserveDrawingBuffer: true });
-  if (!gl) throw new Error("This browser shows no WebGL 2, which volumes and surfaces are drawn with. Slices, spectra and recipes work without it.");
+export const kNoWebGl = "This browser shows no WebGL 2, which volumes and surfaces are drawn with. Slices, spectra and recipes work without it.";
+
+export function contextOf(canvas: OffscreenCanvas): WebGL2RenderingContext {
+  const gl = canvas.getContext("webgl2");
+  if (!gl) throw new Error(kNoWebGl);
   return gl;
 }
 
-// Compiled beside the page where the browser can.
-export async function programOf(gl: WebGL2RenderingContext, vertex: string, fragment: string): Promise<WebGLProgram> {
+export function programOf(gl: WebGL2RenderingContext, vertex: string, fragment: string): WebGLProgram {
   const program = gl.createProgram();
   const shaders = ([[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]] as const).map(([type, source]) => {
     const shader = gl.createShader(type)!;
@@ -17,15 +18,11 @@ export async function programOf(gl: WebGL2RenderingContext, vertex: string, frag
     return shader;
   });
   gl.linkProgram(program);
-  const beside = gl.getExtension("KHR_parallel_shader_compile");
-  while (beside && !gl.isContextLost() && !gl.getProgramParameter(program, beside.COMPLETION_STATUS_KHR)) await new Promise((done) => setTimeout(done, 10));
-  if (!gl.getProgramParameter(program, gl.LINK_STATUS)) {
+  if (!gl.getProgramParameter(program, gl.LINK_STATUS) && !gl.isContextLost()) {
     throw new Error(shaders.map((shader) => gl.getShaderInfoLog(shader)).find((log) => log) || gl.getProgramInfoLog(program) || "shaders do not link");
   }
   return program;
 }
-
-export type Matrix = Float32Array;
 
 export function lookAt(eye: readonly number[], up: readonly number[] = [0, 1, 0]): { right: number[]; up: number[]; forward: number[] } {
   const length = Math.hypot(...eye);

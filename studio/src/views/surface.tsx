@@ -7,7 +7,7 @@ import { activeNoise, commit, state, timeOf } from "../store.ts";
 import { useChanges } from "./at_once.ts";
 import { Orbit } from "./orbit.ts";
 import { SceneCanvas, useScene } from "./scene.tsx";
-import { SurfaceRenderer } from "./surface_renderer.ts";
+import type { SurfaceData, SurfaceShot } from "./surface_renderer.ts";
 
 // Noise on a mesh: one that comes with the page, or one that is dropped.
 
@@ -39,16 +39,13 @@ async function bytesOf(name: string): Promise<Uint8Array<ArrayBuffer>> {
 export function SurfaceView(): JSX.Element {
   const [told, tell] = useState("");
   const [plain, setPlain] = useState(false);
-  const scene = useScene((canvas) => new SurfaceRenderer(canvas), new Orbit(0.6, 0.3, 2.05), () => Math.min(2, devicePixelRatio), (renderer, eye) => {
-    const dark = document.documentElement.dataset.theme === "dark";
-    renderer.render(eye, plain, dark ? [0.05, 0.055, 0.065] : [0.8, 0.79, 0.76]);
-  });
-  const { renderer, render, setTrouble } = scene;
+  const scene = useScene<SurfaceData, SurfaceShot>("surface", new Orbit(0.6, 0.3, 2.05), () => Math.min(2, devicePixelRatio), (eye) => ({ eye, plain }));
+  const { render, setTrouble } = scene;
   useEffect(render, [plain]);
 
   const bake = async (): Promise<void> => {
     const { bake: text, mesh } = state.value;
-    if (!text || !renderer.current) return;
+    if (!text || !scene.open()) return;
     const begin = performance.now();
     if (inWorker !== mesh) {
       inWorker = "";
@@ -57,13 +54,14 @@ export function SurfaceView(): JSX.Element {
     }
     const when = timeOf(activeNoise());
     const { json, floats } = await engine.modeller.ask("surface", { do: "bake", recipe: text, ...(when === undefined ? {} : { time: when }) });
-    if (!renderer.current) return;
-    renderer.current.load({ positions: floats[0]!, normals: floats[1]!, colors: floats[2]!, corners: new Uint32Array(floats[3]!.buffer) });
-    render();
+    if (!scene.open()) return;
+    const [positions, normals, colors, corners] = [floats[0]!, floats[1]!, floats[2]!, new Uint32Array(floats[3]!.buffer)];
     const aliases = Number(json.cycles_per_edge) > 0.5 ? " · finer than the mesh: give refine" : "";
-    tell(`${Number(json.vertices).toLocaleString("en")} vertices · ${(performance.now() - begin).toFixed(0)} ms${aliases}`);
+    scene.load({ positions, normals, colors, corners }, [positions, normals, corners], () => {
+      tell(`${Number(json.vertices).toLocaleString("en")} vertices · ${(performance.now() - begin).toFixed(0)} ms${aliases}`);
+      scene.canvas.current?.dispatchEvent(new CustomEvent("pictured", { bubbles: true, detail: { colors } }));
+    });
     setTrouble("");
-    scene.canvas.current?.dispatchEvent(new CustomEvent("pictured", { bubbles: true, detail: { colors: floats[2] } }));
   };
   const follower = useRef<Follower<unknown>>(null);
   follower.current ??= new Follower(bake, async () => undefined, (error) => {

@@ -1,11 +1,14 @@
 import { contextOf, lookAt, programOf } from "./gl.ts";
-import type { Orbit } from "./orbit.ts";
 
 export interface SurfaceData {
   positions: Float32Array;
   normals: Float32Array;
   colors: Float32Array; // linear light
   corners: Uint32Array;
+}
+export interface SurfaceShot {
+  eye: number[]; // in radii of the surface, from its centre
+  plain: boolean; // colours without light
 }
 
 const kVertex = `
@@ -45,16 +48,15 @@ void main() {
 
 export class SurfaceRenderer {
   private readonly gl: WebGL2RenderingContext;
-  private program: WebGLProgram | undefined;
-  readonly ready: Promise<void>; // to render
+  private readonly program: WebGLProgram;
   private readonly buffers: WebGLBuffer[];
   private count = 0;
   private centre = [0, 0, 0];
   private radius = 1;
 
-  constructor(private readonly canvas: HTMLCanvasElement) {
+  constructor(private readonly canvas: OffscreenCanvas) {
     const gl = (this.gl = contextOf(canvas));
-    this.ready = programOf(gl, kVertex, kFragment).then((program) => void (this.program = program));
+    this.program = programOf(gl, kVertex, kFragment);
     this.buffers = [0, 1, 2, 3].map(() => gl.createBuffer());
     gl.bindVertexArray(gl.createVertexArray());
   }
@@ -80,16 +82,13 @@ export class SurfaceRenderer {
     this.radius = 0.5 * Math.hypot(...low.map((x, axis) => high[axis]! - x)) || 1;
   }
 
-  render(orbit: Orbit, plain: boolean, back: readonly number[]): void {
+  render({ eye, plain }: SurfaceShot): void {
     const { gl, program } = this;
     gl.viewport(0, 0, this.canvas.width, this.canvas.height);
-    gl.clearColor(back[0]!, back[1]!, back[2]!, 1);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-    if (this.count === 0 || !program) return;
     gl.enable(gl.DEPTH_TEST);
     gl.useProgram(program);
     const at = (name: string): WebGLUniformLocation | null => gl.getUniformLocation(program, name);
-    const eye = orbit.eye();
     const { right, up, forward } = lookAt(eye);
     gl.uniform3fv(at("centre"), this.centre);
     gl.uniform1f(at("radius"), this.radius);
@@ -101,10 +100,5 @@ export class SurfaceRenderer {
     gl.uniform2f(at("aspect"), ratio > 1 ? 0.42 * ratio : 0.42, ratio > 1 ? 0.42 : 0.42 / ratio);
     gl.uniform1i(at("plain"), plain ? 1 : 0);
     gl.drawElements(gl.TRIANGLES, this.count, gl.UNSIGNED_INT, 0);
-  }
-
-  dispose(): void {
-    for (const buffer of this.buffers) this.gl.deleteBuffer(buffer);
-    if (this.program) this.gl.deleteProgram(this.program);
   }
 }

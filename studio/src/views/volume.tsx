@@ -6,7 +6,7 @@ import { activeNoise, colorsOf, infoOf, state, timeOf } from "../store.ts";
 import { useChanges } from "./at_once.ts";
 import { Orbit } from "./orbit.ts";
 import { SceneCanvas, useScene } from "./scene.tsx";
-import { turned, type VolumeData, type VolumeLook, VolumeRenderer } from "./volume_renderer.ts";
+import { turned, type VolumeData, type VolumeLook, type VolumeShot } from "./volume_renderer.ts";
 
 // The voxels of a preview, marched through: a cloud under a sun, a fire or nebula that glows, or a body with the values' colours.
 
@@ -29,9 +29,9 @@ export function VolumeView(): JSX.Element {
   const [told, tell] = useState("");
   const [cut, setCut] = useState(0.5);
   const generation = useRef(0);
-  const scene = useScene((canvas) => new VolumeRenderer(canvas), new Orbit(0.55, 0.22, 2.15),
-    (canvas) => Math.min(1, 900 / Math.max(canvas.clientWidth, canvas.clientHeight)), (renderer, eye) => renderer.render(eye, cut));
-  const { renderer, render, setTrouble } = scene;
+  const scene = useScene<VolumeData, VolumeShot>("volume", new Orbit(0.55, 0.22, 2.15),
+    (canvas) => Math.min(1, 900 / Math.max(canvas.clientWidth, canvas.clientHeight)), (eye) => ({ eye, cut }));
+  const { render, setTrouble } = scene;
   useEffect(() => () => engine.pool.drop("volume"), []);
   useEffect(render, [cut]);
 
@@ -39,7 +39,7 @@ export function VolumeView(): JSX.Element {
   const make = async (own: number): Promise<void> => {
     const noise = activeNoise();
     const info = infoOf(noise);
-    if (!info || !renderer.current) return;
+    if (!info || !scene.open()) return;
     const single = info.grids.find((grid) => grid.names.includes(noise.grid)) ?? info.grids[0]!;
     const looksLike = /"look": "(\w+)"/.exec(noise.text)?.[1] ?? "automatic";
     // A fire is seen by the light of its temperature, and of its flame where it has one.
@@ -56,9 +56,9 @@ export function VolumeView(): JSX.Element {
         const ask = (grid: string) => ({ recipe: noise.text, grid, dim, ...(when === undefined ? {} : { time: when }) });
         const { size, values, range } = await voxels(ask(noise.grid), Math.ceil((dim * sides[0]) / Math.max(...sides)) + 1);
         const kinds = hot ? ["temperature", "flame"].filter((name) => info.grids.some(({ names }) => names.includes(name))) : [];
-        const glow: Float32Array[] = [];
+        const glow: VolumeData["glow"] = [];
         for (const name of kinds) glow.push((await voxels(ask(name), size[0])).values);
-        let light: Float32Array | undefined;
+        let light: VolumeData["light"];
         let factor = 1;
         if (!single.raw) {
           const bytes = new Uint8Array(values.slice().buffer);
@@ -66,13 +66,14 @@ export function VolumeView(): JSX.Element {
           light = lit.floats[0];
           factor = Number(lit.json.factor);
         }
-        if (own !== generation.current || !renderer.current) return;
-        renderer.current.load({ size, values, range, light, glow, factor, sides, look, sun, up,
-          ramp: engine.ramps.get(state.value.ramp) ?? (colorsOf(info) ? engine.body! : engine.ramps.get(single.raw ? "marble" : "grey")!) });
-        render();
-        tell(`${size.join(" × ")} voxels · ${(performance.now() - begin).toFixed(0)} ms`);
-        engine.times[`volume ${dim}`] = performance.now() - begin;
-        scene.canvas.current?.dispatchEvent(new CustomEvent("pictured", { bubbles: true, detail: { dim } }));
+        if (own !== generation.current || !scene.open()) return;
+        const ramp = engine.ramps.get(state.value.ramp) ?? (colorsOf(info) ? engine.body! : engine.ramps.get(single.raw ? "marble" : "grey")!);
+        scene.load({ size, values, range, light, glow, factor, sides, look, sun, up, ramp }, [values, light, ...glow], () => {
+          const took = performance.now() - begin;
+          tell(`${size.join(" × ")} voxels · ${took.toFixed(0)} ms`);
+          engine.times[`volume ${dim}`] = took;
+          scene.canvas.current?.dispatchEvent(new CustomEvent("pictured", { bubbles: true, detail: { dim } }));
+        });
         if (when !== undefined) return;
         setTrouble("");
       }

@@ -1,20 +1,23 @@
 import { contextOf, lookAt, programOf } from "./gl.ts";
-import type { Orbit } from "./orbit.ts";
 
 export type VolumeLook = "cloud" | "glow" | "solid" | "fire";
 
 export interface VolumeData {
   size: [number, number, number];
-  values: Float32Array; // x slowest, z fastest
+  values: Float32Array<ArrayBuffer>; // x slowest, z fastest
   range: [number, number]; // of the values
-  light: Float32Array | undefined; // optical depth to the sun
-  glow: Float32Array[]; // of a fire: temperatures in kelvin, and the share that glows where it is not 1
+  light: Float32Array<ArrayBuffer> | undefined; // optical depth to the sun
+  glow: Float32Array<ArrayBuffer>[]; // of a fire: temperatures in kelvin, and the share that glows where it is not 1
   factor: number; // from values to extinction per world unit
   sides: [number, number, number]; // of the box, world units
   look: VolumeLook;
   sun: number[]; // where it is from, in the world
   up: 1 | 2;
   ramp: Float32Array;
+}
+export interface VolumeShot {
+  eye: number[]; // in radii of the box, from its centre
+  cut: number; // how large a corner of a body is cut off, 0 to 1
 }
 
 // A vector with the Y axis up as the world has it, which with the Z axis up is turned about x.
@@ -141,14 +144,13 @@ function heated({ values, light, glow: [kelvin, share] }: VolumeData): Float32Ar
 
 export class VolumeRenderer {
   private readonly gl: WebGL2RenderingContext;
-  private program: WebGLProgram | undefined;
-  readonly ready: Promise<void>; // to render
+  private readonly program: WebGLProgram;
   private readonly textures: WebGLTexture[];
   private data: VolumeData | undefined;
 
-  constructor(private readonly canvas: HTMLCanvasElement) {
+  constructor(private readonly canvas: OffscreenCanvas) {
     this.gl = contextOf(canvas);
-    this.ready = programOf(this.gl, kVertex, kFragment).then((program) => void (this.program = program));
+    this.program = programOf(this.gl, kVertex, kFragment);
     this.textures = [0, 1, 2].map(() => this.gl.createTexture());
     this.gl.bindVertexArray(this.gl.createVertexArray());
   }
@@ -176,15 +178,15 @@ export class VolumeRenderer {
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE);
   }
 
-  render(orbit: Orbit, cut: number): void {
+  render({ eye: from, cut }: VolumeShot): void {
     const { gl, data, program } = this;
-    if (!data || !program) return;
+    if (!data) return;
     gl.viewport(0, 0, this.canvas.width, this.canvas.height);
     gl.useProgram(program);
     const at = (name: string): WebGLUniformLocation | null => gl.getUniformLocation(program, name);
     const radius = 0.5 * Math.hypot(...data.sides);
     // A body fills its box, a cloud the middle of it.
-    const eye = orbit.eye().map((x) => x * radius * (data.look === "solid" ? 1.35 : 1));
+    const eye = from.map((x) => x * radius * (data.look === "solid" ? 1.35 : 1));
     const { right, up, forward } = lookAt(eye);
     gl.uniform3fv(at("eye"), turned(eye, data.up));
     gl.uniform3fv(at("right"), turned(right, data.up));
@@ -207,10 +209,5 @@ export class VolumeRenderer {
     gl.uniform1i(at("light"), 1);
     gl.uniform1i(at("ramp"), 2);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
-  }
-
-  dispose(): void {
-    for (const texture of this.textures) this.gl.deleteTexture(texture);
-    if (this.program) this.gl.deleteProgram(this.program);
   }
 }
