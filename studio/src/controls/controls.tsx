@@ -1,5 +1,5 @@
-import { useComputed } from "@preact/signals";
 import type { JSX } from "preact";
+import { useEffect, useRef, useState } from "preact/hooks";
 import { engine } from "../engine/engine.ts";
 import { activeNoise, infoOf, problem, replaceNoise, state } from "../store.ts";
 import { Choice } from "./choice.tsx";
@@ -32,11 +32,19 @@ function SurfaceControls({ json, root }: { json: { [key: string]: Json }; root: 
   );
 }
 
+// Between surfaces and others all controls are made anew: after the view is, in a task of their own.
 export function Controls(): JSX.Element | null {
-  const recipe = useComputed(() => read(activeNoise().text || "{}"));
   const onSurface = state.value.mode === "surface";
+  const [are, become] = useState(onSurface);
+  useEffect(() => become(onSurface), [onSurface]);
+  const last = useRef<JSX.Element | null>(null);
+  if (are === onSurface) last.current = made(onSurface);
+  return last.current;
+}
+
+function made(onSurface: boolean): JSX.Element | null {
   const root = onSurface ? engine.bakeSchema : engine.schema;
-  const json = recipe.value;
+  const json = read(activeNoise().text || "{}");
   if (!isObject(json) || !root.properties) return null;
   if (onSurface) return <SurfaceControls json={json} root={root} />;
   const { properties } = root;
