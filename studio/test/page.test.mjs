@@ -473,6 +473,15 @@ test("scenes are drawn beside the page: by keys, in their size, and again when a
   }
 });
 
+test("volumes and surfaces are gone between in haste", async () => {
+  const page = await open("", { viewport: { width: 900, height: 480 } });
+  const show = (view) => page.click(`[role=tab]:text-is("${view}")`);
+  for (let i = 0; i < 8; ++i) await show(i % 2 === 0 ? "Volume" : "Surface");
+  await page.waitForFunction(() => globalThis.last?.colors, null, kPatience);
+  assert.equal(await page.locator(".failure").count(), 0);
+  await wellOf(page);
+});
+
 test("without WebGL slices work, and volumes say why they do not", async () => {
   const bare = await launchChromium(["--disable-gpu", "--disable-software-rasterizer"]);
   const page = await bare.newPage();

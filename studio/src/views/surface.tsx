@@ -68,7 +68,10 @@ export function SurfaceView(): JSX.Element {
     inWorker = ""; // where memory has ended it is another worker
     setTrouble(error.message);
   });
-  useEffect(() => () => follower.current?.stop(), []);
+  useEffect(() => () => {
+    follower.current?.stop();
+    engine.modeller.drop("surface");
+  }, []);
   useChanges(() => [state.value.bake, state.value.mesh, timeOf(activeNoise())], () => follower.current?.want({}));
   // What is no mesh is said, and the one that was there stays.
   const take = async (file: File | undefined): Promise<void> => {

@@ -39,8 +39,8 @@ export function VolumeView(): JSX.Element {
   const make = async (own: number): Promise<void> => {
     const noise = activeNoise();
     const info = infoOf(noise);
-    if (!info || !scene.open()) return;
-    const single = info.grids.find((grid) => grid.names.includes(noise.grid)) ?? info.grids[0]!;
+    const single = info?.grids.find((grid) => grid.names.includes(noise.grid)) ?? info?.grids[0];
+    if (!info || !single || !scene.open()) return; // a surface's recipe, as this view is left for it, has no grids
     const looksLike = /"look": "(\w+)"/.exec(noise.text)?.[1] ?? "automatic";
     // A fire is seen by the light of its temperature, and of its flame where it has one.
     const hot = single === info.grids[0] && !single.raw && ["automatic", "fire"].includes(looksLike) && info.grids.some(({ names }) => names.includes("temperature"));
