@@ -51,6 +51,9 @@ test("Firefox shows surfaces and volumes, or says why it does not", async () => 
       assert.equal(await page.locator(".failure").count(), 0);
       await page.waitForTimeout(500);
       await picture(page, `firefox_${view}`);
+      await page.click(`[role=tab]:text-is("${view === "volume" ? "Surface" : "Volume"}")`);
+      await page.waitForFunction((own) => /\d/.test(document.querySelector(`.view:not(.${own}) figcaption`)?.textContent ?? ""), view, kPatience);
+      assert.equal(await page.locator(".failure").count(), 0);
     } else {
       await page.waitForSelector(".failure");
       assert.match(await page.textContent(".failure"), /no WebGL 2.*Slices/);

@@ -1,3 +1,4 @@
+import { contextOf } from "./gl.ts";
 import { SurfaceRenderer } from "./surface_renderer.ts";
 import { VolumeRenderer } from "./volume_renderer.ts";
 
@@ -28,6 +29,7 @@ interface Renderer {
 const kRenderers = { volume: VolumeRenderer, surface: SurfaceRenderer };
 
 class Scene {
+  private gl: WebGL2RenderingContext | undefined; // asked for once: Firefox fails the second time where the canvas is gone
   private renderer: Renderer | undefined;
   private newest: ToScene<unknown, unknown> = {};
   private loaded: unknown;
@@ -49,7 +51,8 @@ class Scene {
 
   private make(): void {
     this.attempt(() => {
-      this.renderer = new kRenderers[this.own.kind](this.own.canvas);
+      this.gl ??= contextOf(this.own.canvas);
+      this.renderer = new kRenderers[this.own.kind](this.gl);
       this.loaded = undefined;
       this.want();
     });
@@ -83,10 +86,9 @@ class Scene {
 
   // The context does not wait for someone to collect it: browsers allow few.
   private end(): void {
-    const { canvas, port } = this.own;
     cancelAnimationFrame(this.frame);
-    port.close();
-    canvas.getContext("webgl2")?.getExtension("WEBGL_lose_context")?.loseContext();
+    this.own.port.close();
+    this.gl?.getExtension("WEBGL_lose_context")?.loseContext();
   }
 }
 

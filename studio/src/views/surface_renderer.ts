@@ -1,4 +1,4 @@
-import { contextOf, lookAt, programOf } from "./gl.ts";
+import { lookAt, programOf } from "./gl.ts";
 
 export interface SurfaceData {
   positions: Float32Array;
@@ -47,15 +47,13 @@ void main() {
 }`;
 
 export class SurfaceRenderer {
-  private readonly gl: WebGL2RenderingContext;
   private readonly program: WebGLProgram;
   private readonly buffers: WebGLBuffer[];
   private count = 0;
   private centre = [0, 0, 0];
   private radius = 1;
 
-  constructor(private readonly canvas: OffscreenCanvas) {
-    const gl = (this.gl = contextOf(canvas));
+  constructor(private readonly gl: WebGL2RenderingContext) {
     this.program = programOf(gl, kVertex, kFragment);
     this.buffers = [0, 1, 2, 3].map(() => gl.createBuffer());
     gl.bindVertexArray(gl.createVertexArray());
@@ -84,7 +82,7 @@ export class SurfaceRenderer {
 
   render({ eye, plain }: SurfaceShot): void {
     const { gl, program } = this;
-    gl.viewport(0, 0, this.canvas.width, this.canvas.height);
+    gl.viewport(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     gl.enable(gl.DEPTH_TEST);
     gl.useProgram(program);
@@ -96,7 +94,7 @@ export class SurfaceRenderer {
     gl.uniform3fv(at("right"), right);
     gl.uniform3fv(at("up"), up);
     gl.uniform3fv(at("forward"), forward);
-    const ratio = this.canvas.width / this.canvas.height;
+    const ratio = gl.drawingBufferWidth / gl.drawingBufferHeight;
     gl.uniform2f(at("aspect"), ratio > 1 ? 0.42 * ratio : 0.42, ratio > 1 ? 0.42 : 0.42 / ratio);
     gl.uniform1i(at("plain"), plain ? 1 : 0);
     gl.drawElements(gl.TRIANGLES, this.count, gl.UNSIGNED_INT, 0);

@@ -1,4 +1,4 @@
-import { contextOf, lookAt, programOf } from "./gl.ts";
+import { lookAt, programOf } from "./gl.ts";
 
 export type VolumeLook = "cloud" | "glow" | "solid" | "fire";
 
@@ -143,16 +143,14 @@ function heated({ values, light, glow: [kelvin, share] }: VolumeData): Float32Ar
 }
 
 export class VolumeRenderer {
-  private readonly gl: WebGL2RenderingContext;
   private readonly program: WebGLProgram;
   private readonly textures: WebGLTexture[];
   private data: VolumeData | undefined;
 
-  constructor(private readonly canvas: OffscreenCanvas) {
-    this.gl = contextOf(canvas);
-    this.program = programOf(this.gl, kVertex, kFragment);
-    this.textures = [0, 1, 2].map(() => this.gl.createTexture());
-    this.gl.bindVertexArray(this.gl.createVertexArray());
+  constructor(private readonly gl: WebGL2RenderingContext) {
+    this.program = programOf(gl, kVertex, kFragment);
+    this.textures = [0, 1, 2].map(() => gl.createTexture());
+    gl.bindVertexArray(gl.createVertexArray());
   }
 
   load(data: VolumeData): void {
@@ -181,7 +179,7 @@ export class VolumeRenderer {
   render({ eye: from, cut }: VolumeShot): void {
     const { gl, data, program } = this;
     if (!data) return;
-    gl.viewport(0, 0, this.canvas.width, this.canvas.height);
+    gl.viewport(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight);
     gl.useProgram(program);
     const at = (name: string): WebGLUniformLocation | null => gl.getUniformLocation(program, name);
     const radius = 0.5 * Math.hypot(...data.sides);
@@ -196,7 +194,7 @@ export class VolumeRenderer {
     gl.uniform3fv(at("sun"), data.sun);
     gl.uniform3fv(at("vertical"), turned([0, 1, 0], data.up));
     const field = 0.42;
-    const ratio = this.canvas.width / this.canvas.height;
+    const ratio = gl.drawingBufferWidth / gl.drawingBufferHeight;
     gl.uniform2f(at("aspect"), ratio > 1 ? field * ratio : field, ratio > 1 ? field : field / ratio);
     gl.uniform1f(at("factor"), data.factor);
     gl.uniform1f(at("cut"), cut);
