@@ -110,7 +110,8 @@ for (const name of ["cumulus", "smoke", "raw"]) {
   const page = await pages.open(`#recipe=${codeOf(preset(name))}&view=volume`, {}, (own) => own.addInitScript(watch));
   await page.waitForFunction(() => globalThis.last?.dim === 128, null, kPatience);
   const { times, longest } = await page.evaluate(() => ({ times: globalThis.studioTimes, longest: globalThis.longest }));
-  others.push(told([`Volume, ${name}: 32, 64 and 128 voxels; longest block`, `${[32, 64, 128].map((dim) => seconds(times[`volume ${dim}`])).join(", ")}; ${seconds(longest)}`]));
+  const shown = [32, 64, 128].filter((dim) => times[`volume ${dim}`] !== undefined); // where WebGL is not there yet the first is passed by
+  others.push(told([`Volume, ${name}: so many voxels a side; longest block`, `${shown.map((dim) => `${dim}: ${seconds(times[`volume ${dim}`])}`).join(", ")}; ${seconds(longest)}`]));
   await page.context().close();
 }
 const machine = `${cpus().length} threads of ${cpus()[0].model.replace(/\((R|TM)\)/g, "").replace(/ CPU @.*/, "")}, Chromium ${pages.browser.version().split(".")[0]} without a graphics card`;
