@@ -33,8 +33,8 @@ void require_opaque(const Image& image, const std::string& name) {
     for (int x = 0; x < image.width; ++x) {
       const float alpha = image.at(x, y, image.channels - 1);
       if (alpha == 1.0f) continue;
-      refuse(name, fmt::format("has an alpha channel (its last one), which is {} at ({}, {}); flatten it "
-                               "onto a background first, an exemplar is opaque",
+      refuse(name, fmt::format("has an alpha channel, which is {} at ({}, {}); flatten it onto a background "
+                               "first, an exemplar is opaque",
                                alpha, x, y));
     }
   }
