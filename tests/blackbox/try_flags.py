@@ -53,7 +53,7 @@ def flags_of(program):
 
 
 def cases_of(flag, placeholders):
-    needed = [name for name in placeholders if not name.startswith("[")]
+    needed = re.sub(r"\[[^\]]*\]", "", " ".join(placeholders)).split()  # what may be left out, such as [DEGREES SPREAD], is
     if all(NUMBER_NAMES.match(name) for name in needed):
         for value in NUMBERS:
             yield [flag, *[value] * len(needed)]
