@@ -65,7 +65,7 @@ class CellularProcedure {
     Nearest nearest;
     Index<Dim> cell = middle - kCells;
     do {
-      points_.generate(cell, [&](const Impulse<Dim>& point) {
+      points_.generate(cell, [&](const solidnoise::Impulse<Dim>& point) {
         Vec<Dim> offset;
         for (int axis = 0; axis < Dim; ++axis) {
           const double place = std::ldexp(point.position[axis], -CellAxis::kFractionBits);
