@@ -4,6 +4,7 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <cstdint>
 #include <numbers>
 #include <vector>
 
@@ -68,6 +69,42 @@ TEST(SurfaceSmoothing, KeepsTheIntegralAndTheRange) {
     EXPECT_LT(shapes[p].mean, 0.5);
   }
   EXPECT_NEAR(integral, torus.areas()[100], 1e-3 * torus.areas()[100]);
+}
+
+// As on a square, on one whose triangles are 40 times as long as wide.
+TEST(SurfaceSmoothing, DiffusesAcrossLongThinTriangles) {
+  PolygonMesh mesh = graph_mesh(1.0, {.n = 60}, [](double, double) { return 0.0; });
+  for (Vec<3>& position : mesh.positions) position.y /= 40.0;
+  const SurfaceMesh strip(mesh);
+  const auto before = [&](std::size_t p) { return std::cos(kPi * (strip.positions()[p].x + 1.0)); };
+  std::vector<ShapeOperator> shapes(strip.point_count());
+  for (std::size_t p = 0; p < shapes.size(); ++p) shapes[p].mean = before(p);
+  SurfaceSmoothing(strip).diffuse(shapes, 0.3);
+  const double factor = std::pow(1.0 + kPi * kPi * 0.3 * 0.3 / 8.0, -2.0);
+  for (std::size_t p = 0; p < shapes.size(); ++p) EXPECT_NEAR(shapes[p].mean, factor * before(p), 1e-3);
+}
+
+// Each round of the two steps asks once whether to go on.
+class CountsRounds final : public Progress {
+ public:
+  void advance(std::uint64_t, std::uint64_t) override {}
+  bool cancelled() override {
+    ++rounds;
+    return false;
+  }
+  int rounds = 0;
+};
+
+// At the poles of a sphere of meridians triangles are a hundred times as long as wide. Rounds that see no
+// farther than the next point would be some hundreds.
+TEST(SurfaceSmoothing, TakesFewRoundsForAnyTriangles) {
+  const SurfaceMesh sphere(with_closed_seams(seamed_sphere_mesh(1.0, 200)));
+  std::vector<Vec<3>> vectors = sphere.normals();
+  for (std::size_t p = 0; p < vectors.size(); p += 7) vectors[p] *= -1.0;
+  CountsRounds counted;
+  SurfaceSmoothing(sphere).diffuse(vectors, 0.3, &counted);
+  EXPECT_GT(counted.rounds, 2);
+  EXPECT_LT(counted.rounds, 60);
 }
 
 TEST(SurfaceSmoothing, LeavesPointsWithoutFacesAsTheyAre) {

@@ -108,9 +108,9 @@ class HeatMatrix {
   std::vector<double> diagonal_;
 };
 
-// Implicit steps of the heat equation: conjugate gradients with a V-cycle of multigrid over the coarser
-// levels, which takes as many rounds for a long time as for a short one (Trottenberg et al. 2001, chapters 2
-// and 7.8).
+// Implicit steps of the heat equation: conjugate gradients with a K-cycle of multigrid over the coarser
+// levels (Notay and Vassilevski 2008), which takes about as many rounds for a long time as for a short one:
+// values are constant in a cluster, which a V-cycle would pay for.
 template <typename Value>
 class HeatSolver {
  public:
@@ -125,89 +125,110 @@ class HeatSolver {
   // residual stands, and so in the root mean square over the surface. Throws Cancelled where `progress`,
   // which may be null, asks for it.
   void step(std::vector<Value>& x, Progress* progress) {
-    const HeatMatrix<Value>& matrix = levels_.front().matrix;
-    const std::size_t count = matrix.size();
-    const auto each = [count](const auto& body) { tbb::parallel_for(std::size_t{0}, count, body); };
-    const auto sum = [count](const auto& term) { return ordered_sum(count, term); };
-    std::vector<Value> image(count);
-    std::vector<Value> residual(count);
-    each([&](std::size_t i) { residual[i] = matrix.mass(i) * x[i]; });
-    const double wanted = kError * kError * sum([&](std::size_t i) { return product(residual[i], x[i]); });
+    Level& finest = levels_.front();
+    const HeatMatrix<Value>& matrix = finest.matrix;
+    std::vector<Value>& residual = finest.residual;
+    each(x, [&](std::size_t i) { residual[i] = matrix.mass(i) * x[i]; });
+    const double wanted = kError * kError * inner(residual, x);
     // From x itself, which constants and isolated values are the solution of, without its finest detail.
-    for (int round = 0; round < kFirstRounds; ++round) matrix.relax(residual, x, image);
-    each([&](std::size_t i) { residual[i] -= matrix.row(x, i); });
-    cycle(0, residual);
-    std::vector<Value> direction = levels_.front().solution;
-    const auto error = [&] {
-      return sum([&](std::size_t i) { return product(residual[i], levels_.front().solution[i]); });
-    };
-    double norm = error();
-    for (int iteration = 0; iteration < kMostIterations && norm > wanted; ++iteration) {
-      throw_if_cancelled(progress);
-      each([&](std::size_t i) { image[i] = matrix.row(direction, i); });
-      const double length = norm / sum([&](std::size_t i) { return product(direction[i], image[i]); });
-      each([&](std::size_t i) {
-        x[i] += length * direction[i];
-        residual[i] -= length * image[i];
-      });
-      cycle(0, residual);
-      const double next = error();
-      const double ratio = next / norm;
-      norm = next;
-      const std::vector<Value>& solution = levels_.front().solution;
-      each([&](std::size_t i) { direction[i] = solution[i] + ratio * direction[i]; });
-    }
+    for (int round = 0; round < kFirstRounds; ++round) matrix.relax(residual, x, finest.scratch);
+    each(x, [&](std::size_t i) { residual[i] -= matrix.row(x, i); });
+    improve(0, x, {kMostRounds, wanted}, progress);
   }
 
  private:
   static constexpr double kError = 1e-4;
-  static constexpr int kMostIterations = 2000;
+  static constexpr int kMostRounds = 2000;
   static constexpr int kFirstRounds = 3;
-  static constexpr int kCoarsestRounds = 4;
+  static constexpr int kCoarseRounds = 2;
+  static constexpr int kCoarsestRounds = 6;
 
   struct Level {
     Level(const SmoothingLevel& level, double time)
-        : matrix(level, time), right(level.size()), solution(level.size()), scratch(level.size()) {}
+        : matrix(level, time),
+          residual(level.size()),
+          guess(level.size()),
+          direction(level.size()),
+          image(level.size()),
+          scratch(level.size()) {}
     HeatMatrix<Value> matrix;
-    std::vector<Value> right;
-    std::vector<Value> solution;
+    std::vector<Value> residual;
+    std::vector<Value> guess;  // of the solution for the residual
+    std::vector<Value> direction;
+    std::vector<Value> image;
     std::vector<Value> scratch;
+    std::vector<Value> correction;  // of the next finer level's guess
   };
 
-  // The sum of term(i), in an order that depends on the count only.
-  template <typename Term>
-  static double ordered_sum(std::size_t count, const Term& term) {
+  template <typename Body>
+  static void each(const std::vector<Value>& of, const Body& body) {
+    tbb::parallel_for(std::size_t{0}, of.size(), body);
+  }
+
+  // The sum of their products, in an order that depends on their number only.
+  static double inner(const std::vector<Value>& a, const std::vector<Value>& b) {
     constexpr std::size_t kGrain = 4096;
     return tbb::parallel_deterministic_reduce(
-        tbb::blocked_range<std::size_t>(0, count, kGrain), 0.0,
+        tbb::blocked_range<std::size_t>(0, a.size(), kGrain), 0.0,
         [&](const tbb::blocked_range<std::size_t>& range, double sum) {
-          for (std::size_t i = range.begin(); i < range.end(); ++i) sum += term(i);
+          for (std::size_t i = range.begin(); i < range.end(); ++i) sum += product(a[i], b[i]);
           return sum;
         },
         std::plus<>());
   }
 
-  // A symmetric approximation of the solution of A x = b, in the level's `solution`.
-  void cycle(std::size_t index, const std::vector<Value>& b) {
-    Level& fine = levels_[index];
-    fine.matrix.relax_zero(b, fine.solution);
-    if (index == coarser_.size()) {
-      for (int round = 1; round < kCoarsestRounds; ++round) fine.matrix.relax(b, fine.solution, fine.scratch);
-      return;
+  struct Ending {
+    int rounds;
+    double norm = 0.0;
+  };
+
+  // Adds to x what the level's residual, which becomes that of x, says that it lacks: conjugate gradients, of
+  // the flexible kind (Notay 2000), for guesses are not linear in the residual.
+  void improve(std::size_t index, std::vector<Value>& x, const Ending& ending, Progress* progress) {
+    Level& level = levels_[index];
+    make_guess(index);
+    level.direction = level.guess;
+    double norm = inner(level.residual, level.guess);
+    for (int round = 1; norm > ending.norm; ++round) {
+      throw_if_cancelled(progress);
+      each(x, [&](std::size_t i) { level.image[i] = level.matrix.row(level.direction, i); });
+      const double length = norm / inner(level.direction, level.image);
+      each(x, [&](std::size_t i) {
+        x[i] += length * level.direction[i];
+        level.residual[i] -= length * level.image[i];
+      });
+      if (round == ending.rounds) return;
+      const double left = inner(level.residual, level.guess);
+      make_guess(index);
+      const double next = inner(level.residual, level.guess);
+      const double ratio = (next - left) / norm;
+      norm = next;
+      each(x, [&](std::size_t i) { level.direction[i] = level.guess[i] + ratio * level.direction[i]; });
     }
+  }
+
+  // An approximation of the solution for a level's residual: relaxed, improved on the coarser levels,
+  // relaxed.
+  void make_guess(std::size_t index) {
+    Level& fine = levels_[index];
+    fine.matrix.relax_zero(fine.residual, fine.guess);
+    if (index == coarser_.size()) return;
     Level& coarse = levels_[index + 1];
     const CoarserLevel& clusters = coarser_[index];
     const Carry carry{clusters.turns};
-    tbb::parallel_for(std::size_t{0}, b.size(), [&](std::size_t p) {
-      fine.scratch[p] = carry.back(b[p] - fine.matrix.row(fine.solution, p), p);
+    each(fine.guess, [&](std::size_t p) {
+      fine.scratch[p] = carry.back(fine.residual[p] - fine.matrix.row(fine.guess, p), p);
     });
-    std::fill(coarse.right.begin(), coarse.right.end(), Value());
-    for (std::size_t p = 0; p < b.size(); ++p) coarse.right[clusters.cluster_of[p]] += fine.scratch[p];
-    cycle(index + 1, coarse.right);
-    tbb::parallel_for(std::size_t{0}, b.size(), [&](std::size_t p) {
-      fine.solution[p] += carry(coarse.solution[clusters.cluster_of[p]], p);
-    });
-    fine.matrix.relax(b, fine.solution, fine.scratch);
+    std::fill(coarse.residual.begin(), coarse.residual.end(), Value());
+    for (std::size_t p = 0; p < fine.scratch.size(); ++p) {
+      coarse.residual[clusters.cluster_of[p]] += fine.scratch[p];
+    }
+    coarse.correction.assign(coarse.residual.size(), Value());
+    const bool is_coarsest = index + 1 == coarser_.size();
+    improve(index + 1, coarse.correction, {is_coarsest ? kCoarsestRounds : kCoarseRounds}, nullptr);
+    each(fine.guess,
+         [&](std::size_t p) { fine.guess[p] += carry(coarse.correction[clusters.cluster_of[p]], p); });
+    fine.matrix.relax(fine.residual, fine.guess, fine.scratch);
   }
 
   std::span<const CoarserLevel> coarser_;

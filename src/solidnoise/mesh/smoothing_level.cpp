@@ -68,30 +68,62 @@ double mean_edge_of(const SmoothingLevel& level) {
   return count > 0 ? sum / static_cast<double>(count) : 0.0;
 }
 
+// Neighbours between which much flows of what flows at either (Vanek et al. 1996): across long thin
+// triangles, not along them.
+class StrongNeighbours {
+ public:
+  explicit StrongNeighbours(const SmoothingLevel& level) : level_(level), flows_(level.size(), 0.0f) {
+    tbb::parallel_for(std::size_t{0}, level.size(), [&](std::size_t p) {
+      for (std::size_t k = begin(p); k < end(p); ++k) flows_[p] += level.weights[k];
+    });
+  }
+
+  std::size_t begin(std::size_t p) const { return level_.neighbours.starts[p]; }
+  std::size_t end(std::size_t p) const { return level_.neighbours.starts[p + 1]; }
+  std::uint32_t at(std::size_t k) const { return level_.neighbours.items[k]; }
+
+  bool contains(std::size_t p, std::size_t k) const {
+    constexpr float kLeast = 0.08f;
+    return level_.weights[k] > kLeast * std::sqrt(flows_[p] * flows_[at(k)]);
+  }
+
+ private:
+  const SmoothingLevel& level_;
+  std::vector<float> flows_;
+};
+
 // Greedily, in the order of the places; returns the clusters' first places.
 std::vector<std::uint32_t> make_clusters(const SmoothingLevel& fine, std::vector<std::uint32_t>& cluster_of) {
   std::vector<std::uint32_t> seeds;
   cluster_of.assign(fine.size(), kNone);
-  const auto is_free = [&](std::uint32_t q) { return cluster_of[q] == kNone; };
+  const StrongNeighbours strong(fine);
+  const auto is_taken = [&](std::size_t p, std::size_t k) {
+    return strong.contains(p, k) && cluster_of[strong.at(k)] != kNone;
+  };
+  const auto any_is_taken = [&](std::size_t p) {
+    for (std::size_t k = strong.begin(p); k < strong.end(p); ++k) {
+      if (is_taken(p, k)) return true;
+    }
+    return false;
+  };
   for (std::size_t p = 0; p < fine.size(); ++p) {
-    const auto around = fine.neighbours[p];
-    if (!is_free(static_cast<std::uint32_t>(p)) || !std::all_of(around.begin(), around.end(), is_free))
-      continue;
+    if (cluster_of[p] != kNone || any_is_taken(p)) continue;
     const auto cluster = static_cast<std::uint32_t>(seeds.size());
     seeds.push_back(static_cast<std::uint32_t>(p));
     cluster_of[p] = cluster;
-    for (const std::uint32_t q : around) cluster_of[q] = cluster;
+    for (std::size_t k = strong.begin(p); k < strong.end(p); ++k) {
+      if (strong.contains(p, k)) cluster_of[strong.at(k)] = cluster;
+    }
   }
-  // What is left has a neighbour in a cluster, and joins the nearest such.
+  // What is left has a strong neighbour in a cluster, and joins the strongest such.
   std::vector<std::uint32_t> joined = cluster_of;
   tbb::parallel_for(std::size_t{0}, fine.size(), [&](std::size_t p) {
     if (cluster_of[p] != kNone) return;
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const std::uint32_t q : fine.neighbours[p]) {
-      const double distance = glm::distance(fine.positions[p], fine.positions[q]);
-      if (cluster_of[q] == kNone || distance >= nearest) continue;
-      nearest = distance;
-      joined[p] = cluster_of[q];
+    float strongest = 0.0f;
+    for (std::size_t k = strong.begin(p); k < strong.end(p); ++k) {
+      if (!is_taken(p, k) || fine.weights[k] <= strongest) continue;
+      strongest = fine.weights[k];
+      joined[p] = cluster_of[strong.at(k)];
     }
   });
   cluster_of = std::move(joined);

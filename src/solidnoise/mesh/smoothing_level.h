@@ -28,7 +28,7 @@ struct SmoothingLevel {
 SmoothingLevel level_of_points(const SurfaceMesh& surface);
 
 // A coarser level, whose places are clusters of a finer one's: a point and what neighbours of it no earlier
-// cluster has.
+// cluster has, of those between which heat flows well.
 struct CoarserLevel {
   SmoothingLevel level;
   std::vector<std::uint32_t> cluster_of;   // of each place of the finer level

@@ -44,13 +44,19 @@ template <typename Value>
 void SurfaceSmoothing::spread(std::vector<Value>& values, double radius, Progress* progress) {
   require_at_least("the smoothing radius", radius, 0.0, "world units");
   if (radius == 0.0) return;
-  // Over so few edges a level needs no coarser one.
+  // Over so few edges a level needs no coarser one, and of those that are hardly smaller there is no end.
   constexpr double kFewEdges = 2.0;
+  constexpr double kWorthwhile = 0.8;
   std::size_t depth = 0;
-  for (const SmoothingLevel* level = &points_;
-       level->mean_edge > 0.0 && radius > kFewEdges * level->mean_edge; level = &coarser_[depth++].level) {
+  const auto coarsest = [&]() -> const SmoothingLevel& {
+    return depth > 0 ? coarser_[depth - 1].level : points_;
+  };
+  while (coarsest().mean_edge > 0.0 && radius > kFewEdges * coarsest().mean_edge) {
     throw_if_cancelled(progress);
-    if (coarser_.size() == depth) coarser_.push_back(make_coarser(*level));
+    if (coarser_.size() == depth) coarser_.push_back(make_coarser(coarsest()));
+    const double size = static_cast<double>(coarsest().size());
+    if (!(static_cast<double>(coarser_[depth].level.size()) < kWorthwhile * size)) break;
+    ++depth;
   }
   // In the plane the mean square of the way is 4 t; in one implicit step of time t as well.
   constexpr int kSteps = 2;
