@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <functional>
 #include <optional>
 #include <pybind11/stl.h>
@@ -16,8 +15,7 @@
 #include "evaluation.h"
 #include "json.h"
 #include "solidnoise/recipe/noise_recipe_json.h"
-#include "solidnoise/volume/make_volume.h"
-#include "solidnoise/volume/volume_field.h"
+#include "solidnoise/volume/recipe_field.h"
 #include "solidnoise/volume/volume_recipe_json.h"
 #include "volume.h"
 
@@ -43,54 +41,36 @@ void require_no_voxels(const VolumeRecipe& recipe) {
   require_hard("edge_voxels", recipe.edge_voxels);
 }
 
-// The place among the recipe's grids of the one of a name, or 0.
-std::size_t find_entry(const VolumeRecipe& recipe, const std::optional<std::string>& name) {
-  const std::vector<VolumeRecipe> singles = recipes_of_grids(recipe);
-  for (std::size_t i = 0; i < singles.size(); ++i) {
-    const std::vector<std::string> names = grid_names(singles[i]);
-    if (!name || std::ranges::find(names, *name) != names.end()) return i;
-  }
-  throw std::invalid_argument(
-      fmt::format("grid is {}; it must be one of {}", *name, fmt::join(grid_names(recipe), ", ")));
-}
-
-// What a grid of a recipe is filled with, as callers hold it, without its voxels. Immutable.
+// What a grid of a recipe is filled with, as callers hold it. Immutable.
 class FieldObject {
  public:
-  // Reads the files that the recipe names. Throws std::invalid_argument, std::runtime_error.
+  // Reads the files that the recipe names. Throws as RecipeField.
   FieldObject(const VolumeRecipe& recipe, const std::optional<std::string>& grid, const Call& call)
       : recipe_(recipe), grid_(grid) {
     require_no_voxels(recipe);
-    const std::size_t entry = find_entry(recipe, grid);
-    single_ = recipes_of_grids(recipe)[entry];
-    chosen_ = recipe;
-    if (!recipe.grids.empty()) chosen_.grids = {recipe.grids[entry]};
     run(call, [&](Progress& told) {
-      plan_ = plan_volume(recipe, {}, &told);
-      plan_.boundaries = {plan_.boundaries.at(entry)};
-      if (!single_.band_limit) at_points_ = make(plan_, false);
-      channels_ = make(plan_, false)->channels();
+      field_.emplace(recipe, grid.value_or(""), &told);
+      own_ = field_->on_voxels(field_->frame()).field;
     });
   }
 
   const VolumeRecipe& recipe() const { return recipe_; }
   const std::optional<std::string>& grid() const { return grid_; }
-  const VolumeRecipe& single() const { return single_; }
-  int channels() const { return channels_; }
+  const VolumeRecipe& single() const { return field_->single(); }
+  int channels() const { return own_->channels(); }
 
   const Field<3>& at_points() const {
-    if (!at_points_) throw std::invalid_argument("band_limit needs the size of the voxels");
-    return *at_points_;
+    if (single().band_limit) throw std::invalid_argument("band_limit needs the size of the voxels");
+    return *own_;
   }
 
   // As it is on the voxels of a lattice, whatever part of it.
   FieldPtr on_lattice(const Lattice<3>& lattice, bool interpolated) const {
     const openvdb::Vec3d step(lattice.step.x, lattice.step.y, lattice.step.z);
     const openvdb::Vec3d origin(lattice.origin.x, lattice.origin.y, lattice.origin.z);
-    VolumePlan plan = plan_;
-    plan.frame = GridFrame(openvdb::math::Transform(
+    const GridFrame frame(openvdb::math::Transform(
         openvdb::math::MapBase::Ptr(std::make_shared<openvdb::math::ScaleTranslateMap>(step, origin))));
-    return make(plan, interpolated);
+    return field_->on_voxels(frame, interpolated).field;
   }
 
   bool operator==(const FieldObject& other) const {
@@ -98,19 +78,10 @@ class FieldObject {
   }
 
  private:
-  FieldPtr make(const VolumePlan& plan, bool interpolated) const {
-    VolumeRecipe recipe = chosen_;
-    if (!interpolated) recipe.exact = true;
-    return make_volume_field(recipe, plan).field;
-  }
-
   VolumeRecipe recipe_;
   std::optional<std::string> grid_;
-  VolumeRecipe single_;  // the short form of the grid
-  VolumeRecipe chosen_;  // without the others
-  VolumePlan plan_;
-  FieldPtr at_points_;  // null where that needs voxels
-  int channels_ = 1;
+  std::optional<RecipeField> field_;
+  FieldPtr own_;  // as on the recipe's own voxels
 };
 
 using FieldClass = py::class_<FieldObject>;

@@ -29,11 +29,11 @@ std::optional<Vec<3>> optional_vector(const py::object& object, const std::strin
   return vector_of<3>(object, name);
 }
 
-// The words for SliceRecipe::Component.
-SliceRecipe::Component component_of(const std::string& word) {
+// The words for Component.
+Component component_of(const std::string& word) {
   const std::string words[] = {"x", "y", "z", "length"};
   for (std::size_t i = 0; i < std::size(words); ++i) {
-    if (words[i] == word) return SliceRecipe::Component(i);
+    if (words[i] == word) return Component(i);
   }
   throw std::invalid_argument(
       fmt::format("component is {}; it must be one of {}", word, fmt::join(words, ", ")));
@@ -67,10 +67,8 @@ void refuse_idle(const SliceRecipe& slice, bool is_grid, const SliceArguments& a
   const auto refuse = [](const std::string& name, const char* where) {
     throw std::invalid_argument(fmt::format("{} has no effect where {} is sliced", name, where));
   };
-  const bool is_noise = slice.file.empty();
-  if (is_noise && arguments.component) refuse("component", "a noise");
-  if (arguments.grid && (is_noise || is_grid)) refuse("grid", is_noise ? "a noise" : "a Grid");
-  if (is_noise) return;
+  if (arguments.grid && is_grid) refuse("grid", "a Grid");
+  if (slice.file.empty()) return;
   if (arguments.color) refuse("color", "a grid");
   for (const auto& [key, value] : keywords) refuse(key.cast<std::string>(), "a grid");
 }
@@ -88,14 +86,11 @@ py::array slice_object(py::handle recipe, const SliceArguments& arguments, const
     slice.grid = arguments.grid.value_or("");
   } else {
     slice.recipe = volume_recipe_of(recipe, keywords);
-    if (slice.recipe.output == std::vector{Output::color}) {
-      slice.recipe.output = {Output::value};
-      slice.color = true;
-    }
-    require_sliceable(slice.recipe);
+    slice.grid = arguments.grid.value_or("");
   }
   refuse_idle(slice, py::isinstance<GridObject>(recipe), arguments, keywords);
   if (arguments.component) slice.component = component_of(*arguments.component);
+  if (slice.file.empty()) require_sliceable(slice);
   const std::vector<double> sides = numbers_of(arguments.resolution, "resolution");
   if (sides.empty() || sides.size() > 2)
     throw std::invalid_argument("resolution must be columns, or columns and rows");
@@ -113,14 +108,11 @@ py::array slice_object(py::handle recipe, const SliceArguments& arguments, const
   Image image;
   run(call, [&](Progress& told) {
     place_plane(view, slice);
-    const std::vector<SliceField> fields =
-        of.grid ? make_grid_slices(slice, of.grid) : make_slice_fields(slice, &told);
-    if (fields.front().bounds) fit_plane(view, *fields.front().bounds, slice.plane);
-    std::vector<DenseField<2>> channels;
-    for (const SliceField& field : fields)
-      channels.push_back(sample_slice(*field.source, slice.plane, &told));
-    image = fields.size() > 1 ? color_image(slice, channels, {0.0, 1.0}, PixelForm::values)
-                              : slice_image(slice, channels.front(), {0.0, 1.0}, PixelForm::values);
+    const SliceField field = of.grid ? make_grid_slice(slice, of.grid) : make_slice_field(slice, &told);
+    if (field.bounds) fit_plane(view, *field.bounds, slice.plane);
+    const std::vector<DenseField<2>> channels = sample_slice(*field.source, slice.plane, &told);
+    image = channels.size() > 1 ? color_image(field, channels, {0.0, 1.0}, PixelForm::values)
+                                : slice_image(slice, channels.front(), {0.0, 1.0}, PixelForm::values);
   });
   return array_of_image(std::move(image));
 }
@@ -179,19 +171,19 @@ void add_pictures(py::module_& module) {
 
 The values on a plane, at the centres of square pixels.
 
-recipe : as of make_volume(), of raw noise; or a Volume, a Grid, or the path of a .vdb or .nvdb
-    Whose noise, or whose grid, is sliced.
+recipe : as of make_volume(); or a Volume, a Grid, or the path of a .vdb or .nvdb
+    What its voxels would be filled with, densities before they are scaled; or whose grid is sliced.
 origin : 3 floats, world units
-    The middle; left out, 0, or the middle of the grid.
+    The middle; left out, 0, or the middle of the grid, or of the box of a density.
 normal, up : 3 floats
     Towards the viewer, along z by default, and what is up.
 width : float, world units
-    Of the picture; left out, 2, the noise's period, or that of the grid.
+    Of the picture; left out, 2, the noise's period, or that of the grid, or of the box of a density.
 resolution : int, or columns and rows
 grid, component : str
-    Of a volume: the grid; of vectors x, y, z or length alone.
+    Of a volume or a recipe: the grid; of vectors x, y, z or length alone.
 color : bool
-    Three channels: an exemplar's own colours, in linear light, or three independent noises.
+    Of a noise alone: three channels: an exemplar's own colours, in linear light, or three independent noises.
 
 Returns an array (rows, columns), or (rows, columns, 3), of float32, row 0 at the top.)");
   module.def("write_image", &write_picture, "path"_a, "pixels"_a, py::kw_only(), "force"_a = false,

@@ -135,6 +135,10 @@ def test_slices_are_those_of_the_noise(tmp_path: Path) -> None:
     # Sums at points and on lattices differ in the last bits.
     np.testing.assert_allclose(picture, solidnoise.Noise(recipe["noise"])(points), atol=2e-5)
     assert solidnoise.slice(recipe, resolution=16, color=True).shape == (16, 16, 3)
+    assert solidnoise.slice(recipe, resolution=16, output="curl").shape == (16, 16, 3)
+    assert solidnoise.slice(recipe, resolution=16, output="curl", component="length").min() > 0.0
+    fire = solidnoise.slice(solidnoise.preset("fire"), grid="temperature", resolution=24)
+    assert fire.shape == (24, 24) and 0.0 < fire.max()
     volume = solidnoise.make_volume(solidnoise.preset("cumulus"), dim=24)
     volume.write(tmp_path / "cloud.vdb")
     by_file = solidnoise.slice(tmp_path / "cloud.vdb", resolution=32)
@@ -148,10 +152,9 @@ def test_slices_are_those_of_the_noise(tmp_path: Path) -> None:
     ({"of": "volume", "noise": {"seed": 7}}, "noise has no effect where a grid is sliced"),
     ({"of": "grid", "grid": "density"}, "grid has no effect where a Grid is sliced"),
     ({"of": "volume", "color": True}, "color has no effect where a grid is sliced"),
-    ({"of": "recipe", "component": "x"}, "component has no effect where a noise is sliced"),
-    ({"of": "recipe", "grid": "density"}, "grid has no effect where a noise is sliced"),
-    ({"of": "recipe", "output": "curl"}, "the recipe is of more than a noise; slice the volume"),
-    ({"of": "recipe", "shaping": {"type": "cloud"}}, "the recipe shapes its noise; slice the volume"),
+    ({"of": "recipe", "component": "x"}, "component is of vectors; density has none"),
+    ({"of": "recipe", "grid": "heat"}, "grid is heat; it must be one of density"),
+    ({"of": "recipe", "color": True, "shaping": {"type": "cloud"}}, "color is of a noise alone"),
 ])
 def test_slices_take_nothing_that_would_have_no_effect(given: dict[str, Any], message: str) -> None:
     volume = solidnoise.make_volume(dim=8)
@@ -218,7 +221,7 @@ REFUSED: list[tuple[Callable[[], object], type[Exception], str]] = [
     (lambda: solidnoise.analyze(solidnoise.make_volume(solidnoise.preset("velocity"), dim=8)), ValueError, "vec3s"),
     (lambda: solidnoise.slice({}, width=-1), ValueError, "width is -1; it must be greater than 0"),
     (lambda: solidnoise.slice({}, resolution=0), ValueError, "resolution is 0; it must be between 1 and 16384"),
-    (lambda: solidnoise.slice(solidnoise.preset("cumulus")), ValueError, "slice the volume"),
+    (lambda: solidnoise.slice(shape={"type": "mesh", "file": "x.ply"}), ValueError, "slice the volume"),
 ]
 
 

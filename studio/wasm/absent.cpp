@@ -8,7 +8,6 @@
 #include "solidnoise/geometry/mesh_codecs.h"
 #include "solidnoise/mesh/refine.h"
 #include "solidnoise/volume/make_volume.h"
-#include "solidnoise/volume/slice/grid_slice.h"
 
 namespace solidnoise {
 namespace {
@@ -51,10 +50,6 @@ int openmesh_rounds(const PolygonMesh& mesh, const std::vector<double>&, RefineO
 }
 
 KernelFields ParameterFields::kernel() const {
-  refuse();
-}
-
-std::vector<SliceField> make_grid_slices(const SliceRecipe&, Progress*) {
   refuse();
 }
 

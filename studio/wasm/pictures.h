@@ -1,13 +1,12 @@
 #pragma once
 
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "commands.h"
 #include "solidnoise/core/field.h"
+#include "solidnoise/noise/gabor/gabor_spectrum.h"
 #include "solidnoise/volume/make_volume.h"
-#include "solidnoise/volume/slice/slice_field.h"
+#include "solidnoise/volume/slice/noise_slice.h"
 
 namespace solidnoise::studio {
 
@@ -15,8 +14,8 @@ namespace solidnoise::studio {
 // take.
 VolumePlan plan_in_box(const VolumeRecipe& grid, double voxel);
 
-// 0 outside the ellipsoid that a recipe's shape is, where it is one.
-FieldPtr within_shape(FieldPtr field, const VolumeRecipe& grid);
+// The field that the voxels of a plan have, 0 outside the recipe's shape.
+FieldPtr field_in_shape(const VolumeRecipe& grid, const VolumePlan& plan);
 
 // The grid of a question at the question's "time", where it has one.
 VolumeRecipe timed_grid(const Json& question);
@@ -25,13 +24,12 @@ VolumeRecipe timed_grid(const Json& question);
 // "rows": 256}.
 SlicePlane plane_of(const Json& plane);
 
-// What the pixels of a plane have values of: as `vdbnoise slice` has them where it can slice the recipe,
-// otherwise the field that the volume has, at points.
+// What the pixels of a plane have values of, as `vdbnoise slice` has them.
 struct SliceSubject {
-  std::vector<SliceField> plain;  // one for each channel; empty: `field`
-  FieldPtr field;
+  SliceSourcePtr source;
   SlicePlane plane;
-  std::optional<ExemplarModel> exemplar;  // of the colours of `plain`, where they are its
+  double sigma = 0.0;                     // of a noise alone
+  std::optional<ExemplarModel> exemplar;  // whose colours the channels make
   Json shown;                             // what is known of the values: see make_slice()
 };
 // Made anew only where recipe, grid, time, plane or "draft" differ from the last question's.

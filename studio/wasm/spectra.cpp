@@ -31,8 +31,8 @@ struct LinearRange {
 
 // None where they are of more than a noise, or a range cuts much of it off.
 std::optional<LinearRange> linear_range(const SliceSubject& subject, const VolumeRecipe& grid) {
-  if (subject.plain.empty() || subject.exemplar) return {};
-  const double sigma = subject.plain.front().sigma;
+  if (subject.exemplar) return {};
+  const double sigma = subject.sigma;
   const RawShaping::Range range = std::get<RawShaping>(grid.shaping).range;
   if (sigma == 0.0 || (range != RawShaping::Range::raw && sigma > kMostSigmaInRange)) return {};
   std::array<float, 2> mapped{0.0f, 1.0f};

@@ -6,7 +6,6 @@
 
 #include "pictures.h"
 #include "solidnoise/volume/topology/grid_frame.h"
-#include "solidnoise/volume/volume_field.h"
 
 namespace solidnoise::studio {
 namespace {
@@ -29,7 +28,7 @@ const Preview& preview_of(const Json& question) {
     preview.grid = timed_grid(question);
     preview.plan =
         plan_in_box(preview.grid, voxel_size_for_dim(preview.grid.box, question.at("dim").get<int>()));
-    preview.field = within_shape(make_volume_field(preview.grid, preview.plan).field, preview.grid);
+    preview.field = field_in_shape(preview.grid, preview.plan);
     known = key;
   }
   return preview;

@@ -11,7 +11,7 @@
 #include "solidnoise/volume/make_volume.h"
 #include "solidnoise/volume/merge_parts.h"
 #include "solidnoise/volume/vdb/vdb_write.h"
-#include "solidnoise/volume/volume_field.h"
+#include "solidnoise/volume/recipe_field.h"
 #include "solidnoise/volume/volume_recipe_json.h"
 #include "support/scattered.h"
 
@@ -70,7 +70,8 @@ void add_volume_points(const Json& json, Digest& digest) {
     positions.emplace_back(scattered.offset[0][i], scattered.offset[1][i], scattered.offset[2][i]);
   }
   std::vector<float> values(positions.size());
-  make_raw_field(volume_recipe_from_json(json))->evaluate({positions}, {values, {}});
+  const RecipeField field(volume_recipe_from_json(json));
+  field.on_voxels(field.frame()).field->evaluate({positions}, {values, {}});
   digest.add(std::span<const float>(values));
 }
 

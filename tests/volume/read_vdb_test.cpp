@@ -86,7 +86,7 @@ TEST(ReadVdb, StopsWhereItIsAskedTo) {
       stops([&](Progress* stop) { read_grids(file.file, stop); });
       stops([&](Progress* stop) { read_grid(file.file, {}, stop); });
       stops([&](Progress* stop) { read_float_grid(file.file, {}, stop); });
-      stops([&](Progress* stop) { make_slice_fields(slice, stop); });
+      stops([&](Progress* stop) { make_slice_field(slice, stop); });
       for (const VolumeRecipe& recipe : {shape, on, boundary, parameter}) {
         stops([&](Progress* stop) { plan_volume(recipe, {}, stop); });
         stops([&](Progress* stop) { describe_volume(recipe, {.progress = stop}); });

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <memory>
@@ -20,6 +21,7 @@
 #include "solidnoise/volume/slice/slice_field.h"
 #include "solidnoise/volume/slice/slice_image.h"
 #include "solidnoise/volume/vdb/vdb_read.h"
+#include "solidnoise/volume/volume_cost.h"
 #include "vdbnoise/commands.h"
 #include "vdbnoise/slice_options.h"
 #include "vdbnoise/volume_flags.h"
@@ -28,47 +30,43 @@ namespace solidnoise {
 namespace {
 
 constexpr char kSliceDescription[] =
-    "Makes a picture of a plane through a noise, or through a grid of an OpenVDB file; or a line of "
-    "samples.\n"
+    "Makes a picture of a plane through a noise, through what a recipe makes volumes of, or through a grid "
+    "of an OpenVDB file; or a line of samples.\n"
     "  vdbnoise slice --out noise.png\n"
     "  vdbnoise slice --dims 2 --period 2 2 0 --frequency 8 --out tile.png --spectrum spectrum.png\n"
+    "  vdbnoise slice --preset fire --grid temperature --ramp 0:#000,.4:#a21,.75:#fb3,1:#fff --out fire.png\n"
     "  vdbnoise slice smoke.vdb --normal 1 0 0 --ramp viridis --out smoke.png\n"
     "  vdbnoise slice --dims 1 --out line.csv";
 
-bool may_limit(const VolumeRecipe& recipe) {
-  return recipe.dims < 4 && recipe.layers.empty() && can_filter(recipe.noise);
+bool may_limit(VolumeRecipe grid) {
+  grid.dims = std::max(grid.dims, 3);  // those of fewer may, too
+  return may_band_limit(grid);
 }
 
 // Frequencies that the pixels cannot hold come back as others.
 void warn_of_aliasing(const SliceOptions& options, const SliceField& field) {
   const double highest = field.highest_frequency * options.plane.pixel;
-  if (options.recipe.band_limit && field.sigma == 0.0 && options.file.empty() && !options.quiet) {
+  const bool limited = options.file.empty() && options.recipe.band_limit;
+  if (limited && field.sigma == 0.0 && !options.quiet) {
     std::cerr << "vdbnoise: warning: --band-limit leaves nothing of the noise, all of whose frequencies are "
                  "above what the pixels hold; make --frequency lower or --width smaller\n";
   }
-  if (options.quiet || options.recipe.band_limit || highest <= 0.5) return;
+  if (options.quiet || limited || highest <= 0.5) return;
   std::cerr << fmt::format(
       "vdbnoise: warning: the noise reaches {:.2f} cycles per pixel, above 0.5, and will alias; {}make "
       "--width "
       "smaller, --frequency lower or --resolution larger\n",
-      highest, may_limit(options.recipe) ? "give --band-limit, or " : "");
+      highest, may_limit(sliced_grid(options)) ? "give --band-limit, or " : "");
 }
 
-// A pixel's noise, evaluated pixel by pixel: what is interpolated takes less.
-template <int Dim>
-double seconds_of(const NoiseRecipe& noise) {
-  return cost_at_points(*make_noise<Dim>(noise), 1.0).seconds;
-}
-
-double seconds_of_noises(const VolumeRecipe& recipe) {
-  double seconds = 0.0;
-  for (const NoiseRecipe& noise : noises_of(recipe)) {
-    seconds += recipe.dims == 1   ? seconds_of<1>(noise)
-               : recipe.dims == 2 ? seconds_of<2>(noise)
-               : recipe.dims == 3 ? seconds_of<3>(noise)
-                                  : seconds_of<4>(noise);
-  }
-  return seconds;
+// Evaluated pixel by pixel: what is interpolated takes less.
+double seconds_of(const VolumeRecipe& grid, double pixels) {
+  if (grid.dims > 2) return seconds_at_points(grid, pixels);
+  const double channels = is_scalar(grid) ? 1.0 : 3.0;
+  const double samples =
+      channels * (pixels + (std::get<RawShaping>(grid.shaping).normalize ? kMostNormalizationSamples : 0.0));
+  return grid.dims == 1 ? cost_at_points(*make_noise<1>(grid.noise), samples).seconds
+                        : cost_at_points(*make_noise<2>(grid.noise), samples).seconds;
 }
 
 // The grid that is sliced; none where the file has no such grid: reading it says so.
@@ -89,21 +87,23 @@ void require_cost(const SliceOptions& options) {
   constexpr double kSecondsPerGridSample = 50e-9;
   constexpr double kSecondsPerPicturePixel = 0.25e-6;
   double bytes = options.line ? kProgramBytes : kPictureProgramBytes;
-  bool has_channels = options.color;
   const double pixels = static_cast<double>(options.plane.columns) * options.plane.rows;
-  double samples = pixels;
-  double making = kSecondsPerGridSample;
+  bool has_channels = options.color;
+  double seconds = 0.0;
   if (options.file.empty()) {
-    making = seconds_of_noises(options.recipe);
-    if (std::get<RawShaping>(options.recipe.shaping).normalize) samples += kMostNormalizationSamples;
+    VolumeRecipe grid = sliced_grid(options);
+    if (options.color) grid.output = {Output::color};
+    has_channels = grid.output != std::vector{Output::value};
+    seconds = seconds_of(grid, pixels);
   } else if (const auto grid = grid_to_slice(options)) {
     bytes += memory_of(*grid);
     has_channels = grid->value_type != "float" && !options.component;
+    seconds = (has_channels ? 3.0 : 1.0) * kSecondsPerGridSample * pixels;
   }
   const bool in_color = has_channels || !options.ramp.empty() || !options.spectrum.empty();
   options.require_cost(fmt::format("{} x {} pixels", options.plane.columns, options.plane.rows),
                        {bytes + pixels * (in_color ? kBytesPerColor : kBytesPerSample),
-                        (has_channels ? 3.0 : 1.0) * samples * making + kSecondsPerPicturePixel * pixels});
+                        seconds + kSecondsPerPicturePixel * pixels});
 }
 
 void write_slice(const SliceOptions& options, const SliceField& field,
@@ -127,10 +127,10 @@ void write_slice(const SliceOptions& options, const SliceField& field,
   const auto shown = shown_values(options, field, channels);
   const PixelForm form = form_of(options.out);
   file.sample_type = options.sample_type;
-  write_image(
-      options.out,
-      options.color ? color_image(options, channels, shown, form) : slice_image(options, slice, shown, form),
-      file);
+  write_image(options.out,
+              channels.size() > 1 ? color_image(field, channels, shown, form)
+                                  : slice_image(options, slice, shown, form),
+              file);
   outputs.appear();
 }
 
@@ -140,28 +140,26 @@ void make_slice(SliceOptions options) {
   const auto threads = options.limit_threads();
   auto ends_at_once = std::make_unique<EndsAtOnce>();
   require_cost(options);
-  const std::vector<SliceField> fields = make_slice_fields(options);
-  const SliceField& field = fields.front();
-  if (field.bounds) {
-    fit_plane(options, *field.bounds, options.plane);
-    options.color = fields.size() > 1;
-  }
-  if (options.color && (!options.ramp.empty() || !options.spectrum.empty() || options.line)) {
+  const SliceField field = make_slice_field(options);
+  if (field.bounds) fit_plane(options, *field.bounds, options.plane);
+  if (field.source->channels() > 1 && (!options.ramp.empty() || !options.spectrum.empty() || options.line)) {
     throw UsageError(
         "--ramp, --spectrum and a line have one value for each pixel; --component says which of the "
         "vectors'");
+  }
+  if (options.values && field.exemplar) {
+    throw UsageError("--values has no effect on the colours of an exemplar");
   }
   warn_of_aliasing(options, field);
   std::vector<DenseField<2>> channels;
   {
     TaskProgress progress(options.visibility());
     progress.begin("slice");
-    for (const SliceField& of_channel : fields) {
-      channels.push_back(sample_slice(*of_channel.source, options.plane, &progress));
-    }
+    channels = sample_slice(*field.source, options.plane, &progress);
     for (const DenseField<2>& channel : channels) {
       if (std::isfinite(Moments::of(channel.values).sigma())) continue;
-      throw std::runtime_error(options.file + ": has values that are not finite in the slice");
+      throw std::runtime_error((options.file.empty() ? "the recipe" : options.file) +
+                               ": has values that are not finite in the slice");
     }
     ends_at_once.reset();
     throw_if_cancelled(&progress);
@@ -187,10 +185,6 @@ int run_slice(const std::vector<std::string>& arguments) {
   const std::vector<std::string> noise_flags = declare_slice_flags(flags, options);
   flags.parse(arguments);
   options.recipe = choose_volume_recipe(flags, "raw");
-  if (options.recipe.output == std::vector{Output::color}) {
-    options.recipe.output = {Output::value};
-    options.color = true;
-  }
   explained(flags, [&] {
     flags.apply();
     check_layer_flags(flags, options.recipe, noise_flags);

@@ -76,11 +76,10 @@ void declare_output(FlagSet& flags, SliceOptions& options) {
 
 void declare_source(FlagSet& flags, SliceOptions& options) {
   flags.group("What is sliced");
-  flags.keep("--grid", "NAME", "The grid of FILE.vdb (default: the first one of floats or vectors)",
+  flags.keep("--grid", "NAME", "The grid of FILE.vdb, or of the recipe (default: the first one that can be)",
              options.grid);
-  flags.choice("--component", {"x", "y", "z", "length"},
-               "Of a grid of vectors; without it, all three as colours",
-               [&](std::size_t index) { options.component = SliceRecipe::Component(index); });
+  flags.choice("--component", {"x", "y", "z", "length"}, "Of vectors; without it, all three as colours",
+               [&](std::size_t index) { options.component = Component(index); });
   flags.add({"--preset", "NAME", "Start from a recipe that comes with the program (default raw)"}).words =
       preset_names();
   flags.add(
@@ -106,7 +105,8 @@ void declare_plane(FlagSet& flags, SliceOptions& options) {
                [flag, &target](const FlagTexts& texts) { target = FlagForm<Vec<3>>::read(flag, texts); }});
   };
   vector("--origin", "X [Y Z]",
-         "The middle of the picture, world units (default 0 0 0, or the middle of the grid)", options.origin);
+         "The middle of the picture, world units (default 0 0 0, or the middle of the grid or the box)",
+         options.origin);
   vector("--normal", "X Y Z", "Across the plane, towards the viewer (default 0 0 1)", options.normal);
   vector("--up", "X Y Z", "What is up in the picture, as far as the plane allows (default 0 1 0)",
          options.up);
@@ -121,7 +121,7 @@ void declare_plane(FlagSet& flags, SliceOptions& options) {
   flags.exclude({"--axes", "--normal"});
   flags.exclude({"--axes", "--up"});
   flags.number("--width", "UNITS",
-               "Of the picture, world units (default 2, the period, or what holds the grid)",
+               "Of the picture, world units (default 2, the period, or what holds the grid or the box)",
                [&](double width) {
                  require_positive("--width", width, "world units");
                  options.width = width;
@@ -157,16 +157,12 @@ void check_line(const FlagSet& flags, const SliceOptions& options) {
   }
   if (!options.is_line()) return;
   flags.refuse({"--spectrum", "--ramp", "--values", "--color"}, "has no effect on a line");
-  if (options.color) throw UsageError("the recipe makes colours, which a line has none of");
 }
 
 // What the noise of a recipe would be given for nothing where a grid is sliced.
 void check_file(const FlagSet& flags, const SliceOptions& options,
                 const std::vector<std::string>& noise_flags) {
-  if (options.file.empty()) {
-    flags.refuse({"--grid", "--component"}, "is of a grid of FILE.vdb, which is missing");
-    return;
-  }
+  if (options.file.empty()) return;
   const std::string why = fmt::format("has no effect where {} is sliced", options.file);
   for (const std::string& flag : noise_flags) flags.refuse({flag}, why);
   flags.refuse(
@@ -175,25 +171,16 @@ void check_file(const FlagSet& flags, const SliceOptions& options,
       why);
 }
 
-void check_recipe(const SliceOptions& options) {
+void check_recipe(const FlagSet& flags, const SliceOptions& options) {
   const VolumeRecipe& recipe = options.recipe;
-  if (recipe.grids.empty() && !std::holds_alternative<RawShaping>(recipe.shaping)) {
-    throw UsageError(
-        "the recipe shapes its noise; give --raw too to see the noise itself, or slice the volume that it "
-        "makes");
-  }
-  require_sliceable(recipe);
-  if (options.color && !options.ramp.empty()) throw UsageError("--ramp has no effect on colours");
-  if (options.color && !recipe.layers.empty()) throw UsageError("--color has no effect on layers");
-  if (options.values && options.color && exemplar_of_colors(recipe)) {
-    throw UsageError("--values has no effect on the colours of an exemplar");
+  if (!recipe.grids.empty()) {
+    flags.refuse({"--raw", "--fold", "--histogram", "--warp"},
+                 "has no effect where the recipe makes several grids, each with its own");
   }
   VolumeRecipe checked = recipe;
-  if (recipe.dims < 3) {
-    if (!recipe.layers.empty()) throw UsageError("--dims must be 3 or 4 where there are layers");
-    checked.dims = 3;
-  }
+  checked.dims = std::max(recipe.dims, 3);
   checked.validate();
+  require_sliceable(options);
 }
 
 }  // namespace
@@ -202,7 +189,7 @@ std::vector<std::string> declare_slice_flags(FlagSet& flags, SliceOptions& optio
   VolumeRecipe& recipe = options.recipe;
   flags.show_first({"--out", "--grid", "--noise", "--frequency", "--dims", "--normal", "--width",
                     "--resolution", "--ramp", "--spectrum"});
-  flags.optional_argument("FILE.vdb", "A volume whose grid is sliced, instead of a noise", options.file);
+  flags.optional_argument("FILE.vdb", "A volume whose grid is sliced, instead of a recipe", options.file);
   declare_output(flags, options);
   declare_source(flags, options);
   flags.group("Noise");
@@ -229,7 +216,7 @@ void check_slice_options(const FlagSet& flags, SliceOptions& options,
   check_outputs(options);
   check_line(flags, options);
   check_file(flags, options, noise_flags);
-  if (options.file.empty()) check_recipe(options);
+  if (options.file.empty()) check_recipe(flags, options);
   options.line = options.is_line();
   if (options.line) options.plane.rows = 1;
   place_plane(options, options);

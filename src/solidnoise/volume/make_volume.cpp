@@ -17,6 +17,7 @@
 #include "solidnoise/volume/merge_parts.h"
 #include "solidnoise/volume/modified_volume.h"
 #include "solidnoise/volume/shape_cover.h"
+#include "solidnoise/volume/shape_field.h"
 #include "solidnoise/volume/topology/fill.h"
 #include "solidnoise/volume/topology/grid_frame.h"
 #include "solidnoise/volume/topology/topology.h"

@@ -14,16 +14,10 @@ struct ShapedVoxels {
   FieldPtr cover;  // 0 to 1; null: 1 for every voxel of the topology
 };
 
-// Densities end softly at the surface of an ellipsoid or a mesh: at the distance d from it, positive outside,
-//   cover = 1/2 - d / edge, clamped to 0..1,
-// with the recipe's edge, or of two voxels, over which no step is more than a half. So the mass is that of
-// the shape, whatever the voxels. d is exact for a sphere; of an ellipsoid it is (k - 1)
-// k / |g| with k the distance from the centre in radii and g = k grad k, right to first order. Boxes, of
-// which tiles and parts are cut, do so where the recipe has an edge. Recipes without densities have the
-// voxels whose centres are in the shape, and no cover. Throws as the topologies do; Cancelled.
+// Densities end softly at the surface of an ellipsoid or a mesh (cover_at()), over the recipe's edge or two
+// voxels, over which no step is more than a half. So the mass is that of the shape, whatever the voxels.
+// Boxes, of which tiles and parts are cut, do so where the recipe has an edge. Recipes without densities have
+// the voxels whose centres are in the shape, and no cover. Throws as the topologies do; Cancelled.
 ShapedVoxels make_shape(const VolumeRecipe& recipe, const VolumePlan& plan, Progress* progress);
-
-// The width of that end, world units; 0: voxels are in the shape or not.
-double edge_of(const VolumeRecipe& recipe, const Vec<3>& voxel);
 
 }  // namespace solidnoise

@@ -253,6 +253,17 @@ Cost volume_cost(const VolumeRecipe& recipe, const VolumePlan& plan, int threads
   return making_cost(recipe, plan, evaluation_cost(recipe, plan, threads), making);
 }
 
+double seconds_at_points(const VolumeRecipe& recipe, double points) {
+  double seconds = points * seconds_per_voxel(recipe);
+  for (const NoiseRecipe& of : noises_of(recipe)) {
+    VolumeRecipe single = recipe;
+    single.noise = noise_of_output(recipe, of);
+    const auto noise = make_volume_noise(single);
+    seconds += cost_at_points(*noise, points).seconds + normalization_seconds(recipe, *noise);
+  }
+  return channel_count(recipe) * seconds;
+}
+
 Cost merge_cost(const VolumeRecipe& recipe, const VolumePlan& whole, int parts) {
   const auto grids = static_cast<double>(output_grids(recipe).size());
   const std::uint64_t shape = whole.grid ? whole.grid->memUsage() : 0;  // of which merging needs nothing

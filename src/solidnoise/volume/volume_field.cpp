@@ -310,15 +310,6 @@ VolumeField make_volume_field(const VolumeRecipe& recipe, const VolumePlan& plan
   return volume;
 }
 
-FieldPtr make_raw_field(const VolumeRecipe& recipe) {
-  const auto* const raw = std::get_if<RawShaping>(&recipe.shaping);
-  if (!raw) throw std::invalid_argument("a field without voxels is of raw noise");
-  const auto make = [&](const NoiseRecipe& noise) -> FieldPtr { return make_noise_of(recipe, noise); };
-  const FieldPtr field =
-      recipe.layers.empty() ? make(recipe.noise) : make_layered_field(recipe.layers, recipe.noise, make);
-  return shape(normalized(recipe, recipe.box, field), *raw);
-}
-
 Normalization normalization_of(const VolumeRecipe& recipe, const Box<3>& box) {
   const auto* const raw = std::get_if<RawShaping>(&recipe.shaping);
   if (!raw || !raw->normalize) return {};

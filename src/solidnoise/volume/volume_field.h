@@ -28,10 +28,6 @@ VolumeField make_volume_field(const VolumeRecipe& recipe, const VolumePlan& plan
 // are left out.
 bool keeps_all_voxels(const VolumeRecipe& recipe);
 
-// The field of a short form whose shaping is RawShaping, without voxels: its noise or its layers, in their
-// range; where they are normalized, over the recipe's box.
-FieldPtr make_raw_field(const VolumeRecipe& recipe);
-
 // What RawShaping::normalize makes of the values of a short form's noise in a box, along whose axes with a
 // period it is measured over one; of other recipes nothing.
 Normalization normalization_of(const VolumeRecipe& recipe, const Box<3>& box);

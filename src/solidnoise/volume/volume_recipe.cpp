@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "solidnoise/core/named_error.h"
 #include "solidnoise/core/printable.h"
@@ -205,14 +206,25 @@ std::vector<VolumeRecipe> recipes_of_grids(const VolumeRecipe& recipe) {
   return recipes;
 }
 
-VolumeRecipe recipe_of_grid(const VolumeRecipe& recipe, const std::string& name) {
+std::size_t entry_of_grid(const VolumeRecipe& recipe, const std::string& name) {
   const std::vector<VolumeRecipe> singles = recipes_of_grids(recipe);
   const auto has_name = [&](const VolumeRecipe& single) {
     const std::vector<std::string> names = grid_names(single);
     return std::ranges::find(names, name) != names.end();
   };
   const auto found = std::ranges::find_if(singles, has_name);
-  return found == singles.end() ? singles.front() : *found;
+  return found == singles.end() ? 0 : static_cast<std::size_t>(found - singles.begin());
+}
+
+VolumeRecipe recipe_of_grid(const VolumeRecipe& recipe, const std::string& name) {
+  return recipes_of_grids(recipe)[entry_of_grid(recipe, name)];
+}
+
+void require_grid(const VolumeRecipe& recipe, const std::string& name) {
+  const std::vector<std::string> names = grid_names(recipe);
+  if (std::ranges::find(names, name) != names.end()) return;
+  throw std::invalid_argument(
+      fmt::format("grid is {}; it must be one of {}", printable(name), fmt::join(names, ", ")));
 }
 
 GridRecipe& grid_of(VolumeRecipe& recipe, std::size_t i) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <variant>
@@ -137,8 +138,12 @@ struct VolumeRecipe : GridRecipe, Domain {
 // The recipe in short forms: one of each entry of its grids, with its noise; itself if there are none.
 std::vector<VolumeRecipe> recipes_of_grids(const VolumeRecipe& recipe);
 
-// That of the grid of a name, or of the first if there is none of it.
+// Which of them has the grid of a name; the first if none has.
+std::size_t entry_of_grid(const VolumeRecipe& recipe, const std::string& name);
 VolumeRecipe recipe_of_grid(const VolumeRecipe& recipe, const std::string& name);
+
+// Throws std::invalid_argument for a name that no grid of the recipe has.
+void require_grid(const VolumeRecipe& recipe, const std::string& name);
 
 // Entry i of the recipe's grids, or the recipe itself, to be changed.
 GridRecipe& grid_of(VolumeRecipe& recipe, std::size_t i);

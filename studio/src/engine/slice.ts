@@ -8,7 +8,6 @@ import type { Pool, Timed } from "./pool.ts";
 export interface Shown {
   low?: number;
   high?: number;
-  sigma?: number;
   colors?: boolean;
   encoded?: boolean;
   vector?: boolean;

@@ -10,7 +10,7 @@
 
 #include "solidnoise/core/check.h"
 #include "solidnoise/core/random.h"
-#include "solidnoise/volume/volume_field.h"
+#include "solidnoise/volume/recipe_field.h"
 
 namespace solidnoise {
 namespace {
@@ -80,7 +80,8 @@ FieldPtr density_field(const ScatteredPoints& how) {
   if (!how.density) return nullptr;
   VolumeRecipe map;
   map.layers = {*how.density};
-  return make_raw_field(map);
+  const RecipeField field(map);
+  return field.on_voxels(field.frame()).field;
 }
 
 class Thrower {

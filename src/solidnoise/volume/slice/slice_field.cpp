@@ -1,199 +1,110 @@
 #include "solidnoise/volume/slice/slice_field.h"
 
-#include <cmath>
+#include <algorithm>
 #include <stdexcept>
-#include <utility>
 #include <variant>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "solidnoise/field/pointwise_field.h"
-#include "solidnoise/field/shaping.h"
-#include "solidnoise/noise/error_budget.h"
-#include "solidnoise/noise/interpolation/interpolated_noise.h"
-#include "solidnoise/noise/noise_views.h"
+#include "solidnoise/field/combined_field.h"
+#include "solidnoise/volume/recipe_field.h"
+#include "solidnoise/volume/shape_field.h"
 #include "solidnoise/volume/slice/grid_slice.h"
+#include "solidnoise/volume/slice/noise_slice.h"
 #include "solidnoise/volume/volume_field.h"
 
 namespace solidnoise {
 namespace {
 
-class FieldSource final : public SliceSource {
- public:
-  explicit FieldSource(FieldPtr field) : field_(std::move(field)) {}
+bool is_shaped(const VolumeRecipe& grid) {
+  return !std::holds_alternative<RawShaping>(grid.shaping);
+}
 
-  void evaluate(const SlicePlane& plane, const glm::ivec2& first, const glm::ivec2& count,
-                std::span<float> values) const override {
-    std::vector<Vec<3>> positions;
-    for (int column = first.x; column < first.x + count.x; ++column) {
-      for (int row = first.y; row < first.y + count.y; ++row)
-        positions.push_back(plane.position(column, row));
-    }
-    field_->evaluate({positions}, {values, {}});
+// The place of the grid's output among those of its short form.
+std::size_t sliced_output(const SliceRecipe& slice, const VolumeRecipe& grid) {
+  const std::vector<std::string> names = grid_names(grid);
+  const auto found = std::ranges::find(names, slice.grid);
+  return found == names.end() ? 0 : static_cast<std::size_t>(found - names.begin());
+}
+
+bool has_components(Output output) {
+  return output == Output::gradient || output == Output::curl;
+}
+
+SliceField make_noise_field(const SliceRecipe& slice, const VolumeRecipe& grid) {
+  VolumeRecipe recipe = at_resolution(grid, Vec<3>(slice.plane.pixel));
+  recipe.exact = recipe.exact || slice.line;
+  recipe.output = {Output::value};
+  const bool color = slice.color || grid.output == std::vector{Output::color};
+  SliceField field;
+  std::vector<SliceSourcePtr> channels;
+  for (int channel = 0; channel < (color ? 3 : 1); ++channel) {
+    VolumeRecipe single = recipe;
+    if (color) single.noise = channel_of(recipe.noise, channel);
+    const NoiseSlice noise =
+        recipe.dims < 3 ? make_flat_slice(single, slice.plane) : make_noise_slice(single, slice.plane);
+    channels.push_back(noise.source);
+    field.sigma = noise.sigma;
+    field.shown = noise.shown;
   }
-
-  int tile_side() const override { return 32; }
-
- private:
-  FieldPtr field_;
-};
-
-class LatticeSource final : public SliceSource {
- public:
-  LatticeSource(std::shared_ptr<const Noise<2>> noise, const LatticeFrame<2>& frame,
-                const Normalization& normalization, RawShaping::Range range)
-      : noise_(std::move(noise)), frame_(frame), normalization_(normalization), range_(range) {}
-
-  void evaluate(const SlicePlane&, const glm::ivec2& first, const glm::ivec2& count,
-                std::span<float> values) const override {
-    const Lattice<2> lattice{frame_.origin, frame_.step, Index<2>(first), count};
-    noise_->block(lattice.bounds())->evaluate(lattice, Samples<2>{values, {}});
-    for (float& value : values) value = normalization_(value);
-    to_range(range_, values);
+  if (const ExemplarModel* const exemplar = exemplar_of_colors(recipe); exemplar && color) {
+    field.exemplar = *exemplar;
   }
-
-  int tile_side() const override { return 128; }
-
- private:
-  std::shared_ptr<const Noise<2>> noise_;
-  LatticeFrame<2> frame_;
-  Normalization normalization_;
-  RawShaping::Range range_;
-};
-
-}  // namespace
-
-std::unique_ptr<SliceSource> make_slice_source(FieldPtr field) {
-  return std::make_unique<FieldSource>(std::move(field));
+  field.highest_frequency = highest_frequency_in_slice(recipe);
+  field.source = side_by_side(std::move(channels));
+  return field;
 }
 
-std::unique_ptr<SliceSource> make_slice_source(std::shared_ptr<const Noise<2>> noise,
-                                               const LatticeFrame<2>& frame,
-                                               const Normalization& normalization, RawShaping::Range range) {
-  return std::make_unique<LatticeSource>(std::move(noise), frame, normalization, range);
-}
-
-namespace {
-
-// A noise of fewer dimensions than space.
-template <int Dim>
-class FlatNoiseField final : public PointwiseField {
- public:
-  explicit FlatNoiseField(std::shared_ptr<const Noise<Dim>> noise) : noise_(std::move(noise)) {}
-
-  void evaluate(const Points<3>& points, const Samples<3>& samples) const override {
-    std::vector<Vec<Dim>> flat;
-    flat.reserve(points.size());
-    for (const Vec<3>& position : points.positions) {
-      Vec<Dim>& of_flat = flat.emplace_back();
-      for (int axis = 0; axis < Dim; ++axis) of_flat[axis] = position[axis];
-    }
-    noise_->evaluate(Points<Dim>{flat}, Samples<Dim>{samples.values, {}});
-  }
-
- private:
-  std::shared_ptr<const Noise<Dim>> noise_;
-};
-
-RawShaping::Range range_of(const VolumeRecipe& recipe) {
-  return std::get<RawShaping>(recipe.shaping).range;
-}
-
-// The noise of the plane as it is quickest on the pixels, if that is not pixel by pixel.
-std::shared_ptr<const SliceSource> interpolated_source(const SliceRecipe& slice, const VolumeRecipe& recipe,
-                                                       const std::shared_ptr<const Noise<2>>& noise,
-                                                       const Normalization& normalization,
-                                                       const Vec<2>& first_pixel) {
-  if (recipe.exact || slice.line) return nullptr;
-  LatticeFrame<2> frame{first_pixel, Vec<2>(slice.plane.pixel)};
-  for (const auto& [axis, direction] : {std::pair(0, slice.plane.right), std::pair(1, slice.plane.up)}) {
-    frame.period[axis] = whole_period(period_along(direction, recipe.noise), frame.step[axis]);
-  }
-  const auto interpolated = interpolate<2>(noise, frame, ErrorBudget(error_of(recipe.noise)).interpolation);
-  if (interpolated == noise) return nullptr;
-  return make_slice_source(interpolated, frame, normalization, range_of(recipe));
-}
-
-// As normalization_of() has it in space.
-template <int Dim>
-Normalization flat_normalization(const VolumeRecipe& recipe, const Noise<Dim>& noise) {
-  if (!std::get<RawShaping>(recipe.shaping).normalize) return {};
-  return normalization_in<Dim>(noise, {Vec<Dim>(recipe.box.lower), Vec<Dim>(recipe.box.upper)},
-                               period_of(recipe.noise));
-}
-
-template <int Dim>
-SliceField make_flat_field(const SliceRecipe& slice, const VolumeRecipe& recipe) {
-  Vec<Dim> offset;
-  for (int axis = 0; axis < Dim; ++axis) offset[axis] = moved(recipe)[axis];
-  const std::shared_ptr<const Noise<Dim>> noise =
-      move_noise<Dim>(make_noise<Dim>(at_time(recipe.noise, recipe.time)), offset);
+SliceField make_recipe_field(const SliceRecipe& slice, const VolumeRecipe& grid, Progress* progress) {
+  const RecipeField field(slice.recipe, slice.grid, progress);
+  VolumeField values = field.on_voxels(GridFrame(slice.plane.pixel));
+  if (is_bounded(slice)) values.field = masked(values.field, shape_at_points(grid, slice.plane.pixel));
+  const GridChannels& sliced = values.grids[sliced_output(slice, grid)];
   SliceField result;
-  result.sigma = std::sqrt(noise->variance());
-  result.highest_frequency = noise->band().upper;
-  const Normalization normalization = flat_normalization<Dim>(recipe, *noise);
-  if constexpr (Dim == 2) {
-    const SlicePlane& plane = slice.plane;
-    if (plane.right == Vec<3>(1.0, 0.0, 0.0) && plane.up == Vec<3>(0.0, 1.0, 0.0)) {
-      result.source = interpolated_source(slice, recipe, noise, normalization, Vec<2>(plane.position(0, 0)));
-    }
-  }
-  if (!result.source) {
-    const FieldPtr field = map_field(std::make_shared<FlatNoiseField<Dim>>(noise), normalization);
-    result.source = make_slice_source(shape(field, std::get<RawShaping>(recipe.shaping)));
-  }
-  return result;
-}
-
-SliceField make_noise_field(const SliceRecipe& slice, const VolumeRecipe& recipe) {
-  if (recipe.dims == 1) return make_flat_field<1>(slice, recipe);
-  if (recipe.dims == 2) return make_flat_field<2>(slice, recipe);
-  SliceField result;
-  result.highest_frequency = highest_frequency(recipe, {});
-  if (recipe.layers.empty()) {
-    const std::shared_ptr<const Noise<3>> noise = make_volume_noise(recipe);
-    const SlicePlane& plane = slice.plane;
-    result.sigma = std::sqrt(noise->variance());
-    result.source =
-        interpolated_source(slice, recipe, on_plane(noise, {plane.position(0, 0), plane.right, plane.up}),
-                            normalization_of(recipe, recipe.box), Vec<2>(0.0));
-  }
-  if (!result.source) result.source = make_slice_source(make_raw_field(recipe));
+  result.source = make_slice_source(values.field, {sliced.first, sliced.count, slice.component});
+  result.highest_frequency = field.highest_frequency();
+  if (is_shaped(grid)) result.shown = {0.0, 1.0};
   return result;
 }
 
 }  // namespace
 
-double period_along(const Vec<3>& direction, const NoiseRecipe& noise) {
-  const Vec<4> period = period_of(noise);
-  for (int axis = 0; axis < 3; ++axis) {
-    if (std::abs(direction[axis]) == 1.0) return period[axis];
-  }
-  return 0.0;
+VolumeRecipe sliced_grid(const SliceRecipe& slice) {
+  if (!slice.grid.empty()) require_grid(slice.recipe, slice.grid);
+  return recipe_of_grid(slice.recipe, slice.grid);
 }
 
-void require_sliceable(const VolumeRecipe& recipe) {
-  const char* const more =
-      !recipe.grids.empty() || !recipe.fields.empty()       ? "makes several grids, or has named fields"
-      : !std::holds_alternative<RawShaping>(recipe.shaping) ? "shapes its noise"
-      : !is_scalar(recipe) || recipe.modification || recipe.parameters.any() ? "is of more than a noise"
-                                                                             : nullptr;
-  if (more) throw std::invalid_argument(fmt::format("the recipe {}; slice the volume that it makes", more));
+bool is_bounded(const SliceRecipe& slice) {
+  return is_shaped(sliced_grid(slice)) || !std::holds_alternative<BoxShape>(slice.recipe.shape);
 }
 
-std::vector<SliceField> make_slice_fields(const SliceRecipe& slice, Progress* progress) {
-  if (!slice.file.empty()) return make_grid_slices(slice, progress);
-  require_sliceable(slice.recipe);
-  const VolumeRecipe recipe = at_resolution(slice.recipe, Vec<3>(slice.plane.pixel));
-  if (!slice.color) return {make_noise_field(slice, recipe)};
-  std::vector<SliceField> channels;
-  for (int channel = 0; channel < 3; ++channel) {
-    VolumeRecipe of_channel = recipe;
-    of_channel.noise = channel_of(recipe.noise, channel);
-    channels.push_back(make_noise_field(slice, of_channel));
+void require_sliceable(const SliceRecipe& slice) {
+  const VolumeRecipe grid = sliced_grid(slice);
+  if (grid.modification) {
+    throw std::invalid_argument("the recipe works on a grid that exists; slice the volume that it makes");
   }
-  return channels;
+  if (std::holds_alternative<MeshShape>(grid.shape) || std::holds_alternative<GridShape>(grid.shape)) {
+    throw std::invalid_argument("the recipe's shape is that of a file; slice the volume that it makes");
+  }
+  const Output output = grid.output[sliced_output(slice, grid)];
+  if (slice.component && !has_components(output)) {
+    throw std::invalid_argument(
+        fmt::format("component is of vectors; {} has none", grid_names(grid).front()));
+  }
+  if (is_noise_alone(grid)) return;
+  if (slice.color) throw std::invalid_argument("color is of a noise alone, without layers and shapings");
+  if (grid.dims < 3) {
+    throw std::invalid_argument(fmt::format(
+        "dims is {}; it must be 3 or 4 but for a noise alone, without layers and shapings", grid.dims));
+  }
+}
+
+SliceField make_slice_field(const SliceRecipe& slice, Progress* progress) {
+  if (!slice.file.empty()) return make_grid_slice(slice, progress);
+  require_sliceable(slice);
+  const VolumeRecipe grid = sliced_grid(slice);
+  return is_noise_alone(grid) ? make_noise_field(slice, grid) : make_recipe_field(slice, grid, progress);
 }
 
 }  // namespace solidnoise

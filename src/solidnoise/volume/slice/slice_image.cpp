@@ -19,17 +19,19 @@ namespace {
 
 // One tile, evaluated and put in its place.
 void sample_tile(const SliceSource& source, const SlicePlane& plane, const glm::ivec2& first,
-                 DenseField<2>& slice) {
-  const glm::ivec2 count = glm::min(glm::ivec2(source.tile_side()), slice.count - first);
+                 std::span<DenseField<2>> channels) {
+  const ArrayShape<2> shape{channels.front().count};
+  const glm::ivec2 count = glm::min(glm::ivec2(source.tile_side()), shape.count - first);
   const auto rows = static_cast<std::size_t>(count.y);
-  std::vector<float> values(static_cast<std::size_t>(count.x) * rows);
+  std::vector<float> values(channels.size() * static_cast<std::size_t>(count.x) * rows);
   source.evaluate(plane, first, count, values);
-  const ArrayShape<2> shape{slice.count};
   auto from = values.begin();
-  for (int column = first.x; column < first.x + count.x; ++column) {
-    const auto to = static_cast<std::ptrdiff_t>(shape.index({column, first.y}));
-    std::copy_n(from, rows, slice.values.begin() + to);
-    from += static_cast<std::ptrdiff_t>(rows);
+  for (DenseField<2>& channel : channels) {
+    for (int column = first.x; column < first.x + count.x; ++column) {
+      const auto to = static_cast<std::ptrdiff_t>(shape.index({column, first.y}));
+      std::copy_n(from, rows, channel.values.begin() + to);
+      from += static_cast<std::ptrdiff_t>(rows);
+    }
   }
 }
 
@@ -49,34 +51,27 @@ float value_at(const DenseField<2>& slice, int column, int row) {
 
 }  // namespace
 
-DenseField<2> sample_slice(const SliceSource& source, const SlicePlane& plane, Progress* progress) {
-  DenseField<2> slice({plane.columns, plane.rows}, Vec<2>(plane.pixel));
+std::vector<DenseField<2>> sample_slice(const SliceSource& source, const SlicePlane& plane,
+                                        Progress* progress) {
+  const DenseField<2> empty({plane.columns, plane.rows}, Vec<2>(plane.pixel));
+  std::vector<DenseField<2>> channels(static_cast<std::size_t>(source.channels()), empty);
   const int side = source.tile_side();
-  const glm::ivec2 tiles = (slice.count + (side - 1)) / side;
+  const glm::ivec2 tiles = (empty.count + (side - 1)) / side;
   const int total = tiles.x * tiles.y;
   std::atomic<int> done = 0;
   tbb::parallel_for(0, total, [&](int tile) {
     throw_if_cancelled(progress);
-    sample_tile(source, plane, side * glm::ivec2(tile / tiles.y, tile % tiles.y), slice);
+    sample_tile(source, plane, side * glm::ivec2(tile / tiles.y, tile % tiles.y), channels);
     const int finished = ++done;
     if (progress) progress->advance(static_cast<std::uint64_t>(finished), static_cast<std::uint64_t>(total));
   });
-  return slice;
+  return channels;
 }
 
 std::pair<double, double> shown_values(const SliceRecipe& recipe, const SliceField& field,
                                        std::span<const DenseField<2>> channels) {
   if (recipe.values) return *recipe.values;
-  if (field.sigma > 0.0) {
-    switch (std::get<RawShaping>(recipe.recipe.shaping).range) {
-      case RawShaping::Range::raw:
-        return {-3.0 * field.sigma, 3.0 * field.sigma};
-      case RawShaping::Range::signed_values:
-        return {-1.0, 1.0};
-      case RawShaping::Range::unit:
-        return {0.0, 1.0};
-    }
-  }
+  if (field.shown) return *field.shown;
   Moments moments;
   for (const DenseField<2>& slice : channels) moments.merge(Moments::of(slice.values));
   const double low = moments.min();
@@ -108,12 +103,12 @@ Image slice_image(const SliceRecipe& recipe, const DenseField<2>& slice, std::pa
   return image;
 }
 
-Image color_image(const SliceRecipe& recipe, std::span<const DenseField<2>> channels,
+Image color_image(const SliceField& field, std::span<const DenseField<2>> channels,
                   std::pair<double, double> shown, PixelForm form) {
   const bool floats = form == PixelForm::values;
   const double low = shown.first;
   const double high = shown.second;
-  const ExemplarModel* const exemplar = exemplar_of_colors(recipe.recipe);
+  const auto& exemplar = field.exemplar;
   const glm::ivec2 count = channels[0].count;
   Image image(count.x, count.y, 3);
   for (int y = 0; y < image.height; ++y) {

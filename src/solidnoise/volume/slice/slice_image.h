@@ -3,6 +3,7 @@
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "solidnoise/analysis/dense_field.h"
 #include "solidnoise/core/image.h"
@@ -11,9 +12,10 @@
 
 namespace solidnoise {
 
-// The source's values at the centres of the plane's pixels, in parallel; axis 0 goes to the right, axis 1 up.
-// They are the same to the last bit for any number of threads. Throws Cancelled.
-DenseField<2> sample_slice(const SliceSource& source, const SlicePlane& plane, Progress* progress);
+// The source's values at the centres of the plane's pixels, each channel's, in parallel; axis 0 goes to the
+// right, axis 1 up. They are the same to the last bit for any number of threads. Throws Cancelled.
+std::vector<DenseField<2>> sample_slice(const SliceSource& source, const SlicePlane& plane,
+                                        Progress* progress);
 
 // The values that are black and white in a picture of the slice, of one channel or of several.
 std::pair<double, double> shown_values(const SliceRecipe& recipe, const SliceField& field,
@@ -29,7 +31,7 @@ Image slice_image(const SliceRecipe& recipe, const DenseField<2>& slice, std::pa
 
 // The same of three channels: the colours of an exemplar (as they are stored, where the exemplar's values are
 // raw), or each channel grey.
-Image color_image(const SliceRecipe& recipe, std::span<const DenseField<2>> channels,
+Image color_image(const SliceField& field, std::span<const DenseField<2>> channels,
                   std::pair<double, double> shown, PixelForm form);
 
 // The slice's periodogram, with a Hann window unless the slice wraps.

@@ -5,6 +5,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "solidnoise/volume/slice/noise_slice.h"
+
 namespace solidnoise {
 namespace {
 
@@ -23,6 +25,7 @@ void place_plane(const SliceView& view, SliceRecipe& recipe) {
   SlicePlane& plane = recipe.plane;
   turn_plane(view, plane);
   if (view.origin) plane.origin = *view.origin;
+  if (recipe.file.empty() && is_bounded(recipe)) return fit_plane(view, recipe.recipe.box, plane);
   const double period = recipe.file.empty() ? period_along(plane.right, recipe.recipe.noise) : 0.0;
   const double width = view.width.value_or(period > 0.0 ? period : kWidth);
   plane.pixel = width / plane.columns;
@@ -32,7 +35,10 @@ void place_plane(const SliceView& view, SliceRecipe& recipe) {
 
 void fit_plane(const SliceView& view, const Box<3>& bounds, SlicePlane& plane) {
   if (!view.origin) plane.origin = 0.5 * (bounds.lower + bounds.upper);
-  if (view.width) return;
+  if (view.width) {
+    plane.pixel = *view.width / plane.columns;
+    return;
+  }
   const Vec<3> size = bounds.upper - bounds.lower;
   plane.pixel = std::max(glm::dot(size, glm::abs(plane.right)) / plane.columns,
                          glm::dot(size, glm::abs(plane.up)) / plane.rows);
