@@ -52,6 +52,7 @@ INSTANTIATE_TEST_SUITE_P(
         std::vector<std::string>{"--raw", "--octaves", "5", "--dim", "128", "--band-limit"},
         std::vector<std::string>{"--raw", "--dim", "256", "--exact", "--shard", "1/4"},
         std::vector<std::string>{"--raw", "--impulses", "20000", "--frequency", "10", "--dim", "16"},
+        std::vector<std::string>{"--raw", "--impulses", "30000", "--dim", "24"},
         std::vector<std::string>{"--raw", "--dims", "4", "--frequency", "4", "--dim", "160"},
         std::vector<std::string>{"--raw", "--noise", "exemplar.json", "--frequency", "8", "--dim", "160"},
         std::vector<std::string>{"--preset", "cumulus", "--dim", "64", "--preview", "x.png"},
@@ -99,6 +100,8 @@ TEST(EstimatedMemory, IsWhatOtherCommandsTake) {
            {"slice", "--resolution", "2048", "--dims", "2", "--spectrum", "x.png", "--force"},
            {"slice", "--dims", "1", "--out", "x.csv", "--force"},
            {"slice", "large.vdb", "--out", "x.png", "--force"},
+           {"slice", "--preset", "cumulus", "--resolution", "1024", "--out", "x.png", "--force"},
+           {"slice", "--preset", "fire", "--grid", "vel", "--out", "x.png", "--force"},
        }) {
     expect_limits(run, command);
   }

@@ -118,7 +118,7 @@ double interpolation_bytes(const SampleSpacing& samples, const WaveMixture<3>& w
       impulses.side < kTile ? threads : kUnfinished * (tiles - inner_tiles) / volume.part.shards;
   const double kept = tiles * std::pow(kTile, 3) * sizeof(float) / volume.part.shards;
   return std::min(kept, static_cast<double>(CoarseStore<3>::kMostBytes)) + held * threads +
-         holders * impulses.count * kBytesPerImpulse;
+         holders * impulses.bytes;
 }
 
 // Of a noise whose kernel varies, at points. Each octave of frequencies is a noise of its own there, of which
@@ -212,6 +212,9 @@ Cost evaluation_cost(const VolumeRecipe& recipe, const VolumePlan& plan, int thr
   Cost cost;
   if (plan.modification && plan.modification->modification.displace) {
     cost.seconds += kSecondsPerDisplacedVoxel * estimate_voxels(recipe, *plan.modification);
+  }
+  for (const VolumePlan::GridBoundary& boundary : plan.boundaries) {
+    if (boundary.distance) cost.seconds += boundary.distance->seconds();
   }
   for (const VolumeRecipe& grid : recipes_of_grids(recipe)) {
     const VolumeRecipe resolved = at_resolution(grid, plan.frame.voxel_size());

@@ -23,7 +23,8 @@ struct Cost {
 
 // What it takes to evaluate a noise at so many samples of a lattice, in blocks of `side` along an axis, as
 // InterpolationPlanner plans it: impulses that reach a sample, and the impulses of a block, which lie in it
-// and within a radius of it. Without impulses (gradient noise) a sample takes the same time everywhere.
+// and within a radius of it, but for the bytes of samples that others are interpolated from. Without impulses
+// (gradient noise) a sample takes the same time everywhere.
 struct LatticeWork {
   double samples = 0.0;
   double side = 64.0;  // samples
@@ -37,9 +38,9 @@ Cost cost_on_lattice(const Noise<3>& noise, const LatticeFrame<3>& frame, const 
 struct ImpulsesHeld {
   double count = 0.0;
   double side = 0.0;  // of what they reach, samples
+  double bytes = 0.0;
 };
 ImpulsesHeld impulses_held(const WaveMixture<3>& waves, const Vec<3>& step, double side);
-inline constexpr double kBytesPerImpulse = 56.0;  // measured
 
 // The same at points, all of them near each other; and as plan_points() plans it.
 template <int Dim>

@@ -70,7 +70,10 @@ DistanceSpline::DistanceSpline(const openvdb::FloatGrid::ConstPtr& level_set, do
   // Rebuilding keeps the closest polygon of each voxel beside distances, and each in a second tree.
   constexpr std::uint64_t kTrees = 4;
   memory_ = level_set_->memUsage();
-  if (level_set_ != level_set) memory_ = kTrees * memory_ + level_set->memUsage();
+  if (level_set_ == level_set) return;
+  constexpr double kSecondsPerVoxel = 5e-6;
+  memory_ = kTrees * memory_ + level_set->memUsage();
+  seconds_ = kSecondsPerVoxel * static_cast<double>(level_set_->activeVoxelCount());
 }
 
 void DistanceSpline::evaluate(std::span<const Vec<3>> positions, std::span<Jet> jets) const {
