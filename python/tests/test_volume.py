@@ -221,7 +221,7 @@ REFUSED: list[tuple[Callable[[], object], type[Exception], str]] = [
     (lambda: solidnoise.analyze(solidnoise.make_volume(solidnoise.preset("velocity"), dim=8)), ValueError, "vec3s"),
     (lambda: solidnoise.slice({}, width=-1), ValueError, "width is -1; it must be greater than 0"),
     (lambda: solidnoise.slice({}, resolution=0), ValueError, "resolution is 0; it must be between 1 and 16384"),
-    (lambda: solidnoise.slice(shape={"type": "mesh", "file": "x.ply"}), ValueError, "slice the volume"),
+    (lambda: solidnoise.slice({}, shape={"type": "mesh", "file": "x.ply"}), ValueError, "slice the volume"),
 ]
 
 

@@ -151,9 +151,7 @@ TEST_P(SliceOfAnyRecipe, IsWhatTheVolumeHas) {
 const Sliced kSliced[] = {
     {"Cloud",
      R"({"solidnoise": 2, "noise": {"type": "gabor", "frequency": 1}, "shaping": {"type": "cloud"}})",
-     "density",
-     "",
-     true},
+     "density", "", true},
     {"Veins",
      R"({"solidnoise": 2, "noise": {"type": "gabor", "frequency": 2}, "shaping": {"type": "veins"}})",
      "density"},
@@ -192,6 +190,36 @@ TEST(Slice, OfADensityShowsItsWholeBox) {
       ASSERT_EQ(image.at(column, row), row < 10 || row >= 30 ? 0.0f : 1.0f) << column << ' ' << row;
     }
   }
+}
+
+TEST(Slice, OfABoxAlongALineIsAsLongAsTheBox) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run_slice({"--preset", "fire", "--resolution", "60", "--out", folder.file("x.csv")}).status, 0);
+  std::istringstream table(folder.read("x.csv"));
+  std::string line;
+  std::getline(table, line);
+  int positive = 0;
+  for (int row = 0; std::getline(table, line); ++row) {
+    EXPECT_NEAR(std::stod(line), -0.6 + 0.02 * (row + 0.5), 1e-9);
+    positive += std::stod(line.substr(line.find(',') + 1)) > 0.0 ? 1 : 0;
+  }
+  EXPECT_GT(positive, 10);
+}
+
+// Grids that belong to a density end where it does.
+TEST(Slice, OfAnyGridOfARecipeWithDensitiesEndsAtItsBox) {
+  for (const char* const grid : {"density", "temperature", "flame"}) {
+    const Image below = slice({"--preset", "fire", "--grid", grid, "--origin", "0", "-0.3", "0", "--width",
+                               "0.2", "--resolution", "16"});
+    EXPECT_EQ(*std::ranges::max_element(below.pixels), 0.0f) << grid;
+  }
+}
+
+TEST(Slice, OfABandLimitedDensityFiltersItsNoise) {
+  const std::vector<std::string> flags{"--preset", "smoke", "--resolution", "48"};
+  std::vector<std::string> limited = flags;
+  limited.push_back("--band-limit");
+  EXPECT_NE(slice(flags).pixels, slice(limited).pixels);
 }
 
 // Positions are multiples of 2^-5, which single precision holds.
@@ -385,6 +413,10 @@ const Refusal kRefusals[] = {
      {"--ramp", "--component"}},
     {"ColorOfShaped", 2, {"--preset", "cumulus", "--color", "--out", "x.png"}, {"--color"}},
     {"FlatAndShaped", 2, {"--preset", "cumulus", "--dims", "2", "--out", "x.png"}, {"--dims is 2"}},
+    {"SpectrumScale",
+     2,
+     {"--spectrum-scale", "linear", "--out", "x.png"},
+     {"--spectrum-scale", "--spectrum"}},
     {"RawOfSeveral", 2, {"--preset", "fire", "--raw", "--out", "x.png"}, {"--raw"}},
     {"NoiseOfAFile", 2, {"garbage.vdb", "--seed", "2", "--out", "x.png"}, {"--seed"}},
     {"GridOfNoName", 2, {"--grid", "heat", "--out", "x.png"}, {"--grid is heat", "density"}},

@@ -4,12 +4,19 @@
 
 #include "common/flag_set.h"
 #include "common/run_tool.h"
+#include "solidnoise/core/printable.h"
 #include "solidnoise/volume/finish_volume.h"
 #include "solidnoise/volume/vdb/vdb_read.h"
 #include "vdbnoise/commands.h"
 
 namespace solidnoise {
 namespace {
+
+// In a line of its own.
+std::string in_line(const std::string& text) {
+  constexpr std::size_t kMost = 1 << 16;
+  return printable(text, kMost);
+}
 
 // Lines of a text, each with a margin.
 void print_indented(const std::string& text, const std::string& margin) {
@@ -23,14 +30,14 @@ void print_indented(const std::string& text, const std::string& margin) {
 
 void print_metadata(const std::map<std::string, std::string>& metadata) {
   for (const auto& [key, value] : metadata) {
-    if (key != kRecipeKey) std::cout << fmt::format("    {} = {}\n", key, value);
+    if (key != kRecipeKey) std::cout << fmt::format("    {} = {}\n", in_line(key), in_line(value));
   }
 }
 
 void print_grid(const GridSummary& grid) {
   const std::string vectors = grid.vector_type.empty() ? "" : fmt::format(", {}", grid.vector_type);
-  std::cout << fmt::format("grid {}: {}{}, {}{}\n", grid.name, grid.value_type, vectors, grid.grid_class,
-                           grid.saved_as_half ? ", stored as half" : "");
+  std::cout << fmt::format("grid {}: {}{}, {}{}\n", in_line(grid.name), grid.value_type, vectors,
+                           grid.grid_class, grid.saved_as_half ? ", stored as half" : "");
   const Vec<3>& voxel = grid.voxel_size;
   std::cout << fmt::format("  voxel size {} x {} x {}\n", voxel.x, voxel.y, voxel.z);
   if (grid.active_voxels > 0) {

@@ -25,6 +25,23 @@
 namespace solidnoise {
 namespace {
 
+// Makes a folder, which does not stay if nothing comes into it.
+class KeepsNoEmptyFolder {
+ public:
+  explicit KeepsNoEmptyFolder(std::filesystem::path folder) : folder_(std::move(folder)) {
+    std::filesystem::create_directory(folder_);
+  }
+  ~KeepsNoEmptyFolder() {
+    std::error_code has_files;
+    std::filesystem::remove(folder_, has_files);
+  }
+  KeepsNoEmptyFolder(const KeepsNoEmptyFolder&) = delete;
+  KeepsNoEmptyFolder& operator=(const KeepsNoEmptyFolder&) = delete;
+
+ private:
+  std::filesystem::path folder_;
+};
+
 constexpr char kSkyDescription[] =
     "Makes a sky: a cloud placed at many points, each time with another seed, size and turn. Scattered "
     "points\n"
@@ -146,7 +163,7 @@ class SkyRun {
 
   // The clouds one after the other, each whole; the scene, which needs all of them, at the end.
   void make_instances() const {
-    std::filesystem::create_directory(files_.folder());
+    const KeepsNoEmptyFolder folder(files_.folder());
     std::size_t kept = 0;
     std::vector<std::string> empty;
     for (std::size_t i = 0; i < plan_.clouds.size(); ++i) {

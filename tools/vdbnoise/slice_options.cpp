@@ -171,12 +171,8 @@ void check_file(const FlagSet& flags, const SliceOptions& options,
       why);
 }
 
-void check_recipe(const FlagSet& flags, const SliceOptions& options) {
+void check_recipe(const SliceOptions& options) {
   const VolumeRecipe& recipe = options.recipe;
-  if (!recipe.grids.empty()) {
-    flags.refuse({"--raw", "--fold", "--histogram", "--warp"},
-                 "has no effect where the recipe makes several grids, each with its own");
-  }
   VolumeRecipe checked = recipe;
   checked.dims = std::max(recipe.dims, 3);
   checked.validate();
@@ -214,9 +210,10 @@ std::vector<std::string> declare_slice_flags(FlagSet& flags, SliceOptions& optio
 void check_slice_options(const FlagSet& flags, SliceOptions& options,
                          const std::vector<std::string>& noise_flags) {
   check_outputs(options);
+  if (options.spectrum.empty()) flags.refuse({"--spectrum-scale"}, "is of --spectrum, which is missing");
   check_line(flags, options);
   check_file(flags, options, noise_flags);
-  if (options.file.empty()) check_recipe(flags, options);
+  if (options.file.empty()) check_recipe(options);
   options.line = options.is_line();
   if (options.line) options.plane.rows = 1;
   place_plane(options, options);

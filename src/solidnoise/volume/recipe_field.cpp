@@ -19,4 +19,8 @@ VolumeField RecipeField::on_voxels(const GridFrame& frame, bool interpolated) co
   return make_volume_field(recipe, plan);
 }
 
+double RecipeField::highest_frequency(const GridFrame& frame) const {
+  return solidnoise::highest_frequency(at_resolution(single_, frame.voxel_size()), plan_);
+}
+
 }  // namespace solidnoise

@@ -29,8 +29,8 @@ class RecipeField {
   // The frame of the recipe's own voxels.
   const GridFrame& frame() const { return plan_.frame; }
 
-  // As highest_frequency() has it of the recipe.
-  double highest_frequency() const { return solidnoise::highest_frequency(single_, plan_); }
+  // As highest_frequency() has it of the recipe, on the voxels of a frame.
+  double highest_frequency(const GridFrame& frame) const;
 
  private:
   VolumeRecipe recipe_;  // with the grid alone

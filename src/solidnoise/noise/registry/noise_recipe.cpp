@@ -24,7 +24,7 @@ std::unique_ptr<Noise<Dim>> make_single(const Options& options) {
   if constexpr (Entry::kLeastDimensions <= Dim && Dim <= Entry::kMostDimensions) {
     auto noise = std::make_unique<typename Entry::template Noise<Dim>>(options);
     if constexpr (requires { noise->impulses_per_kernel(); }) {
-      if (noise->impulses_per_kernel() > kImpulses.most) {
+      if (options.impulses == 0.0 && noise->impulses_per_kernel() > kImpulses.most) {
         throw std::invalid_argument(
             fmt::format("impulses is 0, which chooses {:.0f} per kernel in {} dimensions; give at most {}, "
                         "or a wider band",

@@ -58,12 +58,13 @@ SliceField make_noise_field(const SliceRecipe& slice, const VolumeRecipe& grid) 
 
 SliceField make_recipe_field(const SliceRecipe& slice, const VolumeRecipe& grid, Progress* progress) {
   const RecipeField field(slice.recipe, slice.grid, progress);
-  VolumeField values = field.on_voxels(GridFrame(slice.plane.pixel));
+  const GridFrame pixels(slice.plane.pixel);
+  VolumeField values = field.on_voxels(pixels);
   if (is_bounded(slice)) values.field = masked(values.field, shape_at_points(grid, slice.plane.pixel));
   const GridChannels& sliced = values.grids[sliced_output(slice, grid)];
   SliceField result;
   result.source = make_slice_source(values.field, {sliced.first, sliced.count, slice.component});
-  result.highest_frequency = field.highest_frequency();
+  result.highest_frequency = field.highest_frequency(pixels);
   if (is_shaped(grid)) result.shown = {0.0, 1.0};
   return result;
 }
@@ -76,7 +77,8 @@ VolumeRecipe sliced_grid(const SliceRecipe& slice) {
 }
 
 bool is_bounded(const SliceRecipe& slice) {
-  return is_shaped(sliced_grid(slice)) || !std::holds_alternative<BoxShape>(slice.recipe.shape);
+  return std::ranges::any_of(recipes_of_grids(slice.recipe), is_shaped) ||
+         !std::holds_alternative<BoxShape>(slice.recipe.shape);
 }
 
 void require_sliceable(const SliceRecipe& slice) {

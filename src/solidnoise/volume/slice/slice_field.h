@@ -45,7 +45,8 @@ struct SliceField {
 // The short form of the grid that is sliced of a recipe.
 VolumeRecipe sliced_grid(const SliceRecipe& slice);
 
-// Whether what is sliced of a recipe ends at its box: densities do, and bodies of other shapes.
+// Whether what is sliced of a recipe ends at its box: densities do, all that belongs to them, and bodies of
+// other shapes.
 bool is_bounded(const SliceRecipe& slice);
 
 // Throws std::invalid_argument where a recipe's voxels are those of a file, whose volume can be sliced; and

@@ -1,6 +1,7 @@
 #include "solidnoise/volume/slice/slice_view.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -14,7 +15,7 @@ namespace {
 void turn_plane(const SliceView& view, SlicePlane& plane) {
   if (!view.normal && !view.up) return;
   const Vec<3> normal = view.normal.value_or(Vec<3>(0.0, 0.0, 1.0));
-  const bool from_above = normal.x == 0.0 && normal.z == 0.0;
+  const bool from_above = std::hypot(normal.x, normal.z) < 1e-3 * std::abs(normal.y);
   plane.face(normal, view.up.value_or(from_above ? Vec<3>(0.0, 0.0, -1.0) : Vec<3>(0.0, 1.0, 0.0)));
 }
 
@@ -40,8 +41,8 @@ void fit_plane(const SliceView& view, const Box<3>& bounds, SlicePlane& plane) {
     return;
   }
   const Vec<3> size = bounds.upper - bounds.lower;
-  plane.pixel = std::max(glm::dot(size, glm::abs(plane.right)) / plane.columns,
-                         glm::dot(size, glm::abs(plane.up)) / plane.rows);
+  plane.pixel = glm::dot(size, glm::abs(plane.right)) / plane.columns;
+  if (plane.rows > 1) plane.pixel = std::max(plane.pixel, glm::dot(size, glm::abs(plane.up)) / plane.rows);
 }
 
 }  // namespace solidnoise

@@ -20,8 +20,8 @@ struct SliceView {
 // Throws std::invalid_argument as SlicePlane::face().
 void place_plane(const SliceView& view, SliceRecipe& recipe);
 
-// Puts the plane through the middle of bounds, and makes it as large as they are, as far as the view
-// leaves that open.
+// Puts the plane through the middle of bounds, and makes it as large as they are, a line as long, as far as
+// the view leaves that open.
 void fit_plane(const SliceView& view, const Box<3>& bounds, SlicePlane& plane);
 
 }  // namespace solidnoise
