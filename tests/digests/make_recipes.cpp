@@ -10,8 +10,8 @@
 #include "solidnoise/recipe/noise_recipe_json.h"
 #include "solidnoise/volume/make_volume.h"
 #include "solidnoise/volume/merge_parts.h"
-#include "solidnoise/volume/vdb/vdb_write.h"
 #include "solidnoise/volume/recipe_field.h"
+#include "solidnoise/volume/vdb/vdb_write.h"
 #include "solidnoise/volume/volume_recipe_json.h"
 #include "support/scattered.h"
 
