@@ -116,7 +116,7 @@ or Poisson processes of 0.03, with as many values past four standard deviations.
 Start, noise, tree, statistics, compression and file; the quickest of ten. The noise is of one octave, 8 cycles per unit in a box of 2 units, as
 `--raw` makes it. The memory of the result is that of the voxels' values, or of the mesh's positions and corners. The rest is, of volumes,
 what a grid has beside values (5 %), the mask of its voxels and lists of its leaves (10 %), samples to interpolate from, and 36 MB of
-OpenVDB's libraries; of meshes, connectivity and curvature, some 300 bytes per vertex while it is measured.
+OpenVDB's libraries; of meshes, connectivity and curvature, some 600 bytes per vertex while it is measured and smoothed.
 """)
     page.write(table(["", "threads", "seconds", "of processor", "MB at most", "of the result", "command"],
                      [[r["what"], r["threads"], r["wall"], r["processor"], r["memory"], r["result"] if r["result"] != "0" else "",
