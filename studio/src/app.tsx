@@ -17,6 +17,11 @@ import { can, commit, type Mode, problem, redo, state, undo } from "./store.ts";
 
 const kModes: [Mode, string][] = [["slice", "Slice"], ["volume", "Volume"], ["surface", "Surface"], ["example", "By example"]];
 
+function choose(i: number): void {
+  const [mode] = kModes[i]!;
+  if (mode !== state.value.mode) commit({ ...state.value, mode }, `mode ${i}`);
+}
+
 export function App(): JSX.Element {
   const [gallery, setGallery] = useState(false);
   const [panel, setPanel] = useState(innerWidth > 1100 || problem.value?.text !== undefined);
@@ -27,7 +32,7 @@ export function App(): JSX.Element {
       <header class="bar">
         <h1><Mark />Solidnoise <span>Studio</span></h1>
         <button class="wide" onClick={() => setGallery(true)}>Gallery</button>
-        <Choice tabs label="Views" look="tabs" words={kModes.map(([, label]) => label)} chosen={shown} choose={(i) => commit({ ...state.value, mode: kModes[i]![0] }, `mode ${i}`)} />
+        <Choice tabs label="Views" look="tabs" words={kModes.map(([, label]) => label)} chosen={shown} choose={choose} />
         <span class="space" />
         <button class="icon" aria-label="Undo" title="Undo (Ctrl+Z)" disabled={!can.value.undo} onClick={undo}>↶</button>
         <button class="icon" aria-label="Redo" title="Redo (Ctrl+Shift+Z)" disabled={!can.value.redo} onClick={redo}>↷</button>

@@ -8,7 +8,7 @@ interface Props {
   titles?: readonly string[];
   chosen: number;
   choose: (index: number) => void;
-  tabs?: boolean; // views, of which one is shown
+  tabs?: boolean; // views, of which one is shown; told of each click, for what was chosen a moment ago may not be drawn yet
   look?: string; // its class
 }
 
@@ -27,7 +27,7 @@ export function Choice({ label, words, titles, chosen, choose, tabs = false, loo
         const on = i === chosen;
         return (
           <button key={word} {...(tabs ? { role: "tab", "aria-selected": on } : { role: "radio", "aria-checked": on })} class={on ? "on" : ""} tabIndex={on ? 0 : -1}
-            title={titles?.[i]} onClick={() => on || choose(i)}>{word}</button>
+            title={titles?.[i]} onClick={() => (on && !tabs) || choose(i)}>{word}</button>
         );
       })}
     </div>
