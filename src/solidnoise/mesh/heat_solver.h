@@ -192,7 +192,9 @@ class HeatSolver {
     for (int round = 1; norm > ending.norm; ++round) {
       throw_if_cancelled(progress);
       each(x, [&](std::size_t i) { level.image[i] = level.matrix.row(level.direction, i); });
-      const double length = norm / inner(level.direction, level.image);
+      const double energy = inner(level.direction, level.image);
+      if (!(energy > 0.0)) return;  // of what is too small for a square
+      const double length = norm / energy;
       each(x, [&](std::size_t i) {
         x[i] += length * level.direction[i];
         level.residual[i] -= length * level.image[i];

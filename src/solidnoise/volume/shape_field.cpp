@@ -50,12 +50,6 @@ class BoxCover final : public PointwiseField {
   double edge_;
 };
 
-bool has_density(const VolumeRecipe& recipe) {
-  return std::ranges::any_of(recipes_of_grids(recipe), [](const VolumeRecipe& grid) {
-    return !std::holds_alternative<RawShaping>(grid.shaping);
-  });
-}
-
 }  // namespace
 
 float cover_at(double distance, double edge) {
@@ -75,6 +69,12 @@ std::optional<Ellipsoid> ellipsoid_of(const Shape& shape, const Box<3>& box) {
 FieldPtr cover_of(const Shape& shape, const Box<3>& box, double edge) {
   if (const auto body = ellipsoid_of(shape, box)) return std::make_shared<EllipsoidCover>(*body, edge);
   return std::make_shared<BoxCover>(box, edge);
+}
+
+bool has_density(const VolumeRecipe& recipe) {
+  return std::ranges::any_of(recipes_of_grids(recipe), [](const VolumeRecipe& grid) {
+    return !std::holds_alternative<RawShaping>(grid.shaping);
+  });
 }
 
 double edge_of(const VolumeRecipe& recipe, const Vec<3>& voxel) {

@@ -23,6 +23,9 @@ std::optional<Ellipsoid> ellipsoid_of(const Shape& shape, const Box<3>& box);
 // (k - 1) k / |g| with k the distance from the centre in radii and g = k grad k, right to first order.
 FieldPtr cover_of(const Shape& shape, const Box<3>& box, double edge);
 
+// Whether a grid of the recipe is a density: raw values are in the shape or not.
+bool has_density(const VolumeRecipe& recipe);
+
 // Over what width a recipe's densities end on voxels of a size, world units; 0: voxels are in the shape or
 // not.
 double edge_of(const VolumeRecipe& recipe, const Vec<3>& voxel);

@@ -17,10 +17,6 @@
 namespace solidnoise {
 namespace {
 
-bool is_shaped(const VolumeRecipe& grid) {
-  return !std::holds_alternative<RawShaping>(grid.shaping);
-}
-
 // The place of the grid's output among those of its short form.
 std::size_t sliced_output(const SliceRecipe& slice, const VolumeRecipe& grid) {
   const std::vector<std::string> names = grid_names(grid);
@@ -65,7 +61,7 @@ SliceField make_recipe_field(const SliceRecipe& slice, const VolumeRecipe& grid,
   SliceField result;
   result.source = make_slice_source(values.field, {sliced.first, sliced.count, slice.component});
   result.highest_frequency = field.highest_frequency(pixels);
-  if (is_shaped(grid)) result.shown = {0.0, 1.0};
+  if (has_density(grid)) result.shown = {0.0, 1.0};
   return result;
 }
 
@@ -77,8 +73,7 @@ VolumeRecipe sliced_grid(const SliceRecipe& slice) {
 }
 
 bool is_bounded(const SliceRecipe& slice) {
-  return std::ranges::any_of(recipes_of_grids(slice.recipe), is_shaped) ||
-         !std::holds_alternative<BoxShape>(slice.recipe.shape);
+  return has_density(slice.recipe) || !std::holds_alternative<BoxShape>(slice.recipe.shape);
 }
 
 void require_sliceable(const SliceRecipe& slice) {
