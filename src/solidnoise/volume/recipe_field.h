@@ -22,8 +22,9 @@ class RecipeField {
   // The short form of the grid.
   const VolumeRecipe& single() const { return single_; }
 
-  // The field as it is on the voxels of a frame, on whose size clouds depend, and noises with band_limit.
-  // Where it is `interpolated`, that is within the recipe's error, on these voxels.
+  // The field as it is on the voxels of a frame, on whose size noises with band_limit depend and, but at
+  // points, the edges of clouds. Where it is `interpolated`, that is within the recipe's error, on these
+  // voxels.
   VolumeField on_voxels(const GridFrame& frame, bool interpolated = false) const;
 
   // The frame of the recipe's own voxels.
