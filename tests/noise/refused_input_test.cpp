@@ -202,7 +202,7 @@ TEST(NoiseOptionsInRecipes, PeriodsOfMoreCellsThanCanBeCountedAreRefused) {
 // on.
 TEST(NoiseOptionsInRecipes, ImpulsesAreNotChosenWithoutBound) {
   const NoiseRecipe narrow{.noise = GaborNoiseOptions{.bandwidth = 0.05}, .fractal = {}};
-  EXPECT_EQ(refusal([&] { make_noise<4>(narrow); }).substr(0, 29), "impulses is 0, which chooses ");
+  EXPECT_EQ(refusal([&] { make_noise<4>(narrow); }).substr(0, 31), "bandwidth is 0.05, which takes ");
   EXPECT_NO_THROW(make_noise<3>(narrow));
 }
 

@@ -222,6 +222,19 @@ TEST(Slice, InColorIsOfThreeIndependentNoises) {
   EXPECT_NEAR(products, 0.0, 0.2);  // 400 independent values: four standard errors
 }
 
+TEST(Slice, BesideAShapeSaysSo) {
+  const TemporaryFolder folder;
+  const auto warned = [&](const std::string& x) {
+    const ToolResult result = run_vdbnoise({"slice", "--preset", "cumulus", "--resolution", "24", "--origin",
+                                            x, "0.5", "0", "--force", "--out", "x.png"},
+                                           {.folder = folder.path()});
+    EXPECT_EQ(result.status, 0) << result.err;
+    return result.err.find("warning: all pixels are 0") != std::string::npos;
+  };
+  EXPECT_TRUE(warned("50"));
+  EXPECT_FALSE(warned("0"));
+}
+
 class SliceRefusal : public testing::TestWithParam<Refusal> {};
 
 TEST_P(SliceRefusal, IsOneLineAndLeavesNothing) {
@@ -238,6 +251,10 @@ TEST_P(SliceRefusal, IsOneLineAndLeavesNothing) {
 
 const Refusal kRefusals[] = {
     {"NoOutput", 2, {}, {"--out"}},
+    {"FarPixels",
+     1,
+     {"--out", "x.png", "--frequency", "400", "--dims", "4", "--max-time", "1"},
+     {"--max-time"}},
     {"WrongExtension", 2, {"--out", "x.gif"}, {"--out is x.gif", ".png"}},
     {"WrongSpectrum", 2, {"--spectrum", "x.csv"}, {"--spectrum is x.csv"}},
     {"Exists", 1, {"--out", "exists.png"}, {"exists.png", "--force"}},
@@ -255,6 +272,10 @@ const Refusal kRefusals[] = {
      {"--axes", "1", "0", "0", "0", "1", "0", "--normal", "0", "0", "1", "--out", "x.png"},
      {"--axes"}},
     {"Width", 2, {"--width", "0", "--out", "x.png"}, {"--width is 0"}},
+    {"ShapedPixels",
+     2,
+     {"--preset", "cumulus", "--width", "1e-9", "--out", "x.png"},
+     {"the side of a pixel is 1.953125e-12"}},
     {"Resolution", 2, {"--resolution", "0", "--out", "x.png"}, {"--resolution is 0"}},
     {"HalfAPixel", 2, {"--resolution", "10.5", "--out", "x.png"}, {"--resolution is 10.5"}},
     {"Values", 2, {"--values", "1", "1", "--out", "x.png"}, {"--values is 1 1"}},

@@ -60,13 +60,12 @@ void warn_of_aliasing(const SliceOptions& options, const SliceField& field) {
 }
 
 // Evaluated pixel by pixel: what is interpolated takes less.
-double seconds_of(const VolumeRecipe& grid, double pixels) {
+double seconds_of(const VolumeRecipe& grid, PointWork pixels) {
   if (grid.dims > 2) return seconds_at_points(grid, pixels);
   const double channels = is_scalar(grid) ? 1.0 : 3.0;
-  const double samples =
-      channels * (pixels + (std::get<RawShaping>(grid.shaping).normalize ? kMostNormalizationSamples : 0.0));
-  return grid.dims == 1 ? cost_at_points(*make_noise<1>(grid.noise), samples).seconds
-                        : cost_at_points(*make_noise<2>(grid.noise), samples).seconds;
+  if (std::get<RawShaping>(grid.shaping).normalize) pixels.points += kMostNormalizationSamples;
+  return channels * (grid.dims == 1 ? cost_at_points(*make_noise<1>(grid.noise), pixels).seconds
+                                    : cost_at_points(*make_noise<2>(grid.noise), pixels).seconds);
 }
 
 // The grid that is sliced; none where the file has no such grid: reading it says so.
@@ -85,26 +84,38 @@ void require_cost(const SliceOptions& options) {
   constexpr double kBytesPerSample = 16.0;
   constexpr double kBytesPerColor = 52.0;
   constexpr double kSecondsPerGridSample = 50e-9;
-  constexpr double kSecondsPerPicturePixel = 0.25e-6;
+  constexpr double kSecondsPerPixel = 0.1e-6;  // of its picture
+  constexpr double kProgramSeconds = 0.05;
+  constexpr double kPictureProgramSeconds = 0.2;
   double bytes = options.line ? kProgramBytes : kPictureProgramBytes;
   const double pixels = static_cast<double>(options.plane.columns) * options.plane.rows;
   bool has_channels = options.color;
-  double seconds = 0.0;
+  double seconds = options.line ? kProgramSeconds : kPictureProgramSeconds;
   if (options.file.empty()) {
     VolumeRecipe grid = sliced_grid(options);
     if (options.color) grid.output = {Output::color};
     grid = at_resolution(grid, Vec<3>(options.plane.pixel));
     has_channels = grid.output != std::vector{Output::value};
-    seconds = seconds_of(grid, pixels);
+    seconds += seconds_of(grid, {pixels, options.plane.pixel, options.line ? 1 : 2});
   } else if (const auto grid = grid_to_slice(options)) {
     bytes += memory_of(*grid);
     has_channels = grid->value_type != "float" && !options.component;
-    seconds = (has_channels ? 3.0 : 1.0) * kSecondsPerGridSample * pixels;
+    seconds += (has_channels ? 3.0 : 1.0) * kSecondsPerGridSample * pixels;
   }
   const bool in_color = has_channels || !options.ramp.empty() || !options.spectrum.empty();
-  options.require_cost(fmt::format("{} x {} pixels", options.plane.columns, options.plane.rows),
-                       {bytes + pixels * (in_color ? kBytesPerColor : kBytesPerSample),
-                        seconds + kSecondsPerPicturePixel * pixels});
+  options.require_cost(
+      fmt::format("{} x {} pixels", options.plane.columns, options.plane.rows),
+      {bytes + pixels * (in_color ? kBytesPerColor : kBytesPerSample), seconds + kSecondsPerPixel * pixels});
+}
+
+// Beside the recipe's shape, or between its waves.
+void warn_of_nothing(const SliceOptions& options, const std::vector<DenseField<2>>& channels) {
+  if (options.quiet || !options.file.empty() || !is_bounded(options)) return;
+  for (const DenseField<2>& channel : channels) {
+    if (std::ranges::any_of(channel.values, [](float value) { return value != 0.0f; })) return;
+  }
+  std::cerr
+      << "vdbnoise: warning: all pixels are 0: the recipe has nothing there; move the plane by --origin\n";
 }
 
 void write_slice(const SliceOptions& options, const SliceField& field,
@@ -164,6 +175,7 @@ void make_slice(SliceOptions options) {
     }
     ends_at_once.reset();
     throw_if_cancelled(&progress);
+    warn_of_nothing(options, channels);
     write_slice(options, field, channels);
   }
   if (options.quiet) return;

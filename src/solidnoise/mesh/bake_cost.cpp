@@ -79,10 +79,12 @@ double impulse_memory(SurfaceNoiseKind kind, double impulses) {
   return 1024.0 * each * impulses;
 }
 
-// Measured with each kind of noise: colours and the file, and the noise's impulses at a vertex. Noise without
-// impulses takes the time of twenty.
+// Measured with each kind of noise: what a program takes, colours and the file, what smooths how the surface
+// bends, and the noise's impulses at a vertex. Noise without impulses takes the time of twenty.
 BakeCost bake_cost(const BakePlan& plan, const BakeRecipe& recipe) {
+  constexpr double kProgramSeconds = 0.03;
   constexpr double kSecondsPerVertex = 1.3e-6;
+  constexpr double kSecondsPerSmoothedVertex = 4e-6;
   constexpr double kSecondsPerImpulse = 3.5e-9;
   constexpr double kSecondsPerTangentImpulse = 9e-9;
   constexpr double kSecondsPerLoneOctave = 14e-6;
@@ -105,7 +107,10 @@ BakeCost bake_cost(const BakePlan& plan, const BakeRecipe& recipe) {
                               ? static_cast<double>(recipe.noise.exemplar.channels.size())
                               : 1.0 + count_layers(recipe.layers) + count_properties(recipe);
   const double of_impulse = in_tangent_plane ? kSecondsPerTangentImpulse : kSecondsPerImpulse;
-  return {vertices * (kSecondsPerVertex + channels * impulses * of_impulse + making),
+  const bool is_smoothed = !plan.guides.smooth_normals.empty() || !plan.guides.numbers.empty();
+  const double smoothing = is_smoothed ? kSecondsPerSmoothedVertex : 0.0;
+  return {kProgramSeconds +
+              vertices * (kSecondsPerVertex + smoothing + channels * impulses * of_impulse + making),
           bake_memory(vertices, static_cast<double>(plan.mesh.face_count())) +
               impulse_memory(recipe.noise.kind, impulses)};
 }

@@ -178,7 +178,7 @@ void require_memory(const PolygonMesh& mesh, std::uint64_t most_memory) {
       bake_memory(static_cast<double>(mesh.positions.size()), static_cast<double>(mesh.face_count()));
   if (bytes <= static_cast<double>(most_memory)) return;
   throw std::runtime_error(
-      fmt::format("to bake {} vertices and {} faces may take {:.0f} MiB of memory, more than there is",
+      fmt::format("to bake {} vertices and {} faces may take {:.0f} MiB of memory, more than it may",
                   mesh.positions.size(), mesh.face_count(), std::ceil(bytes / 0x1p20)));
 }
 

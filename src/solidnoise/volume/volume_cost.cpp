@@ -36,6 +36,7 @@ constexpr double kPictureBytes = 104.0 * 0x1p20;
 
 // A program with OpenVDB loaded and its tables of kernels; and, relative to the grids, what compresses them.
 constexpr double kProgramBytes = 54.0 * 0x1p20;
+constexpr double kProgramSeconds = 0.05;  // and a volume's plan
 constexpr double kWriting = 1.08;
 
 constexpr double kLeafSide = 8.0;
@@ -53,7 +54,7 @@ double seconds_per_voxel(const VolumeRecipe& recipe) {
 // What a noise takes to be normalized.
 double normalization_seconds(const VolumeRecipe& recipe, const Noise<3>& noise) {
   const auto* const raw = std::get_if<RawShaping>(&recipe.shaping);
-  return raw && raw->normalize ? cost_at_points(noise, kMostNormalizationSamples).seconds : 0.0;
+  return raw && raw->normalize ? cost_at_points(noise, PointWork{kMostNormalizationSamples}).seconds : 0.0;
 }
 
 bool contains(const VolumeRecipe& recipe, Output output) {
@@ -145,7 +146,7 @@ double varying_seconds(const VolumeRecipe& recipe, const VolumePlan& plan, const
   made *= std::pow(highest / own, 3);
   for (int axis = 0; axis < 3; ++axis) made *= plan.box.upper[axis] - plan.box.lower[axis];
   const double points = voxels_of(plan);
-  return kAtPoint * (1.0 + octaves) * cost_at_points(noise, points).seconds +
+  return kAtPoint * (1.0 + octaves) * cost_at_points(noise, PointWork{points}).seconds +
          kSecondsPerImpulse * made / plan.part.shards;
 }
 
@@ -160,9 +161,9 @@ Cost noise_cost(const VolumeRecipe& recipe, const NoiseRecipe& of, const VolumeP
   const auto waves_of = [&](std::size_t i) {
     return parts.empty() ? noise->waves() : parts[i].noise->waves();
   };
+  const double voxel = std::min({lattice.step.x, lattice.step.y, lattice.step.z});
   if (const double warp = largest_warp(recipe.layers, recipe.fields); warp > 0.0) {
     const PointSpread spread = spread_by_warp(plan, warp);
-    const double voxel = std::min({lattice.step.x, lattice.step.y, lattice.step.z});
     const auto plans = plan_points(*noise, lattice, error, spread);
     Cost cost = cost_at_points(*noise, voxels, plans);
     cost.bytes *= threads;
@@ -175,7 +176,7 @@ Cost noise_cost(const VolumeRecipe& recipe, const NoiseRecipe& of, const VolumeP
     return cost;
   }
   if (at_points(recipe, plan)) {
-    const Cost cost = cost_at_points(*noise, voxels);
+    const Cost cost = cost_at_points(*noise, PointWork{voxels, voxel});
     const bool varies = recipe.parameters.vary_kernel();
     return {varies ? varying_seconds(recipe, plan, *noise) : cost.seconds, cost.bytes * threads};
   }
@@ -230,10 +231,11 @@ Cost evaluation_cost(const VolumeRecipe& recipe, const VolumePlan& plan, int thr
 // With what evaluation takes.
 Cost making_cost(const VolumeRecipe& recipe, const VolumePlan& plan, const Cost& evaluation, Making making) {
   if (making == Making::streamed) {
-    return {passes_of_stream(recipe) * evaluation.seconds,
+    return {kProgramSeconds + passes_of_stream(recipe) * evaluation.seconds,
             kProgramBytes + streamed_bytes(recipe, plan) + evaluation.bytes};
   }
-  return {evaluation.seconds, kProgramBytes + kWriting * static_cast<double>(plan.memory) + evaluation.bytes};
+  return {kProgramSeconds + evaluation.seconds,
+          kProgramBytes + kWriting * static_cast<double>(plan.memory) + evaluation.bytes};
 }
 
 // Of so many voxels of all grids together, with the bytes of the largest part, in a box.
@@ -256,13 +258,13 @@ Cost volume_cost(const VolumeRecipe& recipe, const VolumePlan& plan, int threads
   return making_cost(recipe, plan, evaluation_cost(recipe, plan, threads), making);
 }
 
-double seconds_at_points(const VolumeRecipe& recipe, double points) {
-  double seconds = points * seconds_per_voxel(recipe);
+double seconds_at_points(const VolumeRecipe& recipe, const PointWork& work) {
+  double seconds = work.points * seconds_per_voxel(recipe);
   for (const NoiseRecipe& of : noises_of(recipe)) {
     VolumeRecipe single = recipe;
     single.noise = noise_of_output(recipe, of);
     const auto noise = make_volume_noise(single);
-    seconds += cost_at_points(*noise, points).seconds + normalization_seconds(recipe, *noise);
+    seconds += cost_at_points(*noise, work).seconds + normalization_seconds(recipe, *noise);
   }
   return channel_count(recipe) * seconds;
 }

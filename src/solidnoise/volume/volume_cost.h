@@ -24,7 +24,7 @@ Cost volume_cost(const VolumeRecipe& recipe, const VolumePlan& plan, int threads
                  Making making = Making::in_memory);
 
 // Seconds that one thread takes for a short form's field at so many points.
-double seconds_at_points(const VolumeRecipe& recipe, double points);
+double seconds_at_points(const VolumeRecipe& recipe, const PointWork& work);
 
 // What merging so many parts of the whole takes, by one thread.
 Cost merge_cost(const VolumeRecipe& recipe, const VolumePlan& whole, int parts);

@@ -20,6 +20,7 @@ constexpr double kSecondsPerImpulseOfBrick = 45e-9;     // made for a brick alon
 constexpr double kSecondsPerSampleAndImpulse = 0.5e-9;  // at each of its samples
 constexpr double kSecondsPerPointImpulse = 2e-9;
 constexpr double kSecondsPerGradientSample = 6e-9;
+constexpr double kSecondsPerGradientPoint = 100e-9;  // with its cell's
 constexpr double kNanosecond = 1e-9;
 
 constexpr double kBall = 4.0 / 3.0 * std::numbers::pi;  // the volume of radius 1
@@ -30,6 +31,9 @@ void for_each_part(const Noise<Dim>& noise, const Visit& visit) {
   for (std::size_t i = 0; i < parts.size(); ++i) visit(i, parts[i].noise->waves());
   if (parts.empty()) visit(0, noise.waves());
 }
+
+// Radii between samples whose balls do not meet.
+constexpr double kApart = 2.0;
 
 // That reach a cube of so many steps along each axis, of which each counts for so many radii at most.
 double impulses_around(const WaveMixture<3>& waves, const Vec<3>& step, double steps,
@@ -42,8 +46,14 @@ double impulses_around(const WaveMixture<3>& waves, const Vec<3>& step, double s
   return impulses;
 }
 
-// Balls around samples that do not meet.
-constexpr double kApart = 2.0;
+// Of a brick of a lattice that is so many samples along each axis, with impulses of its own. An impulse is
+// summed where it reaches, in whole rows.
+double seconds_of_brick(const WaveMixture<3>& waves, const Vec<3>& step, double side) {
+  double samples = side;
+  for (int axis = 0; axis < 2; ++axis) samples *= std::min(side, 2.0 * waves.radius / step[axis] + 1.0);
+  return impulses_around(waves, step, side - 1.0, kApart) *
+         (kSecondsPerImpulseOfBrick + waves.work * kSecondsPerSampleAndImpulse * samples);
+}
 
 constexpr double kBytesPerImpulse = 56.0;  // of a block, measured
 
@@ -59,6 +69,19 @@ double bytes_of_brick(const WaveMixture<3>& waves, const Vec<3>& step, double si
   double bytes = kBytes * waves.impulses / kBall;
   for (int axis = 0; axis < 3; ++axis) bytes *= kPerStep * step[axis] / waves.radius * steps + kAround;
   return bytes;
+}
+
+// Of those that a batch of points makes, each one's share.
+template <int Dim>
+double impulses_made_for_point(const WaveMixture<Dim>& waves, const PointWork& work) {
+  constexpr double kBatch = 1024.0;
+  constexpr double kBalls[] = {2.0, std::numbers::pi, kBall, 0.5 * std::numbers::pi * std::numbers::pi};
+  if (!(waves.radius > 0.0)) return 0.0;
+  const double along = std::min(work.spacing / waves.radius, kApart);
+  const double side = std::pow(kBatch, 1.0 / work.axes);
+  const int spread = std::min(work.axes, Dim);
+  return waves.impulses / kBalls[Dim - 1] / kBatch * std::pow(along * (side - 1.0) + 2.0, spread) *
+         std::pow(2.0, Dim - spread);
 }
 
 }  // namespace
@@ -80,15 +103,15 @@ Cost cost_on_lattice(const Noise<3>& noise, const LatticeFrame<3>& frame, const 
     const ImpulsesHeld held = impulses_held(waves, frame.step, work.side);
     const double cubes = work.samples / std::pow(held.side, 3);
     double seconds = 0.0;
-    if (plans[part].direct() && held.side < work.side) {
-      seconds =
-          cubes * impulses_around(waves, frame.step, held.side - 1.0, kApart) *
-          (kSecondsPerImpulseOfBrick + waves.work * kSecondsPerSampleAndImpulse * std::pow(held.side, 3));
+    if (!(waves.impulses > 0.0)) {
+      seconds = work.samples * kSecondsPerGradientSample;
+    } else if (plans[part].direct() && held.side < work.side) {
+      seconds = cubes * seconds_of_brick(waves, frame.step, held.side);
     } else {
-      const double sample = waves.impulses > 0.0
-                                ? waves.work * kSumsInPractice * plans[part].nanoseconds * kNanosecond
-                                : kSecondsPerGradientSample;
-      seconds = work.samples * sample + cubes * held.count * kSecondsPerImpulseMade;
+      const double sample = waves.work * kSumsInPractice * plans[part].nanoseconds * kNanosecond;
+      // Not more than of samples by themselves, which the plan's figure knows nothing of.
+      seconds = std::min(work.samples * sample + cubes * held.count * kSecondsPerImpulseMade,
+                         work.samples * seconds_of_brick(waves, frame.step, 1.0));
     }
     cost += {seconds, plans[part].direct() ? held.bytes : 0.0};
   });
@@ -96,23 +119,25 @@ Cost cost_on_lattice(const Noise<3>& noise, const LatticeFrame<3>& frame, const 
 }
 
 template <int Dim>
-Cost cost_at_points(const Noise<Dim>& noise, double points) {
+Cost cost_at_points(const Noise<Dim>& noise, const PointWork& work) {
   Cost cost;
   for_each_part(noise, [&](std::size_t, const WaveMixture<Dim>& waves) {
-    cost.seconds +=
-        points * (waves.work * waves.impulses * kSecondsPerPointImpulse + kSecondsPerGradientSample);
+    cost.seconds += work.points * (waves.impulses > 0.0
+                                       ? waves.work * waves.impulses * kSecondsPerPointImpulse +
+                                             impulses_made_for_point(waves, work) * kSecondsPerImpulseOfBrick
+                                       : kSecondsPerGradientPoint);
     cost.bytes += waves.impulses * kBytesPerImpulse;
   });
   return cost;
 }
 
-template Cost cost_at_points(const Noise<1>&, double);
-template Cost cost_at_points(const Noise<2>&, double);
-template Cost cost_at_points(const Noise<3>&, double);
-template Cost cost_at_points(const Noise<4>&, double);
+template Cost cost_at_points(const Noise<1>&, const PointWork&);
+template Cost cost_at_points(const Noise<2>&, const PointWork&);
+template Cost cost_at_points(const Noise<3>&, const PointWork&);
+template Cost cost_at_points(const Noise<4>&, const PointWork&);
 
 Cost cost_at_points(const Noise<3>& noise, double points, const std::vector<PointPlan>& plans) {
-  Cost cost = cost_at_points(noise, points);
+  Cost cost = cost_at_points(noise, PointWork{points});
   cost.seconds = 0.0;
   for_each_part(noise, [&](std::size_t part, const WaveMixture<3>& waves) {
     cost.seconds += waves.work * points * kSumsInPractice * plans[part].nanoseconds * kNanosecond;

@@ -42,9 +42,14 @@ struct ImpulsesHeld {
 };
 ImpulsesHeld impulses_held(const WaveMixture<3>& waves, const Vec<3>& step, double side);
 
-// The same at points, all of them near each other; and as plan_points() plans it.
+// The same at points that fill a line, a plane or space evenly; and as plan_points() plans it.
+struct PointWork {
+  double points = 0.0;
+  double spacing = 0.0;  // of neighbours, world units; far apart, each makes impulses of its own
+  int axes = 3;          // of what they fill
+};
 template <int Dim>
-Cost cost_at_points(const Noise<Dim>& noise, double points);
+Cost cost_at_points(const Noise<Dim>& noise, const PointWork& work);
 Cost cost_at_points(const Noise<3>& noise, double points, const std::vector<PointPlan>& plans);
 
 }  // namespace solidnoise

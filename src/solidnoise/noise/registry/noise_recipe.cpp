@@ -18,6 +18,13 @@
 namespace solidnoise {
 namespace {
 
+// What it is called in a message.
+template <typename Options>
+std::string band_of(const Options& options) {
+  if constexpr (requires { options.bandwidth; }) return fmt::format("bandwidth is {}, ", options.bandwidth);
+  return "the noise has a spectrum ";
+}
+
 template <int Dim, typename Options>
 std::unique_ptr<Noise<Dim>> make_single(const Options& options) {
   using Entry = NoiseEntry<Options>;
@@ -25,10 +32,10 @@ std::unique_ptr<Noise<Dim>> make_single(const Options& options) {
     auto noise = std::make_unique<typename Entry::template Noise<Dim>>(options);
     if constexpr (requires { noise->impulses_per_kernel(); }) {
       if (options.impulses == 0.0 && noise->impulses_per_kernel() > kImpulses.most) {
-        throw std::invalid_argument(
-            fmt::format("impulses is 0, which chooses {:.0f} per kernel in {} dimensions; give at most {}, "
-                        "or a wider band",
-                        noise->impulses_per_kernel(), Dim, kImpulses.most));
+        throw std::invalid_argument(fmt::format(
+            "{}which takes {:.0f} impulses per kernel in {} dimensions, of at most {}; give fewer, "
+            "or a wider band",
+            band_of(options), noise->impulses_per_kernel(), Dim, kImpulses.most));
       }
     }
     return noise;

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "solidnoise/core/check.h"
 #include "solidnoise/field/combined_field.h"
 #include "solidnoise/volume/recipe_field.h"
 #include "solidnoise/volume/shape_field.h"
@@ -53,6 +54,7 @@ SliceField make_noise_field(const SliceRecipe& slice, const VolumeRecipe& grid) 
 }
 
 SliceField make_recipe_field(const SliceRecipe& slice, const VolumeRecipe& grid, Progress* progress) {
+  require_at_least("the side of a pixel", slice.plane.pixel, GridFrame::kLeastVoxel, "world units");
   const RecipeField field(slice.recipe, slice.grid, progress);
   const GridFrame pixels(slice.plane.pixel);
   VolumeField values = field.on_voxels(pixels);

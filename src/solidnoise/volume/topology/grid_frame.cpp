@@ -33,9 +33,8 @@ std::int32_t first_index(double coordinate, double origin, double voxel_size) {
 }  // namespace
 
 GridFrame::GridFrame(double voxel_size) : voxel_size_(voxel_size) {
-  constexpr double kLeast = 1.5e-5;  // the cube root of what OpenVDB takes for 0
   require_positive("voxel", voxel_size, "world units");
-  require_at_least("voxel", voxel_size, kLeast, "world units, the least that OpenVDB has");
+  require_at_least("voxel", voxel_size, kLeastVoxel, "world units, the least that OpenVDB has");
 }
 
 GridFrame::GridFrame(const openvdb::math::Transform& transform) {

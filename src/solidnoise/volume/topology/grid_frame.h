@@ -12,6 +12,8 @@ namespace solidnoise {
 // convention. Axis-aligned; positions depend on the index alone, never on the region that is filled.
 class GridFrame {
  public:
+  static constexpr double kLeastVoxel = 1.5e-5;  // world units: the cube root of what OpenVDB takes for 0
+
   // Cubic voxels with voxel (0, 0, 0) at the world's origin. `voxel_size` in world units, > 0.
   // Throws std::invalid_argument.
   explicit GridFrame(double voxel_size);
