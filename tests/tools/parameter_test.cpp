@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <set>
 #include <string>
 #include <vector>
@@ -56,6 +57,33 @@ const Arguments kAllGrids{"--frequency-grid",
                           "0.5",
                           "2",
                           "--raw"};
+
+// What is folded is the noise whose kernels vary, and the magnitude multiplies what layers make.
+TEST_F(Parameters, VaryInLayersToo) {
+  const auto values_of = [&](const Arguments& grids, const Arguments& more) {
+    Arguments arguments = grids;
+    arguments.insert(arguments.end(), {"--raw", "--dim", "24", "--quiet", "--force"});
+    make("x.vdb", arguments, more);
+    std::vector<double> values;
+    const FloatGrid::Ptr grid = read_float_grid(folder_.file("x.vdb"));
+    for (auto voxel = grid->cbeginValueOn(); voxel; ++voxel) values.push_back(*voxel);
+    return values;
+  };
+  const Arguments kernels{"--frequency-grid", "painted.vdb:ramp", "--bandwidth-grid", "painted.vdb:narrow"};
+  Arguments all = kernels;
+  all.insert(all.end(), {"--magnitude-grid", "painted.vdb:paint"});
+  const std::vector<double> plain = values_of(kernels, {});
+  const std::vector<double> folded = values_of(kernels, {"--fold", "billow"});
+  const std::vector<double> magnified = values_of(all, {});
+  const std::vector<double> both = values_of(all, {"--fold", "billow"});
+  ASSERT_EQ(plain.size(), 24u * 24u * 24u);
+  const double mean = std::sqrt(2.0 / std::numbers::pi);
+  const double deviation = std::sqrt(1.0 - 2.0 / std::numbers::pi);
+  for (std::size_t i = 0; i < plain.size(); ++i) {
+    EXPECT_NEAR(folded[i], (std::abs(plain[i]) - mean) / deviation, 1e-5) << i;
+    EXPECT_NEAR(both[i] * plain[i], folded[i] * magnified[i], 1e-5) << i;
+  }
+}
 
 TEST_F(Parameters, ShardsMergeToTheWholeToTheLastBit) {
   Arguments cloud{"--frequency-grid", "painted.vdb:ramp", "--dim", "40", "--quiet"};
@@ -212,6 +240,13 @@ TEST_P(BadParameters, AreRefusedInOneLineAndNothingIsWritten) {
   const Refusal& refusal = GetParam();
   const TemporaryFolder folder;
   write_bad_grids(folder);
+  const auto write_recipe = [&](const std::string& name, const std::string& layer) {
+    folder.write(
+        name, R"({"solidnoise": 2, "noise": {"type": "gabor"}, "grids": [{"name": "density", "layers": [)" +
+                  layer + R"(], "shaping": {"type": "raw"}}]})");
+  };
+  write_recipe("other_layers.json", R"({"noise": {"type": "kensler"}})");
+  write_recipe("stretched_layers.json", R"({"stretch": [2, 1, 1]})");
   const std::set<std::string> before = folder.names();
   Arguments arguments = refusal.arguments;
   arguments.insert(arguments.end(), {"--out", "x.vdb", "--quiet"});
@@ -321,10 +356,14 @@ const Refusal kRefusals[] = {
      2,
      {"--output", "curl", "--magnitude-grid", "painted.vdb:paint"},
      {"--magnitude-grid goes with output value only; output is curl"}},
-    {"Layers",
+    {"OtherLayers",
      2,
-     {"--raw", "--fold", "ridged", "--frequency-grid", "painted.vdb:ramp"},
-     {"--frequency-grid does not go with layers"}},
+     {"--recipe", "other_layers.json", "--frequency-grid", "painted.vdb:ramp"},
+     {"--frequency-grid is of the recipe's noise; all layers have noises of their own"}},
+    {"StretchedLayers",
+     2,
+     {"--recipe", "stretched_layers.json", "--frequency-grid", "painted.vdb:ramp"},
+     {"--frequency-grid does not go with layers that stretch"}},
     {"Rest",
      2,
      {"--on", "painted.vdb:paint", "--rest", "painted.vdb:turn", "--frequency-grid", "painted.vdb:ramp"},

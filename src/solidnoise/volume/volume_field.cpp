@@ -75,15 +75,31 @@ NoisePtr make_voxel_noise(const VolumeRecipe& recipe, const VolumePlan& plan, co
   return on_voxels(recipe, make_noise_of(recipe, noise_of_output(recipe, noise)), plan.frame);
 }
 
+NoiseView view_of(const VolumeRecipe& recipe) {
+  return {recipe.dims, recipe.time, moved(recipe)};
+}
+
+LayerNoise varying_layer_noise(const VolumeRecipe& recipe, const VolumePlan& plan) {
+  const KernelFields kernel = plan.parameters->kernel();
+  const NoiseView view = view_of(recipe);
+  const auto make = [=](const NoiseRecipe& noise) { return make_varying_field(noise, view, kernel); };
+  LayerNoise made = layer_noise(recipe.noise, make);
+  made.octave = [=, noise = recipe.noise](int k) { return make_varying_octave(noise, k, view, kernel); };
+  made.varying_frequency = kernel.frequency.field;
+  return made;
+}
+
 // Layers of a recipe as they are on the plan's voxels. Named fields are made once.
 class VolumeLayers {
  public:
   VolumeLayers(const VolumeRecipe& recipe, const VolumePlan& plan) : recipe_(recipe), plan_(plan) {}
 
-  // `own` is the noise of layers that name none.
+  // `own` is the noise of layers that name none, which varies where the recipe's does.
   FieldPtr make(const std::vector<Layer>& layers, const NoiseRecipe& own) {
+    const bool varies = recipe_.parameters.vary_kernel() && own == recipe_.noise;
     LayerLeaves leaves;
-    leaves.noise = [&](const NoiseUse& use) {
+    leaves.noise = [&, varies](const NoiseUse& use) {
+      if (!use.noise && varies) return varying_layer_noise(recipe_, plan_);
       return layer_noise(noise_of_layer(use.noise, own),
                          [this, stretch = use.stretch, warp = use.warp](const NoiseRecipe& recipe) {
                            return make_leaf(recipe, stretch, warp);
@@ -125,10 +141,6 @@ NoisePtr make_voxel_quadrature(const VolumeRecipe& recipe, const VolumePlan& pla
   return on_voxels(recipe, noise, plan.frame);
 }
 
-NoiseView view_of(const VolumeRecipe& recipe) {
-  return {recipe.dims, recipe.time, moved(recipe)};
-}
-
 FieldPtr with_magnitude(FieldPtr field, const VolumePlan& plan) {
   const bool varies = plan.parameters && plan.parameters->magnitude();
   return varies ? combine(Layer::Combine::product, {std::move(field), plan.parameters->magnitude()}) : field;
@@ -160,9 +172,9 @@ FieldPtr make_cloud(const VolumeRecipe& recipe, const VolumePlan& plan, const Cl
 
 // What is shaped: the noise, or the layers in its place.
 FieldPtr make_source(const VolumeRecipe& recipe, const VolumePlan& plan, VolumeLayers& layers) {
-  if (!recipe.layers.empty()) return layers.make(recipe.layers, recipe.noise);
-  const FieldPtr noise = recipe.parameters.vary_kernel() ? make_varying_volume_noise(recipe, plan)
-                                                         : make_voxel_noise(recipe, plan, recipe.noise);
+  const FieldPtr noise = !recipe.layers.empty()            ? layers.make(recipe.layers, recipe.noise)
+                         : recipe.parameters.vary_kernel() ? make_varying_volume_noise(recipe, plan)
+                                                           : make_voxel_noise(recipe, plan, recipe.noise);
   return with_magnitude(noise, plan);
 }
 
@@ -319,9 +331,9 @@ Normalization normalization_of(const VolumeRecipe& recipe, const Box<3>& box) {
 double highest_frequency(const VolumeRecipe& recipe, const VolumePlan& plan) {
   double highest = 0.0;
   for (const VolumeRecipe& single : recipes_of_grids(recipe)) {
-    if (single.layers.empty() && single.parameters.vary_kernel()) {
+    if (single.parameters.vary_kernel()) {
       highest = std::max(highest, make_varying_volume_noise(single, plan)->statistics()->band.upper);
-      continue;
+      if (single.layers.empty()) continue;
     }
     for (const NoiseRecipe& noise : noises_of(single)) {
       highest = std::max(highest, make_noise_of(single, noise)->band().upper);

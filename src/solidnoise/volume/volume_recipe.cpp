@@ -96,15 +96,33 @@ void validate_normalize(const VolumeRecipe& recipe) {
   }
 }
 
+// Whether a layer of the recipe's noise is stretched.
+bool stretch_own_noise(const std::vector<Layer>& layers) {
+  return std::ranges::any_of(layers, [](const Layer& layer) {
+    return (!layer.noise && layer.stretch != Vec<3>(1.0)) || stretch_own_noise(layer.layers);
+  });
+}
+
+// Kernels vary in the layers that name no noise.
+void validate_layers_of_varying(const VolumeRecipe& recipe, std::string_view field) {
+  if (!use_own_noise(recipe.layers, recipe.fields)) {
+    throw std::invalid_argument(
+        fmt::format("{} is of the recipe's noise; all layers have noises of their own", field));
+  }
+  bool stretched = stretch_own_noise(recipe.layers);
+  for (const auto& [name, layer] : recipe.fields) stretched = stretched || stretch_own_noise({layer});
+  if (stretched) {
+    throw std::invalid_argument(
+        fmt::format("{} does not go with layers that stretch the recipe's noise", field));
+  }
+}
+
 void validate_parameters(const VolumeRecipe& recipe) {
   const ParameterGrids& parameters = recipe.parameters;
   if (!parameters.any()) return;
   parameters.validate(recipe.noise);
   const std::string_view field = parameters.first_field();
-  if (!recipe.layers.empty()) {
-    throw std::invalid_argument(
-        fmt::format("{} does not go with layers, each of which may have a noise of its own", field));
-  }
+  if (!recipe.layers.empty() && parameters.vary_kernel()) validate_layers_of_varying(recipe, field);
   if (!is_scalar(recipe)) {
     throw std::invalid_argument(
         fmt::format("{} goes with output value only; output is {}", field, format_outputs(recipe.output)));

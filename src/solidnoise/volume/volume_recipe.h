@@ -108,7 +108,8 @@ struct VolumeRecipe : GridRecipe, Domain {
   NoiseRecipe noise{};
   int dims = 3;                 // 3, or 4: a frame of a noise that changes in time
   double time = 0.0;            // of the frame: in the noise's fourth axis, or of its Evolution; else 0
-  ParameterGrids parameters{};  // of the noise, where they vary in space; of Output::value, without layers
+  ParameterGrids parameters{};  // of the noise, where they vary in space; of Output::value. Kernels vary in
+                                // layers of the recipe's noise
   Vec<3> offset{0.0};           // moves the noise, world units; +-1e9
   Vec<3> wind{0.0};             // moves it as time passes, world units per unit of time; +-1e9
   bool band_limit = false;      // filter the noise at the size of the voxels: at_resolution()
