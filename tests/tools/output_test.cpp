@@ -362,6 +362,63 @@ TEST(VdbnoiseOutput, IsNoInputButTheGridThatItChanges) {
   EXPECT_NE(folder.read("in.vdb"), before);
 }
 
+// An input that a link with another ending leads to, be it a recipe, a noise or a volume.
+TEST(VdbnoiseOutput, IsNoInputOfAnotherKindThroughALink) {
+  const TemporaryFolder folder;
+  const auto run = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), {"--force", "--quiet"});
+    return run_vdbnoise(arguments, {.folder = folder.path()});
+  };
+  ASSERT_EQ(run({"--raw", "--dim", "12", "--out", "in.vdb", "--write-recipe", "in.json"}).status, 0);
+  for (const char* input : {"in.vdb", "in.json"}) {
+    for (const char* ending : {".png", ".vdb", ".nvdb", ".json"})
+      std::filesystem::create_symlink(input, folder.file(std::string(input) + ending));
+  }
+  const std::string volume = folder.read("in.vdb");
+  const std::string recipe = folder.read("in.json");
+  for (const std::vector<std::string>& arguments : {
+           std::vector<std::string>{"slice", "--recipe", "in.json", "--resolution", "16", "--out",
+                                    "in.json.png"},
+           {"slice", "in.vdb", "--resolution", "16", "--out", "in.vdb.png"},
+           {"--recipe", "in.json", "--dim", "12", "--out", "in.json.vdb"},
+           {"--recipe", "in.vdb", "--dim", "12", "--out", "x.vdb", "--preview", "in.vdb.png"},
+           {"--recipe", "in.vdb", "--dim", "12", "--write-recipe", "in.vdb.json"},
+           {"--on", "in.vdb", "--raw", "--out", "in.vdb.nvdb"},
+       }) {
+    const ToolResult result = run(arguments);
+    EXPECT_EQ(result.status, 2) << result.err;
+    EXPECT_NE(result.err.find("is an input, which this output would replace"), std::string::npos)
+        << result.err;
+    EXPECT_EQ(folder.read("in.vdb"), volume) << result.err;
+    EXPECT_EQ(folder.read("in.json"), recipe) << result.err;
+  }
+  EXPECT_EQ(run({"--recipe", "in.json", "--frequency", "3", "--write-recipe", "in.json"}).status, 0);
+}
+
+// What a name could do to a terminal it does to none.
+TEST(VdbnoiseOutput, ShowsNoControlCharacters) {
+  const TemporaryFolder folder;
+  const auto make = [&](const std::string& name) {
+    return run_vdbnoise({"--raw", "--dim", "12", "--grid", name, "--out", "x.vdb"},
+                        {.folder = folder.path()});
+  };
+  const ToolResult refused = make("a\x1b[31mz");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("it must have no control character"), std::string::npos) << refused.err;
+  const std::string name = "z\xc2\x9b\xe2\x80\xae" + std::string(300, 'y');
+  const ToolResult made = make(name);
+  ASSERT_EQ(made.status, 0) << made.err;
+  EXPECT_EQ(made.err.find(std::string(100, 'y')), std::string::npos) << made.err;
+  const ToolResult analyzed = run_vdbnoise({"analyze", folder.file("x.vdb")});
+  ASSERT_EQ(analyzed.status, 0) << analyzed.err;
+  for (const std::string& text : {refused.err, made.err, analyzed.out}) {
+    EXPECT_EQ(text.find('\x1b'), std::string::npos);
+    EXPECT_EQ(text.find("\xc2\x9b"), std::string::npos);
+    EXPECT_EQ(text.find("\xe2\x80\xae"), std::string::npos);
+  }
+  EXPECT_EQ(nlohmann::json::parse(analyzed.out)["grid"], name);
+}
+
 TEST(VdbnoiseOutput, HasANameThatScenesAndJobsCanHold) {
   const TemporaryFolder folder;
   const auto refusal = [&](const std::vector<std::string>& arguments) {

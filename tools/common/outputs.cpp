@@ -43,8 +43,12 @@ void require_outputs(const std::vector<OutputPath>& outputs, Existing existing,
     if (!files.insert(file).second) {
       throw UsageError(fmt::format("{} is the name of two outputs; each needs its own", output.path));
     }
+    const auto may_replace = [&](const std::string& input) {
+      return extension_of(input) == extension_of(output.path) &&
+             std::ranges::find(output.may_replace, input) != output.may_replace.end();
+    };
     for (const std::string& input : inputs) {
-      if (file != file_of_input(input) || input == output.may_replace) continue;
+      if (file != file_of_input(input) || may_replace(input)) continue;
       throw UsageError(fmt::format("{} is an input, which this output would replace", output.path));
     }
     require_output(output.path, existing);

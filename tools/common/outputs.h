@@ -10,13 +10,13 @@
 
 namespace solidnoise {
 
-// An output of a run, and the input that it may take the place of, which is of its kind.
+// An output of a run, and the inputs that it may take the place of, where they are files of its kind.
 struct OutputPath {
-  OutputPath(std::string output_path, std::string replaceable = {})
+  OutputPath(std::string output_path, std::vector<std::string> replaceable = {})
       : path(std::move(output_path)), may_replace(std::move(replaceable)) {}
 
   std::string path;
-  std::string may_replace;
+  std::vector<std::string> may_replace;
 };
 
 // Refuses files that could not be written in the end, before any work. "-" always passes; empty paths are

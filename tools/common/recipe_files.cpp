@@ -68,4 +68,8 @@ void load_recipe(const FlagSet& flags, const RecipeSource& from,
   use(parse_json(from.among[parse_word("--preset", name, preset_names(from.among))].json));
 }
 
+RecipeInputs recipe_inputs(const FlagSet& flags) {
+  return {flags.value_of("--recipe").value_or(""), flags.value_of("--noise").value_or("")};
+}
+
 }  // namespace solidnoise

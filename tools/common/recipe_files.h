@@ -40,4 +40,11 @@ struct RecipeSource {
 // std::runtime_error as read_recipe does.
 void load_recipe(const FlagSet& flags, const RecipeSource& from, const std::function<void(const Json&)>& use);
 
+// The files that --recipe and --noise name; empty: none. What writes a recipe may replace that of the first.
+struct RecipeInputs {
+  std::string recipe;
+  std::string noise;
+};
+RecipeInputs recipe_inputs(const FlagSet& flags);
+
 }  // namespace solidnoise

@@ -10,7 +10,9 @@
 #include <ostream>
 #include <sstream>
 #include <stdexcept>
+#include <streambuf>
 #include <string>
+#include <string_view>
 #include <unistd.h>
 
 #include <fmt/format.h>
@@ -121,6 +123,38 @@ class PrintedText {
   std::streambuf* standard_;
 };
 
+// While one lives, no text for the standard error is taken for a terminal's own: names of grids, of files.
+// Bars of progress go past it.
+class PrintedErrors final : public std::streambuf {
+ public:
+  PrintedErrors() : standard_(std::cerr.rdbuf(this)) {}
+  ~PrintedErrors() override { std::cerr.rdbuf(standard_); }
+
+ private:
+  int overflow(int c) override {
+    if (c == traits_type::eof()) return 0;
+    const char letter = traits_type::to_char_type(c);
+    return xsputn(&letter, 1) == 1 ? c : traits_type::eof();
+  }
+
+  std::streamsize xsputn(const char* text, std::streamsize count) override {
+    std::string_view left(text, static_cast<std::size_t>(count));
+    while (!left.empty()) {
+      const std::size_t length = std::min(left.find('\n'), left.size());
+      std::string shown = printable(left.substr(0, length), std::string::npos);
+      if (length < left.size()) shown += '\n';
+      const auto size = static_cast<std::streamsize>(shown.size());
+      if (standard_->sputn(shown.data(), size) != size) return 0;
+      left.remove_prefix(std::min(length + 1, left.size()));
+    }
+    return count;
+  }
+
+  int sync() override { return standard_->pubsync(); }
+
+  std::streambuf* standard_;
+};
+
 int run_and_print(const std::function<int()>& run) {
   const PrintedText printed;
   int status = kDone;
@@ -149,6 +183,7 @@ int run_tool(const char* tool, const std::function<int()>& run) {
   // Writing then fails, and says so.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
+  const PrintedErrors errors;
   try {
     return run_and_print(run);
   } catch (const UsageError& error) {

@@ -6,6 +6,7 @@
 
 #include "common/outputs.h"
 #include "common/parse_value.h"
+#include "common/recipe_files.h"
 #include "meshnoise/commands.h"
 #include "meshnoise/mesh_files.h"
 #include "meshnoise/texture_output.h"
@@ -136,14 +137,13 @@ void check_outputs(const FlagSet& flags, const BakeFrame& frame) {
                  "has no effect without --preview");
   }
   require_extension("--write-recipe", options.write_recipe, {".json"}, StandardOutput::allowed);
-  const std::string recipe = flags.value_of("--recipe").value_or("");
-  const std::string noise = flags.value_of("--noise").value_or("");
+  const RecipeInputs read = recipe_inputs(flags);
   if (options.usd) require_usd(options.out);
-  require_outputs({{options.out, in},
+  require_outputs({{options.out, {in}},
                    options.usd ? usd_path(options.out) : std::string(),
                    options.preview,
-                   {options.write_recipe, recipe}},
-                  options.existing(), {in, recipe, noise, options.rest});
+                   {options.write_recipe, {read.recipe}}},
+                  options.existing(), {in, read.recipe, read.noise, options.rest});
 }
 
 }  // namespace solidnoise

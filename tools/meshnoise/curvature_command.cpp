@@ -66,7 +66,7 @@ int run_curvature(const std::vector<std::string>& arguments) {
     throw UsageError("--out is missing; say where the mesh goes: --out c.ply");
   if (!out.empty()) require_mesh_name(out, Shows::colors);
   if (!preview.empty()) require_preview(preview);
-  require_outputs({{out, in}, preview}, options.existing(), {in});
+  require_outputs({{out, {in}}, preview}, options.existing(), {in});
 
   catch_interrupts();
   const MeshReading reading = read_input_mesh(in, options.quiet ? Notes::keep_quiet : Notes::print);

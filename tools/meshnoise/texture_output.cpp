@@ -78,7 +78,7 @@ void require_new_files(const TextureJob& job, const std::string& in, const BakeO
   for (const TextureTile& tile : job.plan.tiles) {
     for (const TextureMap& map : job.maps) paths.emplace_back(texture_path(options, map, tile));
   }
-  paths.insert(paths.end(), {{options.out, in},
+  paths.insert(paths.end(), {{options.out, {in}},
                              options.usd ? usd_path(options.out) : std::string(),
                              options.preview,
                              options.write_recipe});

@@ -197,7 +197,7 @@ int run_edit(const std::vector<std::string>& arguments) {
   if (command.operations.empty()) throw UsageError("there is nothing to do; say --rotate, --scale, ...");
   require_extension("--out", command.out, {".json"}, StandardOutput::allowed);
   require_extension("--preview", command.preview, {".png", ".jpg", ".tif", ".exr"}, StandardOutput::refused);
-  require_outputs({{command.out, command.in}, command.preview}, command.existing(),
+  require_outputs({{command.out, {command.in}}, command.preview}, command.existing(),
                   {command.in, flags.value_of("--copy").value_or("")});
 
   ExemplarFile edited_file = read_model(command.in);

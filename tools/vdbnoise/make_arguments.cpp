@@ -45,6 +45,7 @@ void MakeArguments::apply(const VolumeRecipe& start) {
 
 void MakeArguments::apply_at(const VolumeRecipe& start, int frame) {
   options.recipe = start;
+  options.inputs = recipe_inputs(flags);
   flags.apply(frame);
   check_make_options(flags, options, noise_flags_);
   options.recipe.validate();

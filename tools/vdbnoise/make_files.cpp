@@ -59,12 +59,15 @@ void check_outputs(const MakeOptions& options) {
   }
   const bool has_scene = options.usd && !options.frame;
   const std::string scene = has_scene ? usd_scene_path(options.out) : std::string();
-  std::vector<std::string> inputs;
+  std::vector<std::string> inputs{options.inputs.recipe, options.inputs.noise};
   add_files(to_json(options.recipe), inputs);
-  const std::string changed = options.recipe.modification ? options.recipe.modification->on.file : "";
-  require_outputs(
-      {{unless_kept(options.out), changed}, unless_kept(options.preview), options.write_recipe, scene},
-      options.existing(), inputs);
+  std::vector<std::string> replaceable{options.inputs.recipe};
+  if (options.recipe.modification) replaceable.push_back(options.recipe.modification->on.file);
+  require_outputs({{unless_kept(options.out), replaceable},
+                   unless_kept(options.preview),
+                   {options.write_recipe, {options.inputs.recipe}},
+                   scene},
+                  options.existing(), inputs);
 }
 
 namespace {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/flag_set.h"
+#include "common/recipe_files.h"
 #include "common/run_options.h"
 #include "solidnoise/volume/topology/volume_part.h"
 #include "solidnoise/volume/vdb/nvdb_write.h"
@@ -25,6 +26,7 @@ struct MakeOptions : RunOptions {
   openvdb::FloatGrid::ConstPtr preview_frame;  // as it is read
   std::string write_recipe;                    // .json, "-" for the standard output; empty: none
   bool skip_existing = false;                  // of volumes that are what would be made
+  RecipeInputs inputs;
 
   std::vector<int> frames;                           // of a sequence; empty: one volume
   double fps = 24.0;                                 // frames per unit of time

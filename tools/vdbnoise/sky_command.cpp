@@ -72,9 +72,11 @@ class SkyFiles {
 
 // All that would be written, before any work.
 void require_files(const SkyOptions& options, const SkyPlan& plan) {
-  std::vector<OutputPath> outputs{options.out, options.write_points, options.write_recipe};
-  std::vector<std::string> inputs;
-  if (const auto* const file = std::get_if<PointsFile>(&options.recipe.points)) inputs = {file->file};
+  std::vector<OutputPath> outputs{{options.out, {options.inputs.recipe}},
+                                  options.write_points,
+                                  {options.write_recipe, {options.inputs.recipe}}};
+  std::vector<std::string> inputs{options.inputs.recipe, options.inputs.noise};
+  if (const auto* const file = std::get_if<PointsFile>(&options.recipe.points)) inputs.push_back(file->file);
   if (options.form() == SkyForm::instances && !options.out.empty()) {
     const SkyFiles files(options.out);
     const bool has_folder = std::filesystem::exists(files.folder());
@@ -280,6 +282,7 @@ int run_sky(const std::vector<std::string>& arguments) {
   flags.parse(arguments);
   return flags.explained([&] {
     options.recipe = choose_sky_recipe(flags);
+    options.inputs = recipe_inputs(flags);
     flags.apply();
     check_sky_options(flags, options);
     return make(flags, options);

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "common/flag_set.h"
+#include "common/recipe_files.h"
 #include "common/run_options.h"
 #include "solidnoise/core/extension.h"
 #include "solidnoise/volume/sky/sky_plan.h"
@@ -18,6 +19,7 @@ struct SkyOptions : RunOptions {
   std::string write_recipe;  // .json, "-" for the standard output; empty: none
   bool skip_existing = false;
   std::optional<Box<3>> region;  // of one grid
+  RecipeInputs inputs;
 
   SkyForm form() const { return extension_of(out) == ".vdb" ? SkyForm::grid : SkyForm::instances; }
 };

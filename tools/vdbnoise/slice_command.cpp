@@ -79,7 +79,7 @@ std::optional<GridSummary> grid_to_slice(const SliceOptions& options) {
 
 // Measured on pictures of 4096^2 pixels: a sample takes 8 to 16 bytes with its picture's, in colour 20 to 50.
 void require_cost(const SliceOptions& options) {
-  constexpr double kProgramBytes = 48.0 * 0x1p20;
+  constexpr double kProgramBytes = 54.0 * 0x1p20;
   constexpr double kPictureProgramBytes = 150.0 * 0x1p20;
   constexpr double kBytesPerSample = 16.0;
   constexpr double kBytesPerColor = 52.0;
@@ -147,7 +147,8 @@ void write_slice(const SliceOptions& options, const SliceField& field,
 }
 
 void make_slice(SliceOptions options) {
-  require_outputs({options.out, options.spectrum}, options.existing());
+  require_outputs({options.out, options.spectrum}, options.existing(),
+                  {options.file, options.inputs.recipe, options.inputs.noise});
   catch_interrupts();
   const auto threads = options.limit_threads();
   auto ends_at_once = std::make_unique<EndsAtOnce>();
@@ -198,6 +199,7 @@ int run_slice(const std::vector<std::string>& arguments) {
   const std::vector<std::string> noise_flags = declare_slice_flags(flags, options);
   flags.parse(arguments);
   options.recipe = choose_volume_recipe(flags, "raw");
+  options.inputs = recipe_inputs(flags);
   explained(flags, [&] {
     flags.apply();
     if (!options.recipe.grids.empty()) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "common/flag_set.h"
+#include "common/recipe_files.h"
 #include "common/run_options.h"
 #include "solidnoise/core/extension.h"
 #include "solidnoise/core/vec.h"
@@ -17,6 +18,7 @@ struct SliceOptions : SliceRecipe, SliceView, RunOptions {
   std::string out;       // .png, .exr, or .csv for a line; empty: none
   std::string spectrum;  // .png or .exr; empty: none
   SampleType sample_type = SampleType::automatic;
+  RecipeInputs inputs;
 
   bool is_line() const { return extension_of(out) == ".csv"; }
 };

@@ -84,8 +84,8 @@ void print_statistics(const MeasuredGrid& measured, const std::string& where) {
   const openvdb::Vec3d size = measured.grid->voxelSize();
   const openvdb::Coord dim = measured.grid->evalActiveVoxelDim();
   std::cerr << fmt::format("{}: grid {}, {} active voxels in {} x {} x {}, voxel size {:.6g}\n",
-                           printable(where), measured.grid->getName(), measured.moments.front().count(),
-                           dim.x(), dim.y(), dim.z(), size.x());
+                           printable(where), printable(measured.grid->getName()),
+                           measured.moments.front().count(), dim.x(), dim.y(), dim.z(), size.x());
   const bool is_vector = measured.moments.size() > 1;
   double mean_square = 0.0;
   for (std::size_t i = 0; i < measured.moments.size(); ++i) {

@@ -43,6 +43,11 @@ struct TextReader {
   bool operator==(const TextReader& other) const { return at == other.at; }
 };
 
+bool has_control_character(std::string_view text) {
+  return std::ranges::any_of(text,
+                             [](char c) { return c >= 0 && c < ' ' && c != '\n' && c != '\r' && c != '\t'; });
+}
+
 // Goes through a text without keeping what is in it, but the keys of open objects.
 class KeyCheck final : public nlohmann::json_sax<Json> {
  public:
@@ -53,8 +58,7 @@ class KeyCheck final : public nlohmann::json_sax<Json> {
   bool number_float(number_float_t, const string_t&) override { return true; }
   // Names of files and grids end at some of these, or break what they are written into.
   bool string(string_t& text) override {
-    const auto is_control = [](char c) { return c >= 0 && c < ' ' && c != '\n' && c != '\r' && c != '\t'; };
-    if (!std::ranges::any_of(text, is_control)) return true;
+    if (!has_control_character(text)) return true;
     throw std::invalid_argument(
         fmt::format("\"{}\" has a control character, which no text may", printable(text)));
   }
@@ -219,14 +223,21 @@ std::string at_line(std::string_view text, std::size_t place, std::string_view m
   return fmt::format("line {}: {}", std::count(before.begin(), before.end(), '\n') + 1, message);
 }
 
+// A value or a key, with what no terminal may be shown as \u009b.
+std::string dumped(const Json& json) {
+  const std::string text = json.dump();
+  constexpr bool kAscii = true;
+  return printable(text, std::string::npos) == text ? text : json.dump(-1, ' ', kAscii);
+}
+
 void append(std::string& text, const Json& json, int indent) {
   const bool is_flat =
       std::none_of(json.begin(), json.end(), [](const Json& v) { return v.is_structured(); });
   if (!json.is_structured() || json.empty()) {
-    text += json.dump();
+    text += dumped(json);
   } else if (json.is_array() && is_flat) {
     text += '[';
-    for (std::size_t i = 0; i < json.size(); ++i) text += (i ? ", " : "") + json[i].dump();
+    for (std::size_t i = 0; i < json.size(); ++i) text += (i ? ", " : "") + dumped(json[i]);
     text += ']';
   } else {
     const std::string margin(static_cast<std::size_t>(indent) + 2, ' ');
@@ -234,7 +245,7 @@ void append(std::string& text, const Json& json, int indent) {
     const char* separator = "\n";
     for (const auto& item : json.items()) {
       text += separator + margin;
-      if (json.is_object()) text += Json(item.key()).dump() + ": ";
+      if (json.is_object()) text += dumped(item.key()) + ": ";
       append(text, item.value(), indent + 2);
       separator = ",\n";
     }
@@ -293,6 +304,10 @@ void require_utf8(const Json& json, const std::string& path) {
     } catch (const Json::type_error&) {
       throw std::invalid_argument(
           fmt::format("{} is {}; it must be UTF-8 to be in a recipe", path, shown(json)));
+    }
+    if (has_control_character(json.get_ref<const std::string&>())) {
+      throw std::invalid_argument(
+          fmt::format("{} is {}; it must have no control character", path, shown(json)));
     }
   }
   if (!json.is_structured()) return;
