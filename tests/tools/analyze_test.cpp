@@ -67,6 +67,16 @@ TEST(Analyze, ExpectsNothingOfWhatIsMadeOfTheNoise) {
           .is_null());
 }
 
+// A comparison with waves far shorter than a voxel, or longer than the block, would take as long as the
+// frequency that a file has likes.
+TEST(Analyze, ComparesWhatTheVoxelsCanShow) {
+  for (const char* frequency : {"1e-6", "1e5"}) {
+    const Json json = analyze({"--raw", "--frequency", frequency, "--dim", "16"});
+    EXPECT_FALSE(json["spectrum"].is_object() && json["spectrum"].contains("chi_square")) << frequency;
+    EXPECT_TRUE(json["expected"].is_object()) << frequency;
+  }
+}
+
 TEST(Analyze, CountsEveryVoxelInTheHistogram) {
   const Json json = analyze({"--raw", "--frequency", "5", "--dim", "48"});
   double counted = 0.0;

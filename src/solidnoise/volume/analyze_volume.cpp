@@ -132,9 +132,16 @@ double effective_impulse_density(const VolumeRecipe& recipe) {
   return 0.0;
 }
 
-// The expected periodogram of a spectrum without symmetry would take minutes.
+// The expected periodogram of a spectrum without symmetry would take minutes; that of a noise whose waves are
+// far shorter than a voxel, or longer than the block, as long as the file likes, and say nothing.
 bool is_comparable(const AnalysisSubject& subject) {
-  if (!subject.noise) return false;
+  constexpr double kMostCyclesPerVoxel = 3.0;  // of the images that are summed
+  if (!subject.noise || !subject.block) return false;
+  const Vec<3>& step = subject.block->step;
+  const Vec<3> size = step * Vec<3>(subject.block->count);
+  const double highest = subject.noise->band().upper;
+  if (highest * std::max({step.x, step.y, step.z}) > kMostCyclesPerVoxel) return false;
+  if (highest * std::max({size.x, size.y, size.z}) < 1.0) return false;
   const auto* const spectrum = std::get_if<SpectrumNoiseOptions>(&subject.recipe->noise.noise);
   return !spectrum || spectrum->model.channels.front().isotropic;
 }
