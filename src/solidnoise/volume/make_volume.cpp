@@ -50,7 +50,7 @@ VolumePlan::GridBoundary plan_boundary(const VolumeRecipe& recipe, Progress* pro
   const openvdb::FloatGrid::Ptr surface = read_float_grid(*plan.boundary, "--boundary", progress);
   in_file(plan.boundary->file, [&] { require_level_set(*surface); });
   const double frequency = std::visit([](const auto& noise) { return noise.frequency; }, recipe.noise.noise);
-  plan.distance = std::make_shared<DistanceSpline>(surface, recipe.boundary_width.value_or(1.0 / frequency));
+  plan.distance = std::make_shared<PlannedDistance>(surface, recipe.boundary_width.value_or(1.0 / frequency));
   return plan;
 }
 

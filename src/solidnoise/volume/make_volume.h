@@ -37,7 +37,7 @@ struct VolumePlan {
   // Of each entry of the recipe's grids: the surface that a velocity is to stay off, if there is one.
   struct GridBoundary {
     std::optional<GridFile> boundary;  // the entry's, with the digest of its file
-    std::shared_ptr<const DistanceSpline> distance;
+    std::shared_ptr<const PlannedDistance> distance;
   };
   std::vector<GridBoundary> boundaries;
 

@@ -305,9 +305,9 @@ VolumeField make_volume_field(const VolumeRecipe& recipe, const VolumePlan& plan
   int first = 0;
   for (std::size_t i = 0; i < singles.size(); ++i) {
     const VolumeRecipe single = at_resolution(singles[i], plan.frame.voxel_size());
-    const bool has_boundary = i < plan.boundaries.size();
-    fields.push_back(
-        make_grid_field(single, plan, has_boundary ? plan.boundaries[i].distance : nullptr, layers));
+    const bool has_boundary = i < plan.boundaries.size() && plan.boundaries[i].distance;
+    fields.push_back(make_grid_field(
+        single, plan, has_boundary ? plan.boundaries[i].distance->distance() : nullptr, layers));
     if (single.within) fields.back() = masked(fields.back(), layers.make({*single.within}, single.noise));
     if (cover && !std::holds_alternative<RawShaping>(single.shaping)) {
       fields.back() = masked(fields.back(), cover);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 #include <openvdb/tools/LevelSetRebuild.h>
@@ -31,18 +32,24 @@ struct Weights {
   }
 };
 
-openvdb::FloatGrid::ConstPtr with_wide_band(const openvdb::FloatGrid::ConstPtr& level_set, double reach) {
-  require_level_set(*level_set);
-  const double voxels = reach / level_set->voxelSize().x();
-  if (voxels > kMostVoxels) {
+// The half width of a level set's band, and that which distances up to `reach` take, voxels.
+struct LevelSetBand {
+  double has = 0.0;
+  double wanted = 0.0;
+
+  bool suffices() const { return has >= wanted; }
+};
+
+LevelSetBand band_of(const openvdb::FloatGrid& level_set, double reach) {
+  require_level_set(level_set);
+  require_positive("boundary_width", reach, "world units");
+  const double voxel = level_set.voxelSize().x();
+  if (reach > kMostVoxels * voxel) {
     throw std::invalid_argument(
         fmt::format("boundary_width is {:.6g}; it must be at most {:.6g} ({} voxels of the boundary)", reach,
-                    kMostVoxels * level_set->voxelSize().x(), kMostVoxels));
+                    kMostVoxels * voxel, kMostVoxels));
   }
-  const double band = std::ceil(voxels + kSupport);
-  const double has = std::abs(static_cast<double>(level_set->background())) / level_set->voxelSize().x();
-  if (has >= band) return level_set;
-  return openvdb::tools::levelSetRebuild(*level_set, 0.0f, static_cast<float>(band));
+  return {std::abs(static_cast<double>(level_set.background())) / voxel, std::ceil(reach / voxel + kSupport)};
 }
 
 }  // namespace
@@ -64,16 +71,10 @@ void require_level_set(const openvdb::FloatGrid& grid) {
 }
 
 DistanceSpline::DistanceSpline(const openvdb::FloatGrid::ConstPtr& level_set, double reach)
-    : reach_(reach), frame_(level_set->transform()) {
-  require_positive("boundary_width", reach, "world units");
-  level_set_ = with_wide_band(level_set, reach);
-  // Rebuilding keeps the closest polygon of each voxel beside distances, and each in a second tree.
-  constexpr std::uint64_t kTrees = 4;
-  memory_ = level_set_->memUsage();
-  if (level_set_ == level_set) return;
-  constexpr double kSecondsPerVoxel = 5e-6;
-  memory_ = kTrees * memory_ + level_set->memUsage();
-  seconds_ = kSecondsPerVoxel * static_cast<double>(level_set_->activeVoxelCount());
+    : reach_(reach), level_set_(level_set), frame_(level_set->transform()) {
+  const LevelSetBand band = band_of(*level_set, reach);
+  if (band.suffices()) return;
+  level_set_ = openvdb::tools::levelSetRebuild(*level_set, 0.0f, static_cast<float>(band.wanted));
 }
 
 void DistanceSpline::evaluate(std::span<const Vec<3>> positions, std::span<Jet> jets) const {
@@ -127,6 +128,25 @@ DistanceSpline::Jet DistanceSpline::at(const Vec<3>& position,
   jet.gradient /= voxel;
   for (Vec<3>& row : jet.hessian) row /= voxel * voxel;
   return jet;
+}
+
+// Rebuilding keeps the closest polygon of each voxel beside distances, and each in a second tree.
+PlannedDistance::PlannedDistance(openvdb::FloatGrid::ConstPtr level_set, double reach)
+    : level_set_(std::move(level_set)), reach_(reach), memory_(level_set_->memUsage()) {
+  constexpr double kTrees = 4.0;
+  constexpr double kSecondsPerVoxel = 5e-6;
+  constexpr double kLeafVoxels = 7.0;  // that leaves reach beyond a band
+  const LevelSetBand band = band_of(*level_set_, reach);
+  if (band.suffices()) return;
+  const double leaves = (2.0 * band.wanted + kLeafVoxels) / (2.0 * band.has + kLeafVoxels);
+  memory_ += static_cast<std::uint64_t>(kTrees * leaves * static_cast<double>(memory_));
+  seconds_ = kSecondsPerVoxel * band.wanted / band.has * static_cast<double>(level_set_->activeVoxelCount());
+}
+
+std::shared_ptr<const DistanceSpline> PlannedDistance::distance() const {
+  const std::lock_guard lock(mutex_);
+  if (!distance_) distance_ = std::make_shared<DistanceSpline>(level_set_, reach_);
+  return distance_;
 }
 
 }  // namespace solidnoise

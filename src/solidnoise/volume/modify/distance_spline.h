@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <mutex>
 #include <span>
 
 #include "solidnoise/core/vec.h"
@@ -29,10 +31,6 @@ class DistanceSpline final : public SmoothDistance {
   DistanceSpline(const openvdb::FloatGrid::ConstPtr& level_set, double reach);
 
   double reach() const override { return reach_; }
-  // Bytes that it takes, or took while the band was widened.
-  std::uint64_t memory() const { return memory_; }
-  // Seconds of one core that widening the band takes: measured.
-  double seconds() const { return seconds_; }
   void evaluate(std::span<const Vec<3>> positions, std::span<Jet> jets) const override;
 
  private:
@@ -41,8 +39,29 @@ class DistanceSpline final : public SmoothDistance {
   double reach_;
   openvdb::FloatGrid::ConstPtr level_set_;
   GridFrame frame_;
+};
+
+// The distance to a surface that is known to be needed before it is: what it takes can be told, and refused,
+// before the band is widened.
+class PlannedDistance {
+ public:
+  // Throws what DistanceSpline does.
+  PlannedDistance(openvdb::FloatGrid::ConstPtr level_set, double reach);
+
+  // Bytes that it takes at most, while the band is widened, and seconds of one core: by how much wider it is.
+  std::uint64_t memory() const { return memory_; }
+  double seconds() const { return seconds_; }
+
+  // Made when it is first asked for, which no task may be that others wait for.
+  std::shared_ptr<const DistanceSpline> distance() const;
+
+ private:
+  openvdb::FloatGrid::ConstPtr level_set_;
+  double reach_;
   std::uint64_t memory_ = 0;
   double seconds_ = 0.0;
+  mutable std::mutex mutex_;
+  mutable std::shared_ptr<const DistanceSpline> distance_;
 };
 
 }  // namespace solidnoise
