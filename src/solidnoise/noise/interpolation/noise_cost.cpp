@@ -20,16 +20,35 @@ constexpr double kSecondsPerImpulseOfBrick = 45e-9;     // made for a brick alon
 constexpr double kSecondsPerSampleAndImpulse = 0.5e-9;  // at each of its samples
 constexpr double kSecondsPerPointImpulse = 2e-9;
 constexpr double kSecondsPerGradientSample = 6e-9;
-constexpr double kSecondsPerGradientPoint = 100e-9;  // with its cell's
+constexpr double kSecondsPerGradientPoint = 20e-9;  // one by one
 constexpr double kNanosecond = 1e-9;
+constexpr double kBytesPerImpulse = 56.0;  // of a block
 
 constexpr double kBall = 4.0 / 3.0 * std::numbers::pi;  // the volume of radius 1
 
 template <int Dim, typename Visit>
 void for_each_part(const Noise<Dim>& noise, const Visit& visit) {
   const std::vector<typename Noise<Dim>::Part> parts = noise.parts();
-  for (std::size_t i = 0; i < parts.size(); ++i) visit(i, parts[i].noise->waves());
-  if (parts.empty()) visit(0, noise.waves());
+  for (std::size_t i = 0; i < parts.size(); ++i) visit(i, parts[i].noise->waves(), parts[i].noise->band());
+  if (parts.empty()) visit(0, noise.waves(), noise.band());
+}
+
+// Of noises without impulses, whose cells samples far apart do not share: measured with gradients and with
+// points, which differ by what the highest frequency of their bands is to a cell's.
+double seconds_of_cells(double cycles_per_step) {
+  constexpr double kShared = 19e-9;
+  constexpr double kMost = 2e-6;
+  return std::min(kShared * cycles_per_step * cycles_per_step, kMost);
+}
+
+// That a block of so many samples along each axis holds of points in cells; more are made for bricks alone.
+double bytes_of_cells(double cycles_per_step, double side) {
+  constexpr double kCellsPerCycle = 0.19;
+  constexpr double kAround = 3.4;  // cells
+  constexpr double kPointsPerCell = 0.5;
+  constexpr double kSlack = 1.4;
+  const double points = kPointsPerCell * std::pow(kCellsPerCycle * cycles_per_step * side + kAround, 3);
+  return points <= kMostImpulsesInBlock ? kSlack * points * kBytesPerImpulse : 0.0;
 }
 
 // Radii between samples whose balls do not meet.
@@ -54,8 +73,6 @@ double seconds_of_brick(const WaveMixture<3>& waves, const Vec<3>& step, double 
   return impulses_around(waves, step, side - 1.0, kApart) *
          (kSecondsPerImpulseOfBrick + waves.work * kSecondsPerSampleAndImpulse * samples);
 }
-
-constexpr double kBytesPerImpulse = 56.0;  // of a block, measured
 
 // Of all impulses in the cells that a brick alone sees, and of those among them that reach it: measured with
 // 1e4 to 1e5 in a kernel, at steps of .2 to .9 radii.
@@ -99,13 +116,18 @@ ImpulsesHeld impulses_held(const WaveMixture<3>& waves, const Vec<3>& step, doub
 Cost cost_on_lattice(const Noise<3>& noise, const LatticeFrame<3>& frame, const LatticeWork& work,
                      const std::vector<InterpolationPlan<3>>& plans) {
   Cost cost;
-  for_each_part(noise, [&](std::size_t part, const WaveMixture<3>& waves) {
+  const double longest = std::max({frame.step.x, frame.step.y, frame.step.z});
+  for_each_part(noise, [&](std::size_t part, const WaveMixture<3>& waves, const Noise<3>::Band& band) {
+    if (!(waves.impulses > 0.0)) {
+      const double cycles = band.upper * longest;
+      cost += {work.samples * (kSecondsPerGradientSample + seconds_of_cells(cycles)),
+               bytes_of_cells(cycles, work.side)};
+      return;
+    }
     const ImpulsesHeld held = impulses_held(waves, frame.step, work.side);
     const double cubes = work.samples / std::pow(held.side, 3);
     double seconds = 0.0;
-    if (!(waves.impulses > 0.0)) {
-      seconds = work.samples * kSecondsPerGradientSample;
-    } else if (plans[part].direct() && held.side < work.side) {
+    if (plans[part].direct() && held.side < work.side) {
       seconds = cubes * seconds_of_brick(waves, frame.step, held.side);
     } else {
       const double sample = waves.work * kSumsInPractice * plans[part].nanoseconds * kNanosecond;
@@ -121,11 +143,12 @@ Cost cost_on_lattice(const Noise<3>& noise, const LatticeFrame<3>& frame, const 
 template <int Dim>
 Cost cost_at_points(const Noise<Dim>& noise, const PointWork& work) {
   Cost cost;
-  for_each_part(noise, [&](std::size_t, const WaveMixture<Dim>& waves) {
-    cost.seconds += work.points * (waves.impulses > 0.0
-                                       ? waves.work * waves.impulses * kSecondsPerPointImpulse +
-                                             impulses_made_for_point(waves, work) * kSecondsPerImpulseOfBrick
-                                       : kSecondsPerGradientPoint);
+  for_each_part(noise, [&](std::size_t, const WaveMixture<Dim>& waves, const auto& band) {
+    cost.seconds +=
+        work.points * (waves.impulses > 0.0
+                           ? waves.work * waves.impulses * kSecondsPerPointImpulse +
+                                 impulses_made_for_point(waves, work) * kSecondsPerImpulseOfBrick
+                           : kSecondsPerGradientPoint + seconds_of_cells(band.upper * work.spacing));
     cost.bytes += waves.impulses * kBytesPerImpulse;
   });
   return cost;
@@ -139,7 +162,7 @@ template Cost cost_at_points(const Noise<4>&, const PointWork&);
 Cost cost_at_points(const Noise<3>& noise, double points, const std::vector<PointPlan>& plans) {
   Cost cost = cost_at_points(noise, PointWork{points});
   cost.seconds = 0.0;
-  for_each_part(noise, [&](std::size_t part, const WaveMixture<3>& waves) {
+  for_each_part(noise, [&](std::size_t part, const WaveMixture<3>& waves, const auto&) {
     cost.seconds += waves.work * points * kSumsInPractice * plans[part].nanoseconds * kNanosecond;
   });
   return cost;
