@@ -34,6 +34,7 @@ void write_bad_files(const TemporaryFolder& folder) {
   folder.write("example.json", R"({"solidnoise": 1, "exemplar": {"channels": [{"bands": [{"a": 0.1,
                "components": [[0.2, 0, 3, 0]]}]}]}})");
   std::filesystem::create_directory(folder.path() / "folder.ply");
+  std::filesystem::create_symlink("in.ply", folder.path() / "link.obj");
 }
 
 class MeshnoiseBadInput : public testing::TestWithParam<Refusal> {};
@@ -96,6 +97,10 @@ const Refusal kUsage[] = {
      2,
      {"--out", "x.ply", "--refine-budget", "1000"},
      {"--refine-budget", "without --refine auto"}},
+    {"BudgetBeyondMostVertices",
+     2,
+     {"--out", "x.ply", "--refine", "auto", "--refine-budget", "2000000000", "--feature-size", "0.0005"},
+     {"--refine-budget is 2000000000; it must be between 0 and 50000000"}},
     {"FeatureSizeAndFrequency",
      2,
      {"--out", "x.ply", "--feature-size", "1", "--frequency", "2"},
@@ -187,6 +192,10 @@ const Refusal kUsage[] = {
      2,
      {"--force", "--noise", "example.json", "--write-recipe", "./example.json"},
      {"./example.json is an input, which this output would replace"}},
+    {"InputThroughALink",
+     2,
+     {"--force", "--out", "link.obj"},
+     {"link.obj is an input, which this output would replace"}},
     {"TwoStandardOutputs", 2, {"--out", "-", "--write-recipe", "-"}, {"--out", "--write-recipe"}},
     // The other commands
     {"CurvatureOutput", 2, {"curvature", "in.ply"}, {"--out is missing"}},

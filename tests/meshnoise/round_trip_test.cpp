@@ -55,6 +55,24 @@ TEST(RoundTrip, APlyOfTextStaysOne) {
   EXPECT_NE(result.err.find("the vertices' mass are dropped"), std::string::npos) << result.err;
 }
 
+TEST(RoundTrip, SaysWhatItCannotKeep) {
+  const TemporaryFolder folder;
+  folder.write(
+      "in.ply",
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "property float s\nproperty float t\nelement face 1\nproperty list uchar int vertex_indices\n"
+      "end_header\n0 0 0 0 0\n1 0 0 1 0\n0 1 0 0 1\n3 0 1 2\n");
+  const ToolResult ply = run_in(folder, {"bake", "in.ply", "--noise", "solid", "--out", "a.obj"});
+  EXPECT_NE(ply.err.find("the vertices' s, t are dropped"), std::string::npos) << ply.err;
+  folder.write("in.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\n");
+  const std::vector<std::string> bake{"bake", "in.obj", "--noise", "solid", "--out", "b.obj"};
+  EXPECT_EQ(run_in(folder, bake).err.find("normals"), std::string::npos);
+  std::vector<std::string> displace = bake;
+  displace.insert(displace.end(), {"--displace", "0.1", "--force"});
+  const ToolResult obj = run_in(folder, displace);
+  EXPECT_NE(obj.err.find("normals of its faces' corners stay"), std::string::npos) << obj.err;
+}
+
 TEST(RoundTrip, NumbersThatAreNoneAreRefused) {
   const TemporaryFolder folder;
   const auto refusal = [&](const char* x, const char* heat) {

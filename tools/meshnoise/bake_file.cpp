@@ -32,12 +32,19 @@
 namespace solidnoise {
 namespace {
 
+// To two digits: "3.4 million", "520".
+std::string rounded_count(double count) {
+  if (count >= 1e6) return fmt::format("{:.2g} million", 1e-6 * count);
+  const double unit = std::pow(10.0, std::max(std::floor(std::log10(std::max(count, 1.0))) - 1.0, 0.0));
+  return fmt::format("{:.0f}", unit * std::round(count / unit));
+}
+
 // And what showing all of the noise would cost.
 void warn_of_aliasing(const BakePlan& plan, RefineRecipe::Mode refine) {
   if (plan.mean_cycles_per_edge <= kHighestCyclesPerEdge) return;
   const std::string cost =
       std::isfinite(plan.vertices_to_show)
-          ? fmt::format("takes about {:.2g} million vertices and {:.2g} GB", 1e-6 * plan.vertices_to_show,
+          ? fmt::format("takes about {} vertices and {:.2g} GB", rounded_count(plan.vertices_to_show),
                         1e-9 * bake_memory(plan.vertices_to_show, 2.0 * plan.vertices_to_show))
           : fmt::format("takes more than {:.0f} million vertices", 1e-6 * kMostCounted);
   const bool is_automatic = refine == RefineRecipe::Mode::automatic;
@@ -157,6 +164,15 @@ std::vector<Vec<3>> rest_positions(const PolygonMesh& mesh, const std::string& i
   return positions;
 }
 
+// Of an .obj, whose lines stay but for the vertices'.
+void warn_of_kept_normals(const std::string& in, const std::vector<std::string>& notes) {
+  const auto is_of_normals = [](const std::string& note) { return note.starts_with("normals"); };
+  if (std::ranges::none_of(notes, is_of_normals)) return;
+  std::cerr << fmt::format(
+      "meshnoise: warning: {}: the normals of its faces' corners stay, and are those of the shape before\n",
+      in);
+}
+
 // Gives a mesh the positions that its vertices have at rest; returns it as it was.
 PolygonMesh put_to_rest(PolygonMesh& mesh, const std::string& in, const BakeOptions& options) {
   PolygonMesh deformed = mesh;
@@ -265,6 +281,7 @@ void bake_frame(const BakeFrame& frame) {
   if (keeps) require_files_beside(in, options.out, reading);
   if (!keeps && !options.quiet) print_dropped(in, reading);
   if (!options.quiet) print_dropped_numbers(in, reading.mesh, options.out);
+  if (keeps && !options.quiet && options.recipe.displace != 0.0) warn_of_kept_normals(in, reading.notes);
   warn_of_points(reading.mesh, in, options);
   if (is_first && !options.quiet) {
     const std::string warning = loop_warning(options.recipe.noise.evolution());

@@ -76,8 +76,7 @@ void print_dropped_numbers(const std::string& path, const PolygonMesh& mesh, con
     const auto is_known = [&](const auto& known) {
       return std::ranges::find(known, property.name) != known.end();
     };
-    if (!is_known(kNormalNames) && !is_known(kColorNames) && !is_known(kTextureNames))
-      names.push_back(property.name);
+    if (!is_known(kNormalNames) && !is_known(kColorNames)) names.push_back(property.name);
   }
   if (names.empty()) return;
   std::cerr << fmt::format("meshnoise: {}: the vertices' {} are dropped; a .ply keeps them\n", path,

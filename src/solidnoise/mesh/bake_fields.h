@@ -132,7 +132,7 @@ constexpr auto fields_of(std::type_identity<RefineRecipe>) {
   return list_fields(field("mode", &Recipe::mode, kRefineChoices,
                            "Split edges until the noise shows on the mesh, or so often"),
                      field("rounds", &Recipe::rounds, between(1, 8), "rounds", "Of splitting every edge"),
-                     field("budget", &Recipe::budget,
+                     field("budget", &Recipe::budget, between(0, 50'000'000), "vertices",
                            "Of auto: most vertices; 0 for four times the mesh's, 200 000 at least and 4 "
                            "million at most"),
                      field("method", &Recipe::method, kRefineMethodChoices,

@@ -14,8 +14,7 @@ constexpr auto fields_of(std::type_identity<ExemplarReading>) {
   using Reading = ExemplarReading;
   return list_fields(
       field("pixel_size", &Reading::pixel_size, between(1e-9, 1e9), "world units", "Side of a pixel"),
-      field("raw_values", &Reading::raw_values,
-            "Take values as they are stored; otherwise they become linear light"));
+      field("raw_values", &Reading::raw_values, "Take values as they are stored, and not as linear light"));
 }
 
 constexpr auto fields_of(std::type_identity<SpectrumFitOptions>) {
