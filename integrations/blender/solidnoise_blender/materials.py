@@ -67,6 +67,8 @@ def of_volume(name: str, preset: str, recipe: dict):
         inputs["Temperature Attribute"].default_value = "temperature"
         inputs["Temperature"].default_value = 1.0
         inputs["Blackbody Intensity"].default_value = 5.0
+    elif recipe.get("look") == "smoke":
+        inputs["Color"].default_value = (0.4, 0.39, 0.38, 1)
     elif recipe.get("look") == "nebula":
         density = _attribute(nodes, "density", 0)
         glow = _ramp(nodes, [(0.0, (0.1, 0.2, 0.9)), (0.35, (0.9, 0.15, 0.3)), (1.0, (1.0, 0.75, 0.3))], 0)

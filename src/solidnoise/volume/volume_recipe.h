@@ -95,7 +95,8 @@ struct Domain {
 // What a preview shows a volume as.
 enum class PreviewLook {
   automatic,  // a fire where there is a temperature, a cloud where there is a density, else a solid
-  cloud,      // white, under a sun
+  cloud,      // white, under a sun, before a blue sky
+  smoke,      // grey, before an overcast one
   fire,       // glowing by its temperature and flame, before black
   nebula,     // glowing by its density, before black
   solid,      // a body whose surface has the values' colours

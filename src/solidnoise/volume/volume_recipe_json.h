@@ -19,9 +19,10 @@ inline constexpr Choices<Codec, 3> kCodecChoices{{
     {Codec::none, "none"},
 }};
 
-inline constexpr Choices<PreviewLook, 5> kLookChoices{{
+inline constexpr Choices<PreviewLook, 6> kLookChoices{{
     {PreviewLook::automatic, "auto"},
     {PreviewLook::cloud, "cloud"},
+    {PreviewLook::smoke, "smoke"},
     {PreviewLook::fire, "fire"},
     {PreviewLook::nebula, "nebula"},
     {PreviewLook::solid, "solid"},

@@ -23,11 +23,11 @@ using Sampler = openvdb::tools::BoxSampler;
 // What is to be seen, beside what glows.
 struct Scene {
   MakeMatter make_matter;
-  Vec3d dimming{1.0, 1.0, 1.0};  // of each channel, over the extinction
-  Vec3d albedo{1.0, 1.0, 1.0};   // of what suns light
-  Vec3d ambient{0.0, 0.0, 0.0};  // linear light from all around
-  std::vector<Sun> suns{};       // none: nothing is lit
-  bool has_sky = false;          // behind it; else it is black
+  Vec3d dimming{1.0, 1.0, 1.0};              // of each channel, over the extinction
+  Vec3d albedo{1.0, 1.0, 1.0};               // of what suns light
+  Vec3d ambient{0.0, 0.0, 0.0};              // linear light from all around
+  std::vector<Sun> suns{};                   // none: nothing is lit
+  Vec3d (*behind)(double height) = nullptr;  // as sky(); null: black
 };
 
 double longest_side(const openvdb::FloatGrid& grid) {
@@ -55,7 +55,7 @@ class MatterPainter {
     std::optional<Intersector> intersector = intersector_;  // it has a state
     const MatterAt matter_at = scene_.make_matter();
     const double down = (y + 0.5) / options_.height;
-    const Vec3d background = scene_.has_sky ? sky(1.0 - down) : Vec3d(0.0);
+    const Vec3d background = scene_.behind ? scene_.behind(1.0 - down) : Vec3d(0.0);
     for (int x = 0; x < options_.width; ++x) {
       Vec3d clear(1.0);
       Vec3d light(0.0);
@@ -140,19 +140,20 @@ Vec3d black_body(double kelvin) {
   return colour * (3.0 / (colour[0] + colour[1] + colour[2]) * std::pow(kelvin / 2000.0, 4));
 }
 
-}  // namespace
+// An overcast sky, in linear light.
+Vec3d haze(double height) {
+  return Vec3d(0.68, 0.68, 0.67) + (0.22 * height) * Vec3d(-1.0, -0.95, -0.85);
+}
 
 // A white cloud scatters nearly all it takes away, so its shadows are soft and bright: a sun that mostly
 // lights what it sees, a part of it that seeps in, and the sky above. What comes from all around is added as
 // a constant.
-Image render_preview(const openvdb::FloatGrid& grid, const PreviewOptions& options, Progress* progress) {
+Image render_sunlit(const openvdb::FloatGrid& grid, Scene scene, const PreviewOptions& options,
+                    Progress* progress) {
   require_picture(grid, options);
   const View view = three_quarter_view(options.up);
   const Vec3d to_sun = direction_to_sun(options.up);
   const Vec3d to_sky = (vertical(options.up) + 0.25 * view.back + 0.2 * view.right).unit();
-  Scene scene;
-  scene.has_sky = true;
-  scene.ambient = {0.085, 0.098, 0.117};
   scene.suns = {{to_sun, {0.79, 0.76, 0.69}, 0.8},
                 {to_sun, {0.24, 0.23, 0.22}, 0.15},
                 {to_sky, {0.15, 0.18, 0.22}, 0.24}};
@@ -162,6 +163,23 @@ Image render_preview(const openvdb::FloatGrid& grid, const PreviewOptions& optio
     };
   };
   return paint(MatterPainter(grid, scene, options), options, progress);
+}
+
+}  // namespace
+
+Image render_preview(const openvdb::FloatGrid& grid, const PreviewOptions& options, Progress* progress) {
+  Scene scene;
+  scene.behind = sky;
+  scene.ambient = {0.085, 0.098, 0.117};
+  return render_sunlit(grid, scene, options, progress);
+}
+
+Image render_smoke(const openvdb::FloatGrid& grid, const PreviewOptions& options, Progress* progress) {
+  Scene scene;
+  scene.behind = haze;
+  scene.albedo = {0.28, 0.272, 0.265};
+  scene.ambient = {0.017, 0.017, 0.017};
+  return render_sunlit(grid, scene, options, progress);
 }
 
 Image render_fire(const FireGrids& fire, const PreviewOptions& options, Progress* progress) {

@@ -21,6 +21,10 @@ struct FireGrids {
 // std::invalid_argument as render_preview(); Cancelled.
 Image render_fire(const FireGrids& fire, const PreviewOptions& options, Progress* progress = nullptr);
 
+// A picture of smoke: as render_preview(), of grey matter before an overcast sky.
+Image render_smoke(const openvdb::FloatGrid& density, const PreviewOptions& options,
+                   Progress* progress = nullptr);
+
 // A picture of a density that glows before black: blue where it is thin, over rose to a pale gold where it is
 // dense, each part dimmed by what is before it, blue light most. Otherwise as render_preview().
 Image render_nebula(const openvdb::FloatGrid& density, const PreviewOptions& options,

@@ -84,6 +84,8 @@ Image picture_of(const Volume& volume, const VolumeRecipe& recipe, openvdb::Floa
         return render_fire({density, temperature, grid_named(volume, "flame")}, options, progress);
       }
       break;
+    case PreviewLook::smoke:
+      return render_smoke(*density, options, progress);
     case PreviewLook::nebula:
       return render_nebula(*density, options, progress);
     case PreviewLook::solid:
