@@ -4,7 +4,9 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <iterator>
 #include <numbers>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -220,9 +222,16 @@ Cost evaluation_cost(const VolumeRecipe& recipe, const VolumePlan& plan, int thr
   for (const VolumeRecipe& grid : recipes_of_grids(recipe)) {
     const VolumeRecipe resolved = at_resolution(grid, plan.frame.voxel_size());
     cost.seconds += voxels_of(plan) * channel_count(grid) * seconds_per_voxel(grid);
-    for (const NoiseRecipe& noise : noises_of(resolved)) {
-      const Cost of_noise = noise_cost(resolved, noise, plan, threads);
-      for (int channel = 0; channel < channel_count(grid); ++channel) cost += of_noise;
+    std::vector<std::pair<NoiseRecipe, Cost>> known;  // of noises that differ by their seeds alone
+    for (const NoiseRecipe& each : noises_of(resolved)) {
+      NoiseRecipe noise = each;
+      std::visit([](auto& options) { options.seed = 0; }, noise.noise);
+      auto found = std::ranges::find(known, noise, &std::pair<NoiseRecipe, Cost>::first);
+      if (found == known.end()) {
+        known.emplace_back(noise, noise_cost(resolved, noise, plan, threads));
+        found = std::prev(known.end());
+      }
+      for (int channel = 0; channel < channel_count(grid); ++channel) cost += found->second;
     }
   }
   return cost;
