@@ -282,6 +282,19 @@ TEST(Vdbnoise, DescribesVoxelsFarApartByTheImpulsesAroundThem) {
   EXPECT_LT(seconds("1e6"), 3.0 * seconds("40"));
 }
 
+// Those between which many cells of gradients or points lie share none, and take more time.
+TEST(Vdbnoise, DescribesTheCellsThatVoxelsDoNotShare) {
+  for (const char* noise : {"kensler", "cellular"}) {
+    const auto seconds = [&](const char* frequency) {
+      const ToolResult described =
+          run_vdbnoise({"--describe", "--raw", "--noise", noise, "--frequency", frequency, "--dim", "160"});
+      return parse_json(described.out)["cost"]["seconds_of_one_core"].get<double>();
+    };
+    EXPECT_GT(seconds("1000"), 10.0 * seconds("8")) << noise;
+    EXPECT_EQ(seconds("1000"), seconds("10000")) << noise;
+  }
+}
+
 TEST(Vdbnoise, ShapesStandOnTheUpAxis) {
   const auto box_of = [](const std::vector<std::string>& flags) {
     std::vector<std::string> arguments{"--describe", "--dim", "16"};
