@@ -26,17 +26,17 @@ std::string RunOptions::say_memory_limit() const {
                      max_memory ? "" : ", what is available");
 }
 
-void RunOptions::require_cost(const std::string& what, const Needs& needs, const std::string& advice) const {
+void RunOptions::require_cost(const std::string& what, const Cost& cost, const std::string& advice) const {
   const std::string more = advice.empty() ? "" : "; " + advice;
   const std::uint64_t limit = memory_limit();
-  if (limit != 0 && needs.bytes > static_cast<double>(limit)) {
-    const auto bytes = static_cast<std::uint64_t>(std::min(needs.bytes, 0x1.0p63));
+  if (limit != 0 && cost.bytes > static_cast<double>(limit)) {
+    const auto bytes = static_cast<std::uint64_t>(std::min(cost.bytes, 0x1.0p63));
     throw std::runtime_error(
         fmt::format("{} may need {}, {}{}", what, format_bytes(bytes), say_memory_limit(), more));
   }
-  if (!max_time || needs.seconds <= *max_time) return;
+  if (!max_time || cost.seconds <= *max_time) return;
   throw std::runtime_error(fmt::format("{} may take {:.3g} seconds, --max-time allows {:.3g}{}", what,
-                                       needs.seconds, *max_time, more));
+                                       cost.seconds, *max_time, more));
 }
 
 }  // namespace solidnoise

@@ -10,6 +10,7 @@
 
 #include "common/flag_form.h"
 #include "common/progress.h"
+#include "solidnoise/core/cost.h"
 #include "solidnoise/core/fields.h"
 #include "solidnoise/core/output_file.h"
 
@@ -43,11 +44,7 @@ struct RunOptions {
   // "--max-memory allows 3.0 GiB, what is available".
   std::string say_memory_limit() const;
   // Throws std::runtime_error if something may take more bytes or seconds than are allowed.
-  struct Needs {
-    double bytes = 0.0;
-    double seconds = 0.0;
-  };
-  void require_cost(const std::string& what, const Needs& needs, const std::string& advice = {}) const;
+  void require_cost(const std::string& what, const Cost& cost, const std::string& advice = {}) const;
 };
 
 template <>

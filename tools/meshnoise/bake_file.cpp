@@ -215,8 +215,8 @@ BakePlan plan_within_memory(PolygonMesh mesh, const BakeOptions& options) {
   }
 }
 
-BakeCost cost_of(const BakePlan& plan, const BakeOptions& options) {
-  const BakeCost bake = bake_cost(plan, options.recipe);
+Cost cost_of(const BakePlan& plan, const BakeOptions& options) {
+  const Cost bake = bake_cost(plan, options.recipe);
   return options.preview.empty() ? bake : with_preview(bake, options.view.size);
 }
 
@@ -225,7 +225,7 @@ BakePlan plan_within(PolygonMesh mesh, const BakeOptions& options) {
   BakePlan plan = plan_within_memory(std::move(mesh), options);
   const double seconds =
       cost_of(plan, options).seconds / static_cast<double>(tbb::this_task_arena::max_concurrency());
-  options.require_cost(fmt::format("{} vertices", plan.mesh.positions.size()), {0.0, seconds});
+  options.require_cost(fmt::format("{} vertices", plan.mesh.positions.size()), {seconds, 0.0});
   return plan;
 }
 
@@ -248,7 +248,7 @@ Json describe_frame(const BakeFrame& frame) {
   }
   const BakePlan plan = plan_within(std::move(reading.mesh), options);
   Json json = describe_bake(plan, options.recipe);
-  const BakeCost cost = cost_of(plan, options);
+  const Cost cost = cost_of(plan, options);
   json["cost"] = {{"seconds_of_one_core", cost.seconds}, {"memory_bytes", cost.bytes}};
   if (textures) json["textures"] = describe_textures(*textures, options);
   return json;

@@ -30,9 +30,9 @@ void require_cost(const RunOptions& options, const PolygonMesh& mesh, int pictur
   const auto vertices = static_cast<double>(mesh.positions.size());
   const double bytes =
       bake_memory(vertices, static_cast<double>(mesh.face_count())) + 4.0 * sizeof(double) * vertices;
-  BakeCost cost{4e-6 * vertices, bytes};
+  Cost cost{4e-6 * vertices, bytes};
   if (picture_side > 0) cost = with_preview(cost, picture_side);
-  options.require_cost(fmt::format("{} vertices", mesh.positions.size()), {cost.bytes, cost.seconds});
+  options.require_cost(fmt::format("{} vertices", mesh.positions.size()), cost);
 }
 
 }  // namespace

@@ -66,7 +66,7 @@ class BakeFarm final : public FarmWork {
     return explained(read_.flags, [&] {
       for (std::size_t i = 0; i < frame_count(read_); ++i) check_outputs(read_.flags, frame_of(read_, i));
       const BakeFrame first = frame_of(read_, 0);
-      const BakeCost cost = bake_cost(plan_frame(first), first.options.recipe);
+      const Cost cost = bake_cost(plan_frame(first), first.options.recipe);
       const FarmStep step{"frames", static_cast<int>(frame_count(read_)), cost.seconds / *options.threads,
                           cost.bytes};
       return FarmPlan{farm_, *options.threads, options.force, options.out, format_json(to_json(start_)),

@@ -138,9 +138,9 @@ TextureJob plan_texture_job(const std::string& in, const MeshReading& reading, c
   const int size = options.textures.size;
   options.require_cost(
       fmt::format("{} textures of {} x {} texels", job.plan.tiles.size() * job.maps.size(), size, size),
-      {kImageMemory + bake_memory(vertices, faces) + texture_memory(job.plan, job.maps),
-       texture_seconds(job.plan, recipe, job.maps) /
-           static_cast<double>(tbb::this_task_arena::max_concurrency())},
+      {texture_seconds(job.plan, recipe, job.maps) /
+           static_cast<double>(tbb::this_task_arena::max_concurrency()),
+       kImageMemory + bake_memory(vertices, faces) + texture_memory(job.plan, job.maps)},
       "make --uv-size smaller");
   require_new_files(job, in, options);
   warn(job, in, options);

@@ -96,12 +96,12 @@ Image draw_both(const ExemplarModel& before, const ExemplarFile& after) {
 
 // Editing takes next to nothing beside the files; a pixel of the previews what its noise and its picture do.
 void require_cost(const EditCommand& command, const ExemplarModel& before, const ExemplarModel& after) {
-  if (command.preview.empty()) return command.require_cost("the edit", {kProgramBytes + 12.0 * 0x1p20, 0.1});
+  if (command.preview.empty()) return command.require_cost("the edit", {0.1, kProgramBytes + 12.0 * 0x1p20});
   double pixels = 0.0;
   for (const ExemplarModel* const model : {&before, &after}) {
     pixels += static_cast<double>(model->channels.size()) * kSide * kSide;
   }
-  command.require_cost("the preview", {kPictureProgramBytes + 100.0 * pixels, 3e-6 * pixels});
+  command.require_cost("the preview", {3e-6 * pixels, kPictureProgramBytes + 100.0 * pixels});
 }
 
 void declare_flags(FlagSet& flags, EditCommand& command) {

@@ -59,7 +59,7 @@ void require_fit_cost(const FitOptions& options, const FitSize& size) {
   const double test = 56.0 * size.tested;
   const double sheet = size.drawn > 0.0 ? 6.0 * 0x1p20 + 130.0 * size.drawn : 0.0;
   options.require_cost(fmt::format("{:.0f} samples", size.read),
-                       {size.held + std::max({fit, test, sheet}), 35e-6 * size.fitted + 1.2e-6 * size.read});
+                       {35e-6 * size.fitted + 1.2e-6 * size.read, size.held + std::max({fit, test, sheet})});
 }
 
 template FitSize fit_size(const std::vector<Exemplar<2>>&, const FitOptions&);

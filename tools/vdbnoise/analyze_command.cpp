@@ -58,8 +58,7 @@ void require_cost(const RunOptions& options, const std::string& file, const std:
   for (const GridSummary& grid : read_vdb_summary(file).grids) {
     if (grid.value_type != "float" || (!name.empty() && grid.name != name)) continue;
     const Cost cost = analysis_cost(grid);
-    return options.require_cost(fmt::format("the analysis of {} voxels", grid.active_voxels),
-                                {cost.bytes, cost.seconds});
+    return options.require_cost(fmt::format("the analysis of {} voxels", grid.active_voxels), cost);
   }
 }
 

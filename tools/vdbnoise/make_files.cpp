@@ -80,7 +80,7 @@ Making check_cost(const MakeOptions& options, const VolumeRecipe& recipe, const 
   if (is_nvdb(options)) cost.bytes += nvdb_bytes(recipe, plan);
   const openvdb::Coord voxels = plan.voxels.dim();
   options.require_cost(fmt::format("{} x {} x {} voxels", voxels.x(), voxels.y(), voxels.z()),
-                       {cost.bytes, cost.seconds / threads},
+                       {cost.seconds / threads, cost.bytes},
                        plan.modification ? "" : "make --dim smaller or --voxel larger");
   return making;
 }

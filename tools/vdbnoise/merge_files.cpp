@@ -50,7 +50,7 @@ void merge_files(const std::vector<std::string>& parts, const std::string& out, 
     const bool streams = out != "-" && preview.empty() && may_stream_parts(files);
     const Cost cost = merge_cost(files, streams ? Making::streamed : Making::in_memory,
                                  preview.empty() ? Target::file : Target::picture);
-    options.require_cost("merging", {cost.bytes, cost.seconds});
+    options.require_cost("merging", cost);
     merged = streams ? merge_parts_to_file(files, out, write) : merge_in_memory(files, out, preview, write);
   }
   if (!options.quiet) print_statistics(merged.volume, out);

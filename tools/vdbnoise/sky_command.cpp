@@ -96,7 +96,7 @@ void check_cost(const SkyOptions& options, const SkyPlan& plan) {
   const int threads = max_threads();
   const Cost cost = sky_cost(plan, threads);
   options.require_cost(fmt::format("a sky of {} different clouds", plan.clouds.size()),
-                       {cost.bytes, cost.seconds / threads}, "make --voxel larger, or --kinds fewer");
+                       {cost.seconds / threads, cost.bytes}, "make --voxel larger, or --kinds fewer");
 }
 
 void warn_of_nothing(const std::string& what) {

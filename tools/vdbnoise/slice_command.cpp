@@ -105,7 +105,7 @@ void require_cost(const SliceOptions& options) {
   const bool in_color = has_channels || !options.ramp.empty() || !options.spectrum.empty();
   options.require_cost(
       fmt::format("{} x {} pixels", options.plane.columns, options.plane.rows),
-      {bytes + pixels * (in_color ? kBytesPerColor : kBytesPerSample), seconds + kSecondsPerPixel * pixels});
+      {seconds + kSecondsPerPixel * pixels, bytes + pixels * (in_color ? kBytesPerColor : kBytesPerSample)});
 }
 
 // Beside the recipe's shape, or between its waves.

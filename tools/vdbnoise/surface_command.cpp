@@ -71,7 +71,7 @@ int run_surface(const std::vector<std::string>& arguments) {
       const double voxel = options.voxel ? *options.voxel : voxel_size_for_dim(mesh.bounds(), options.dim);
       const double band = options.band.value_or(3.0 * voxel);
       const Cost cost = level_set_cost(mesh, voxel, band);
-      options.require_cost("the level set", {cost.bytes, cost.seconds}, "make --dim or --band smaller");
+      options.require_cost("the level set", cost, "make --dim or --band smaller");
       return mesh_level_set(mesh, voxel, band, &progress);
     });
     grid->setName(options.grid);

@@ -81,7 +81,7 @@ double impulse_memory(SurfaceNoiseKind kind, double impulses) {
 
 // Measured with each kind of noise: what a program takes, colours and the file, what smooths how the surface
 // bends, and the noise's impulses at a vertex. Noise without impulses takes the time of twenty.
-BakeCost bake_cost(const BakePlan& plan, const BakeRecipe& recipe) {
+Cost bake_cost(const BakePlan& plan, const BakeRecipe& recipe) {
   constexpr double kProgramSeconds = 0.03;
   constexpr double kSecondsPerVertex = 1.3e-6;
   constexpr double kSecondsPerSmoothedVertex = 4e-6;
@@ -116,7 +116,7 @@ BakeCost bake_cost(const BakePlan& plan, const BakeRecipe& recipe) {
 }
 
 // Measured at 256 to 1024 pixels.
-BakeCost with_preview(const BakeCost& bake, int side) {
+Cost with_preview(const Cost& bake, int side) {
   constexpr double kSecondsPerPixel = 7e-6;
   constexpr double kBytesPerPixel = 40.0;
   const double pixels = static_cast<double>(side) * side;

@@ -128,7 +128,7 @@ Json describe_bake(const BakePlan& plan, const BakeRecipe& recipe) {
   if (recipe.noise.kind == SurfaceNoiseKind::surface || recipe.noise.kind == SurfaceNoiseKind::oriented)
     json["noise"]["kernel"] = describe_kernel(recipe.noise, plan.parameters);
   if (!plan.guides.numbers.empty()) json["steering"] = describe_steering(plan.guides.steering);
-  const BakeCost cost = bake_cost(plan, recipe);
+  const Cost cost = bake_cost(plan, recipe);
   json["cost"] = {{"seconds_of_one_core", cost.seconds}, {"memory_bytes", cost.bytes}};
   json["recipe"] = to_json(recipe);
   return json;

@@ -72,7 +72,7 @@ class FilterLevels {
   std::vector<double> deviations_;
 };
 
-// Bytes that baking a tile takes at most, beside the mesh, and seconds of one core for all tiles (BakeCost).
+// Bytes that baking a tile takes at most, beside the mesh, and seconds of one core for all tiles (Cost).
 double texture_memory(const TexturePlan& plan, const std::vector<TextureMap>& maps);
 double texture_seconds(const TexturePlan& plan, const BakeRecipe& recipe,
                        const std::vector<TextureMap>& maps);

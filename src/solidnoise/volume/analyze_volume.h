@@ -9,8 +9,8 @@
 
 #include "solidnoise/analysis/dense_field.h"
 #include "solidnoise/analysis/radial_spectrum.h"
+#include "solidnoise/core/cost.h"
 #include "solidnoise/core/progress.h"
-#include "solidnoise/noise/interpolation/noise_cost.h"
 #include "solidnoise/noise/noise.h"
 #include "solidnoise/recipe/json.h"
 #include "solidnoise/volume/vdb/openvdb.h"

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "solidnoise/core/cost.h"
 #include "solidnoise/noise/interpolation/interpolation_plan.h"
 #include "solidnoise/noise/interpolation/lattice_frame.h"
 #include "solidnoise/noise/interpolation/point_plan.h"
@@ -9,22 +10,10 @@
 
 namespace solidnoise {
 
-// What work takes beside its results.
-struct Cost {
-  double seconds = 0.0;  // of one core of 2023 (3 GHz, AVX-512), without other work beside it
-  double bytes = 0.0;    // for each thread, unless it is said otherwise
-
-  Cost& operator+=(const Cost& other) {
-    seconds += other.seconds;
-    bytes += other.bytes;
-    return *this;
-  }
-};
-
-// What it takes to evaluate a noise at so many samples of a lattice, in blocks of `side` along an axis, as
-// InterpolationPlanner plans it: impulses that reach a sample, and the impulses of a block, which lie in it
-// and within a radius of it, but for the bytes of samples that others are interpolated from. Without impulses
-// (gradient noise) a sample takes the same time everywhere.
+// What a thread takes to evaluate a noise at so many samples of a lattice, in blocks of `side` along an axis,
+// as InterpolationPlanner plans it: impulses that reach a sample, and the impulses of a block, which lie in
+// it and within a radius of it, but for the bytes of samples that others are interpolated from. Without
+// impulses (gradient noise) a sample takes the same time everywhere.
 struct LatticeWork {
   double samples = 0.0;
   double side = 64.0;  // samples

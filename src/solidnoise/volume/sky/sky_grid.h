@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "solidnoise/core/cost.h"
 #include "solidnoise/core/progress.h"
-#include "solidnoise/noise/interpolation/noise_cost.h"
 #include "solidnoise/volume/make_volume.h"
 #include "solidnoise/volume/sky/sky_plan.h"
 #include "solidnoise/volume/topology/grid_frame.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "solidnoise/noise/interpolation/noise_cost.h"
+#include "solidnoise/core/cost.h"
 #include "solidnoise/volume/sky/sky_recipe.h"
 #include "solidnoise/volume/volume.h"
 

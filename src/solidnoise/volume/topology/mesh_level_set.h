@@ -1,7 +1,7 @@
 #pragma once
 
+#include "solidnoise/core/cost.h"
 #include "solidnoise/core/progress.h"
-#include "solidnoise/noise/interpolation/noise_cost.h"
 #include "solidnoise/volume/topology/topology.h"
 #include "solidnoise/volume/topology/triangle_mesh.h"
 #include "solidnoise/volume/vdb/openvdb.h"
