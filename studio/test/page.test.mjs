@@ -496,8 +496,10 @@ test("without WebGL slices work, and volumes say why they do not", async () => {
 test("the recipe has its place beside the picture on a tablet", async () => {
   const page = await open("", { viewport: { width: 1024, height: 768 } });
   await page.click('text="Recipe"');
-  const [picture, panel] = [await page.locator(".slice canvas").first().boundingBox(), await page.locator(".recipe").boundingBox()];
-  assert.ok(picture.x + picture.width <= panel.x, `${picture.x + picture.width} over ${panel.x}`);
+  await page.waitForFunction(() => {
+    const [picture, panel] = [".slice canvas", ".recipe"].map((own) => document.querySelector(own)?.getBoundingClientRect());
+    return picture?.width > 0 && panel?.width > 0 && picture.right <= panel.left;
+  }, null, kPatience);
   await wellOf(page);
 });
 

@@ -61,6 +61,7 @@ test("each tab has its own work after a reload", async () => {
   await page.waitForSelector(".app");
   assert.equal((await recipeOf(page)).noise.type, "kensler");
   await page.click("text=Surface");
+  await page.waitForSelector("figure.surface");
   assert.equal(await page.inputValue('[aria-label="Mesh"]'), "torus.obj");
   await wellOf(page);
 });
@@ -75,6 +76,7 @@ test("a link changes what it says, and nothing else", async () => {
   await sharp(page);
   assert.equal((await recipeOf(page)).noise.frequency, 6.5);
   await page.click("text=Surface");
+  await page.waitForSelector("figure.surface");
   assert.equal((await recipeOf(page)).frequency, 3.5);
   assert.equal(await page.inputValue('[aria-label="Mesh"]'), "torus.obj");
   await wellOf(page);
@@ -171,13 +173,13 @@ test("what is typed and cannot be is left by a button, and is not another noise'
   await page.fill("textarea", text.slice(0, 40));
   await page.waitForSelector(".recipe .problem");
   await page.click("text=Back to what is shown");
-  assert.equal(await page.inputValue("textarea"), text);
+  await page.waitForFunction((whole) => document.querySelector("textarea").value === whole, text, kPatience);
   const input = page.locator('[data-path="noise.frequency"] input.number');
   const was = await input.inputValue();
   for (const typed of ["1,000", "0x10"]) {
     await input.fill(typed);
     await input.press("Tab");
-    assert.equal(await input.inputValue(), was);
+    await page.waitForFunction((own) => document.querySelector('[data-path="noise.frequency"] input.number').value === own, was, kPatience);
   }
   await wellOf(page);
 });
