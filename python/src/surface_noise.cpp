@@ -97,7 +97,8 @@ bandwidth : float or array (n,), 0.1 to 4, octaves
 magnitude : float or array (n,), at least 0
     The standard deviation of values.
 directions : array (n, 3)
-    Of oriented noise: along which its waves travel, of either sign.
+    Of oriented noise: along which its waves travel, of either sign; shorter than 1 where waves are to
+    be longer, down to 0 where there is no direction.
 recipe, keys
     Of the noise:
 

@@ -62,23 +62,42 @@ TEST(KernelFamily, StaysWithinThreeTimesTheErrorAtAllBandwidths) {
   }
 }
 
+// The integral of its square that a member of the family has.
+double energy_of(const KernelFamily& family, int n, const KernelFamily::Member& member) {
+  const CompactKernel kernel = family.compact(member);
+  return over_ball(n, [&](double r) {
+    const double wave = family.waves() == GaborWaves::isotropic
+                            ? 1.0
+                            : 0.5 + 0.5 * mean_cosine(n, 4.0 * kPi * member.cycles * r);
+    return std::pow(kernel.value(r), 2) * wave;
+  });
+}
+
 TEST(KernelFamily, EnergyIsThatOfTheInterpolatedKernel) {
   for (int n = 2; n <= 4; ++n) {
     for (const GaborWaves waves : {GaborWaves::isotropic, GaborWaves::oriented}) {
       const KernelFamily family(n, waves, 1.0, 0.02);
       for (double bandwidth = 0.1; bandwidth <= 4.0; bandwidth *= 1.137) {
         const KernelFamily::Member member = family.at(bandwidth);
-        const CompactKernel kernel = family.compact(member);
-        const double expected = over_ball(n, [&](double r) {
-          const double wave = waves == GaborWaves::isotropic
-                                  ? 1.0
-                                  : 0.5 + 0.5 * mean_cosine(n, 4.0 * kPi * member.cycles * r);
-          return std::pow(kernel.value(r), 2) * wave;
-        });
         // Isotropic: both are exact. Oriented: the third difference of a smooth function over steps of 1/16
         // octave.
         const double tolerance = waves == GaborWaves::isotropic ? 1e-12 : 1e-5;
-        EXPECT_NEAR(member.energy / expected, 1.0, tolerance) << n << "D, " << bandwidth << " octaves";
+        EXPECT_NEAR(member.energy / energy_of(family, n, member), 1.0, tolerance)
+            << n << "D, " << bandwidth << " octaves";
+      }
+    }
+  }
+}
+
+TEST(KernelFamily, EnergyIsThatOfLongerWavesToo) {
+  for (int n = 2; n <= 4; ++n) {
+    const KernelFamily family(n, GaborWaves::oriented, 1.0, 0.02);
+    for (const double bandwidth : {0.3, 1.0, 2.2}) {
+      for (double coherence = 0.0; coherence <= 1.0; coherence += 0.03125) {
+        const KernelFamily::Member member = family.at(bandwidth, coherence);
+        EXPECT_DOUBLE_EQ(member.cycles, coherence * family.cycles(bandwidth));
+        EXPECT_NEAR(member.energy / energy_of(family, n, member), 1.0, 2e-5)
+            << n << "D, " << bandwidth << " octaves, coherence " << coherence;
       }
     }
   }

@@ -1,6 +1,7 @@
 // Moments and spectra of Gabor noise on surfaces, against the closed forms.
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -125,6 +126,26 @@ TEST(SurfaceGaborStatistics, VarianceIsOneUnderVaryingParameters) {
   }
 }
 
+// Of all coherences down to none.
+TEST(SurfaceGaborStatistics, VarianceIsOneWhereDirectionsAreUnsure) {
+  for (const bool varies : {false, true}) {
+    const SurfaceGaborNoise noise = make(GaborWaves::oriented);
+    constexpr std::size_t kCount = 30000;
+    auto points = independent_pairs(kCount, 8.0, 0.0, 0.0);
+    for (std::size_t i = 0; i < kCount; ++i) {
+      const float t = static_cast<float>(i) / kCount;
+      for (auto& component : points.direction) component[i] *= t;
+      if (varies) points.frequency.push_back(std::exp2(2.0f * std::sin(90.0f * t)));
+    }
+    const std::vector<float> values = evaluate(noise, points);
+    for (std::size_t part = 0; part < 8; ++part) {
+      const std::vector<float> some(values.begin() + static_cast<std::ptrdiff_t>(part * kCount / 8),
+                                    values.begin() + static_cast<std::ptrdiff_t>((part + 1) * kCount / 8));
+      expect_within_4_sigma(estimate_mean(some, [](double x) { return x * x; }), 1.0);
+    }
+  }
+}
+
 TEST(SurfaceGaborStatistics, BandIsThatOfTwoDimensionalGaborNoise) {
   const SurfaceGaborNoise noise({.frequency = 3.0, .bandwidth = 1.2});
   const GaborNoise<2> plane({.frequency = 3.0, .bandwidth = 1.2});
@@ -152,10 +173,11 @@ TEST(SurfaceGaborStatistics, CovarianceOnPlanesIsThatOfTwoDimensionalGaborNoise)
   }
 }
 
+// Where the direction is unsure, of a length below 1, waves are longer in the same envelope.
 TEST(SurfaceGaborStatistics, OrientedCovarianceFollowsTheDirection) {
   const SurfaceGaborNoise noise = make(GaborWaves::oriented, 0.5, 2.0);
   const double a = gaussian_parameter(1.0, 2.0);
-  for (const double lag : {0.3, 0.5}) {
+  for (const auto& [lag, length] : {std::pair{0.3, 1.0}, {0.5, 1.0}, {0.3, 0.6}, {0.5, 0.25}}) {
     for (const double turn : {0.0, kPi / 3.0, kPi / 2.0}) {
       // Midpoint rule over the plane of frequencies; the spectrum is smooth and small beyond 6.
       double expected = 0.0;
@@ -163,10 +185,13 @@ TEST(SurfaceGaborStatistics, OrientedCovarianceFollowsTheDirection) {
       for (double x = -6.0 + kStep / 2; x < 6.0; x += kStep) {
         for (double y = -6.0 + kStep / 2; y < 6.0; y += kStep) {
           const double phase = 2.0 * kPi * lag * (x * std::cos(turn) + y * std::sin(turn));
-          expected += reference::oriented_spectrum(1.0, a, {x, y}) * std::cos(phase) * kStep * kStep;
+          expected += reference::oriented_spectrum(length, a, {x, y}) * std::cos(phase) * kStep * kStep;
         }
       }
-      const auto points = independent_pairs(20000, 2.3 * noise.radius() + lag, lag, turn);
+      auto points = independent_pairs(20000, 2.3 * noise.radius() + lag, lag, turn);
+      for (auto& component : points.direction) {
+        for (float& value : component) value *= static_cast<float>(length);
+      }
       expect_within_4_sigma(covariance_of_pairs(evaluate(noise, points)), expected);
     }
   }

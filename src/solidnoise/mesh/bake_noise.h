@@ -80,15 +80,17 @@ struct VertexNumber {
 
 // Where a noise is to be evaluated, and its parameters there.
 struct BakeVertices {
-  std::span<const Vec<3>> positions;   // rest positions, world units, finite
-  std::span<const Vec<3>> normals;     // smooth; any length but 0
-  VertexNumber frequency{8.0, {}};     // principal frequency, cycles per world unit; > 0
-  VertexNumber bandwidth{1.0, {}};     // octaves; 0.1 to 4
-  VertexNumber magnitude{1.0, {}};     // standard deviation of the value; >= 0
-  std::span<const Vec<3>> directions;  // where has_direction(); tangential or not, either sign
-  VertexNumber bias{0.0, {}};          // added to the value
-  std::span<const float> weights{};    // of layers of which one is the place `weight`: what steers, 0 to 1
-  std::optional<Box<3>> bounds{};      // that places of layers are in; none: that of the positions
+  std::span<const Vec<3>> positions;  // rest positions, world units, finite
+  std::span<const Vec<3>> normals;    // smooth; any length but 0
+  VertexNumber frequency{8.0, {}};    // principal frequency, cycles per world unit; > 0
+  VertexNumber bandwidth{1.0, {}};    // octaves; 0.1 to 4
+  VertexNumber magnitude{1.0, {}};    // standard deviation of the value; >= 0
+  // Where has_direction(); tangential or not, either sign. Waves of `oriented` are longer where they are
+  // shorter than 1 (SurfaceGaborNoise).
+  std::span<const Vec<3>> directions;
+  VertexNumber bias{0.0, {}};        // added to the value
+  std::span<const float> weights{};  // of layers of which one is the place `weight`: what steers, 0 to 1
+  std::optional<Box<3>> bounds{};    // that places of layers are in; none: that of the positions
   // What a vertex stands for: a Gaussian of this standard deviation, world units, that noises are convolved
   // with in closed form, those that may_filter(), before layers fold and combine them; 0: a point.
   double filter = 0.0;

@@ -18,6 +18,7 @@
 #include "solidnoise/mesh/bake_cost.h"
 #include "solidnoise/mesh/bake_values.h"
 #include "solidnoise/mesh/surface_field.h"
+#include "solidnoise/mesh/tangent_frames.h"
 #include "solidnoise/mesh/texture_padding.h"
 
 namespace solidnoise {
@@ -57,16 +58,10 @@ Vec<3> mixed(const std::vector<Vec<3>>& of_vertices, const TextureTriangle& tria
   return sum;
 }
 
-// A line between lines: of either sign.
 Vec<3> mixed_lines(const std::vector<Vec<3>>& lines, const TextureTriangle& triangle, const Vec<3>& weights) {
-  const auto line = [&](int i) { return lines[triangle.vertices[static_cast<std::size_t>(i)]]; };
-  int heaviest = 0;
-  for (int i = 1; i < 3; ++i) heaviest = weights[i] > weights[heaviest] ? i : heaviest;
-  Vec<3> sum(0.0);
-  for (int i = 0; i < 3; ++i) {
-    sum += (glm::dot(line(i), line(heaviest)) < 0.0 ? -weights[i] : weights[i]) * line(i);
-  }
-  return sum;
+  LineMean mean;
+  for (int i = 0; i < 3; ++i) mean.add(lines[triangle.vertices[static_cast<std::size_t>(i)]], weights[i]);
+  return mean.line();
 }
 
 double deviation_at(const TexturePlan& plan, const TextureTriangle& triangle, const Vec<3>& inner) {

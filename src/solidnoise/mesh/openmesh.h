@@ -56,8 +56,8 @@ struct MeshNoiseParameters {
   MeshNumber frequency = 8.0;  // cycles per world unit; > 0
   MeshNumber bandwidth = 1.0;  // octaves; 0.1 to 4
   MeshNumber magnitude = 1.0;  // standard deviation; >= 0
-  std::string direction =
-      {};  // where has_direction(): a vertex property of Vec3f or Vec3d, such as k1_direction
+  // Where has_direction(): a vertex property of Vec3f or Vec3d, such as k1_direction. See BakeVertices.
+  std::string direction = {};
 };
 
 // Evaluates a noise at all vertices (bake_noise) and sets the property `noise` (float). Throws

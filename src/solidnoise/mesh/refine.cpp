@@ -20,6 +20,7 @@
 #include "solidnoise/geometry/scalar_type.h"
 #include "solidnoise/mesh/cut_triangle.h"
 #include "solidnoise/mesh/surface_mesh.h"
+#include "solidnoise/mesh/tangent_frames.h"
 
 namespace solidnoise {
 namespace {
@@ -258,12 +259,9 @@ void RefinedMesh::carry_properties() {
 std::vector<Vec<3>> RefinedMesh::carry_lines(std::vector<Vec<3>> directions) const {
   directions.reserve(directions.size() + parents.size());
   for (const Parents& of_vertex : parents) {
-    // The one of the two signs makes an angle of at most a right one, and the sum no shorter.
-    Vec<3> sum = directions[of_vertex.vertices().front()];
-    for (const std::uint32_t vertex : of_vertex.vertices().subspan(1)) {
-      sum += (glm::dot(sum, directions[vertex]) < 0.0 ? -1.0 : 1.0) * directions[vertex];
-    }
-    directions.push_back(glm::normalize(sum));
+    LineMean mean;
+    for (const std::uint32_t vertex : of_vertex.vertices()) mean.add(directions[vertex], 1.0);
+    directions.push_back(mean.line());
   }
   return directions;
 }

@@ -63,7 +63,7 @@ struct RefinedMesh {
   // on the mesh as it was, such as curvature, is better carried over than measured again: edges stay where
   // they were, and cutting them up makes them sharper.
   std::vector<float> carry(std::vector<float> numbers) const;
-  // Carries lines, of either sign and length 1: new ones are between those of the parents.
+  // Carries lines, of either sign: new ones are between those of the parents (LineMean).
   std::vector<Vec<3>> carry_lines(std::vector<Vec<3>> directions) const;
   // Carries the mesh's properties: nx ny nz at length 1, integers rounded.
   void carry_properties();

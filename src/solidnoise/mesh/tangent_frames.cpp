@@ -25,4 +25,15 @@ std::complex<double> direction_of_line(std::complex<double> line) {
   return std::polar(1.0, 0.5 * std::arg(line));
 }
 
+void LineMean::add(const Vec<3>& line, double weight) {
+  sum_ += (glm::dot(sum_, line) < 0.0 ? -weight : weight) * line;
+  length_ += weight * glm::length(line);
+  weight_ += weight;
+}
+
+Vec<3> LineMean::line() const {
+  const double length = glm::length(sum_);
+  return length > 0.0 ? length_ / (weight_ * length) * sum_ : sum_;
+}
+
 }  // namespace solidnoise

@@ -61,6 +61,19 @@ inline std::complex<double> line_at(std::complex<double> tangent) {
 // One of the two directions; the first axis for 0.
 std::complex<double> direction_of_line(std::complex<double> line);
 
+// The mean of lines that vectors of either sign give in space: each is turned to the side of the sum of those
+// before it, which then is no shorter. Its length is the mean of theirs.
+class LineMean {
+ public:
+  void add(const Vec<3>& line, double weight);
+  Vec<3> line() const;  // 0 of none
+
+ private:
+  Vec<3> sum_{0.0};
+  double length_ = 0.0;
+  double weight_ = 0.0;
+};
+
 // How a surface bends at a point: the derivative of its unit normal along the surface, a symmetric tensor.
 // Its eigenvalues are the principal curvatures, positive where the surface bends away from its normal, as a
 // sphere does from the outside. In a tangent frame it is

@@ -41,7 +41,8 @@ std::vector<Vec<3>> curvature_directions(const SurfaceMesh& surface, const Curva
 struct VertexGuides {
   std::vector<Vec<3>> normals;         // of the surface, unit length
   std::vector<Vec<3>> smooth_normals;  // unit length; empty if they are the surface's
-  std::vector<Vec<3>> directions;      // unit length or 0; of oriented noise only
+  std::vector<Vec<3>> directions;      // of noise that has one; of oriented noise shorter than 1 where
+                                       // lines within a feature do not agree, 0 where they turn around
   std::vector<double> numbers;         // what ranges follow; empty if no parameter is a range
   SteeringWeights steering;            // of the numbers
 

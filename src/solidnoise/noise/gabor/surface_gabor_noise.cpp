@@ -1,5 +1,6 @@
 #include "solidnoise/noise/gabor/surface_gabor_noise.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -32,6 +33,12 @@ namespace {
 SurfaceGaborOptions validated(const SurfaceGaborOptions& options) {
   options.validate();
   return options;
+}
+
+// A length of 1, as far as single precision tells, is 1. Waves are at most a thousand times longer.
+double coherence_of(const Vec<3>& direction) {
+  const double length = glm::length(direction);
+  return length > 0.9999 ? 1.0 : std::max(length, 1e-3);
 }
 
 StrataChoice surface_choice(const SurfaceGaborOptions& options, double half_thickness) {
@@ -98,30 +105,37 @@ void SurfaceGaborNoise::evaluate(const SurfacePoints& points, const VaryingParam
   const bool varies = parameters.radius_varies();
   const PointConvolution<3>& convolution = varies ? *varying_ : *stationary_;
   const double thickness = layer_window_moment(2) * options_.layer * family_->nominal_share();  // in radii
+  const bool oriented = options_.waves == GaborWaves::oriented;
+  const Vec<3> constant_direction = glm::normalize(options_.direction);
   const auto prepare = [&](std::span<const std::size_t> batch, std::span<KernelPoint<3>> kernels) {
     PickedParameters<3> picked(parameters, batch);
     const auto normals = pick(points.normal, batch);
     for (std::size_t i = 0; i < batch.size(); ++i) {
       KernelPoint<3>& point = kernels[i];
       const double frequency = picked.frequency(i, options_.frequency);
-      point.kernel = picked.varies_bandwidth() ? family_->at(picked.bandwidth(i, 0.0)) : kernel_;
-      point.radius = point.kernel.cycles / frequency;
+      const double bandwidth = picked.bandwidth(i, options_.bandwidth);
+      const Vec<3> direction = picked.direction(i, constant_direction);
+      const double coherence = oriented ? coherence_of(direction) : 1.0;
+      point.kernel =
+          picked.varies_bandwidth() || coherence < 1.0 ? family_->at(bandwidth, coherence) : kernel_;
+      point.radius = family_->cycles(bandwidth) / frequency;
       point.scale = scale_in_radii_ * point.radius;
       const double extent = varies ? point.radius / point.scale : point.radius;
       const double power = convolution.power() * thickness * std::pow(extent, 3);
       point.amplitude = picked.magnitude(i, 1.0) / std::sqrt(power * point.kernel.energy);
       const Vec<3> normal = glm::normalize(Vec<3>(normals[0][i], normals[1][i], normals[2][i]));
       for (int axis = 0; axis < 3; ++axis) point.normal[static_cast<std::size_t>(axis)] = normal[axis];
-      if (options_.waves == GaborWaves::oriented) {
-        const Vec<3> tangent = unit_tangent(picked.direction(i, options_.direction), normal);
+      if (oriented) {
+        const Vec<3> tangent = unit_tangent(direction, normal);
         for (int axis = 0; axis < 3; ++axis) {
-          point.wave[static_cast<std::size_t>(axis)] = frequency * tangent[axis];
+          point.wave[static_cast<std::size_t>(axis)] = coherence * frequency * tangent[axis];
         }
       }
       if (!filtered_) continue;
-      const double bandwidth = picked.bandwidth(i, options_.bandwidth);
-      filter_kernel(point, varies ? family_->filtered(frequency, bandwidth, options_.filter) : *filtered_,
-                    frequency);
+      const bool own = varies || coherence < 1.0;
+      filter_kernel(point,
+                    own ? family_->filtered(frequency, bandwidth, options_.filter, coherence) : *filtered_,
+                    coherence * frequency);
     }
   };
   convolution.evaluate(points.positions, prepare, samples);

@@ -58,6 +58,11 @@ struct SurfaceGaborOptions {
 // (options.layer times radius()) below 0.3 radii of curvature. A sheet thinner than H has related patterns on
 // both sides.
 //
+// Directions of a point may be shorter than 1: the waves of an oriented kernel then are longer by as much, in
+// the same envelope, until at 0 the envelope is left, which has no direction. A field of directions that
+// turn around a point so has one value there, and a gradient like the noise's own around it. Our own; of a
+// direction of the options the length says nothing.
+//
 // With options().filter it is that noise convolved with a Gaussian along the plane, as GaborNoise is in
 // space: the same impulses with the filtered kernel of each point.
 //

@@ -107,7 +107,9 @@ KernelFamily::KernelFamily(int dimensions, GaborWaves waves, double bandwidth, d
   nominal_share_ = nominal_radius(dimensions, waves, a) * a / radius_times_a_;
   reference_cycles_ = radius_times_a_ / a;
   const auto steps_to = [&](double octaves) { return (cycles(octaves) - reference_cycles_) / kStep; };
-  first_ = static_cast<int>(std::floor(steps_to(kMostBandwidth)));
+  // Those of any wavelength have the envelope of an oriented kernel.
+  first_ = static_cast<int>(
+      std::floor(waves == GaborWaves::oriented ? -reference_cycles_ / kStep : steps_to(kMostBandwidth)));
   const int last = static_cast<int>(std::ceil(steps_to(kLeastBandwidth))) + 1;
   nodes_.resize(static_cast<std::size_t>(last - first_ + 1));
 }
@@ -154,13 +156,13 @@ const KernelFamily::Node& KernelFamily::interval(int step) const {
   return node;
 }
 
-KernelFamily::Member KernelFamily::at(double bandwidth) const {
-  if (bandwidth == bandwidth_) {
+KernelFamily::Member KernelFamily::at(double bandwidth, double coherence) const {
+  if (bandwidth == bandwidth_ && coherence == 1.0) {
     const Tabulated& reference = tabulated(0);
     return {&reference, &reference, 0.0, reference.cycles, interval(0).energy[0]};
   }
   Member member;
-  member.cycles = cycles(bandwidth);
+  member.cycles = coherence * cycles(bandwidth);
   const double position = (member.cycles - reference_cycles_) / kStep;
   const int last = first_ + static_cast<int>(nodes_.size()) - 2;
   const int step = std::clamp(static_cast<int>(std::floor(position)), first_, last);
@@ -180,12 +182,14 @@ KernelFamily::Member KernelFamily::at(double bandwidth) const {
 //   peak^2 a'^-n (1 + exp(-2 pi F'^2 / a'^2))  of one wave,  peak^2 a'^-n C(pi F'^2 / a'^2)  of all
 //   directions,
 // times what is the same before and after.
-KernelFamily::Filtered KernelFamily::filtered(double frequency, double bandwidth, double deviation) const {
+KernelFamily::Filtered KernelFamily::filtered(double frequency, double bandwidth, double deviation,
+                                              double coherence) const {
   const double a = gaussian_parameter(frequency, bandwidth);
+  frequency *= coherence;
   const double b = filter_bandwidth(deviation);
   const double sum = a * a + b * b;
   const double after = a * b / std::sqrt(sum);
-  Filtered result{at(bandwidth), frequency * b * b / sum, a / after, 0.0, 0.0};
+  Filtered result{at(bandwidth, coherence), frequency * b * b / sum, a / after, 0.0, 0.0};
   const double peak = std::pow(after / a, dimensions_) * std::exp(-kPi * frequency * frequency / sum);
   const auto waves = [&](double f, double width) {
     const double x = kPi * (f / width) * (f / width);
@@ -197,7 +201,7 @@ KernelFamily::Filtered KernelFamily::filtered(double frequency, double bandwidth
   constexpr double kWidest = 4.0;  // of impulses around a tile of points no more are looked at
   const FilteredShare share{std::sqrt(result.variance), result.widening};
   if (share.nothing(0.1 * error_) || result.widening > kWidest) {
-    return {at(bandwidth), frequency, 1.0, 0.0, 0.0};
+    return {at(bandwidth, coherence), frequency, 1.0, 0.0, 0.0};
   }
   result.peak = peak;
   result.kernel = at(std::min(bandwidth_in_octaves(result.frequency, after), kMostBandwidth));

@@ -24,7 +24,7 @@ enum class GaborWaves { isotropic, oriented };
 // A kernel between tabulated ones (at equal steps of `cycles`) is interpolated linearly between the two
 // neighbours, coefficient by coefficient. Its energy is that of the interpolated kernel, so that a noise
 // normalised by it has exactly the variance that it should (isotropic: the energy is a quadratic polynomial
-// between two bandwidths, and known exactly; oriented: to 1e-5). All kernels have the same product of radius
+// between two bandwidths, and known exactly; oriented: to 2e-5). All kernels have the same product of radius
 // and Gaussian parameter a, that of the cheapest compact kernel of the reference bandwidth, at which the
 // family is exactly that kernel.
 //
@@ -66,8 +66,11 @@ class KernelFamily {
     bool power() const { return lower->power && upper->power; }
     int degree() const;
   };
-  // Precondition: bandwidth from kLeastBandwidth to kMostBandwidth.
-  Member at(double bandwidth) const;
+  // Precondition: bandwidth from kLeastBandwidth to kMostBandwidth. Of an oriented kernel, `coherence`, 0 to
+  // 1, is by how much its wave is longer, in the same envelope: at 0 the envelope is left.
+  Member at(double bandwidth, double coherence = 1.0) const;
+  // Periods of the wave in the radius, at a coherence of 1.
+  double cycles(double bandwidth) const;
 
   // What a filter (gaussian_filter.h) of a standard deviation in world units, > 0, makes of a kernel: one of
   // `widening` times its radius, `frequency` in the place of its own, and `peak` times as high; a peak of 0
@@ -80,7 +83,7 @@ class KernelFamily {
     double peak = 1.0;
     double variance = 1.0;  // of the noise, that of the unfiltered noise being 1
   };
-  Filtered filtered(double frequency, double bandwidth, double deviation) const;
+  Filtered filtered(double frequency, double bandwidth, double deviation, double coherence = 1.0) const;
 
   // For an oriented kernel, its envelope.
   CompactKernel compact(const Member& member) const;
@@ -99,7 +102,6 @@ class KernelFamily {
   const Tabulated& tabulated(int step) const;
   const Node& interval(int step) const;
   std::unique_ptr<const Tabulated> make(int step) const;
-  double cycles(double bandwidth) const;
 
   int dimensions_;
   GaborWaves waves_;

@@ -35,9 +35,9 @@ struct VaryingParameters {
   std::span<const float> frequency;  // principal frequency F0, cycles per world unit; of kFrequencies
   std::span<const float> bandwidth;  // octaves; 0.1 to 4
   std::span<const float> magnitude;  // standard deviation of the value; 0 to kMostMagnitude
-  // Along which the waves of an oriented kernel travel; any length, and either sign: a direction and its
-  // opposite give the same value. Where it is 0 (or, on a surface, along the normal) an arbitrary direction
-  // is taken. All empty, or none.
+  // Along which the waves of an oriented kernel travel; either sign: a direction and its opposite give the
+  // same value. Where it is 0 (or, on a surface, along the normal) an arbitrary direction is taken. In a
+  // volume of any length; on a surface one shorter than 1 is unsure (SurfaceGaborNoise). All empty, or none.
   std::array<std::span<const float>, Dim> direction;
 
   // Throws std::invalid_argument naming the first point whose parameter is not allowed, its value and what is
