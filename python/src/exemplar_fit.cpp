@@ -65,8 +65,10 @@ ExemplarModel fit(const py::object& object, const FitKind& kind, const Call& cal
   read_fields(reader, options.spectrum);
   read_fields(reader, options);
   reader.finish();
-  const bool chooses_values = !json.contains("raw_values");
-  if (chooses_values) reading.raw_values = true;
+  const bool chooses_values = !json.contains("raw_values") && !options.squares;
+  if (options.squares && json.contains("raw_values") && !reading.raw_values)
+    throw std::invalid_argument("squares is given, and raw_values is false: squares are of stored values");
+  reading.raw_values = reading.raw_values || options.squares || chooses_values;
   options.validate();
   require_fields(reading);
 
@@ -78,12 +80,16 @@ ExemplarModel fit(const py::object& object, const FitKind& kind, const Call& cal
       exemplars.push_back(picture.read(reading, &told));
       linear.push_back(picture.has_linear_light());
     }
-    options.raw_values = chooses_values ? choose_values(exemplars, linear).raw_values : reading.raw_values;
+    options.raw_values = reading.raw_values;
+    if (chooses_values) {
+      const ValueChoice choice = choose_values(exemplars, linear);
+      options.raw_values = choice.raw_values;
+      options.squares = choice.squares;
+    }
     if (kind.grey) std::ranges::for_each(exemplars, make_grey);
     agree_on_channels(exemplars);
     if (kind.solid) {
-      model = fit_solid_exemplar(exemplars, options.axes, options.spectrum.kappa, options.patch, &told).model;
-      model.raw_values = options.raw_values;
+      model = fit_solid_exemplar(exemplars, options, &told).model;
     } else {
       model = fit_exemplar<2>(exemplars, options, &told).model;
     }
@@ -114,8 +120,9 @@ void add_exemplar(py::module_& module) {
 
 pictures : array (rows, columns) or (rows, columns, channels), path, or a list of these, which are averaged
     Arrays of uint8 and uint16 are scaled to 0 to 1, floats are as they are: sRGB-encoded, unless raw_values.
-    Without raw_values the values are taken as they are stored or become linear light, whichever noise suits
-    better: that of which less is clipped, and which is less lopsided. The model's recipe says which.
+    Without raw_values and squares the values are taken as they are stored, become linear light, or are
+    learnt as square roots whose noise is squared, whichever noise suits better: that of which less is
+    clipped, and which is less lopsided. The model's recipe says which.
 grey : bool
     Learn the brightness alone.
 solid : bool

@@ -43,6 +43,20 @@ def test_models_are_those_of_noisefit(tool: Tool, tmp_path: Path) -> None:
     assert by_path.rotate(30).magnitude(0.5).recipe == json.loads((tmp_path / "edited.json").read_text())
 
 
+def test_lopsided_pictures_are_learnt_as_squares() -> None:
+    lawn = np.clip(texture().astype(np.float64), 0.0, 1.0) ** 4
+    chosen = solidnoise.fit(lawn, kappa=0.02)
+    assert chosen.recipe["exemplar"]["squares"] is True
+    assert chosen == solidnoise.fit(lawn, kappa=0.02, squares=True)
+    assert "squares" not in solidnoise.fit(lawn, kappa=0.02, raw_values=True).recipe["exemplar"]
+    # None below black, and as bright as the picture: a sixteenth of the pixels are of their own, and their mean within 5 sigma.
+    made = chosen.texture((256, 256), seed=3)
+    assert made.min() >= 0.0
+    assert abs(made.mean() - lawn.mean()) < 5 * lawn.std() / 64
+    with pytest.raises(ValueError, match="squares is given, and raw_values is false"):
+        solidnoise.fit(lawn, squares=True, raw_values=False)
+
+
 def test_noises_of_a_model(model: solidnoise.ExemplarModel, tmp_path: Path) -> None:
     noise = solidnoise.spectrum(dims=2, exemplar=model, frequency=model.principal_frequency)
     assert noise.lattice(0, 1.0, 32).shape == (32, 32)

@@ -67,7 +67,7 @@ test("the texture of a model with what is done to it is that of the model it bec
   const side = 32;
   const bytes = Buffer.alloc(4 * side * side, 255);
   for (let i = 0; i < side * side; ++i) bytes.set([128 + 80 * Math.sin(0.7 * i) * Math.sin(0.013 * i * i), 100 + 50 * Math.sin(0.37 * i * i), 90], 4 * i);
-  const { exemplar } = library.ask({ do: "fit", width: side, height: side, pixel: 1 / side, raw: true }, bytes).json;
+  const { exemplar } = library.ask({ do: "fit", width: side, height: side, pixel: 1 / side }, bytes).json;
   const edits = [{ edit: "scale", by: 1.3 }, { edit: "magnitude", by: 2 }];
   const texture = (question) => library.ask({ do: "texture", first: 0, width: 16, height: 16, pixel: 1 / 16, ...question }).floats[0];
   const changed = library.ask({ do: "edit example", exemplar, edits }).json.exemplar;

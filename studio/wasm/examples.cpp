@@ -3,6 +3,8 @@
 #include <functional>
 #include <map>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -13,6 +15,8 @@
 #include "solidnoise/analysis/exemplar/exemplar_sheet.h"
 #include "solidnoise/analysis/exemplar/fit_exemplar.h"
 #include "solidnoise/analysis/exemplar/gaussian_field.h"
+#include "solidnoise/analysis/exemplar/prepare_exemplars.h"
+#include "solidnoise/analysis/exemplar/square_colors.h"
 #include "solidnoise/image/color.h"
 #include "solidnoise/recipe/exemplar_model_json.h"
 
@@ -36,15 +40,20 @@ class PageProgress final : public Progress {
   double told_ = 0.0;
 };
 
-// A photograph's pixels, red, green, blue and alpha in bytes.
-Exemplar<2> exemplar_of(const Json& question, std::span<const unsigned char> bytes) {
+// A photograph's pixels, red, green, blue and alpha in bytes, and as what of them a noise is learnt.
+struct Photograph {
+  Exemplar<2> exemplar;
+  ValueChoice values;
+};
+Photograph photograph_of(const Json& question, std::span<const unsigned char> bytes) {
   Image image(question.at("width"), question.at("height"), 3);
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
     image.pixels[i] = static_cast<float>(bytes[i / 3 * 4 + i % 3]) / 255.0f;
   }
-  return exemplar_of_image(image,
-                           {.pixel_size = question.at("pixel"), .raw_values = question.value("raw", false)},
-                           "the photograph");
+  std::vector<Exemplar<2>> exemplars{
+      exemplar_of_image(image, {.pixel_size = question.at("pixel"), .raw_values = true}, "the photograph")};
+  const ValueChoice values = choose_values(exemplars, {false});
+  return {std::move(exemplars.front()), values};
 }
 
 // Rows from the top, three numbers a pixel for the screen.
@@ -143,13 +152,14 @@ ExemplarModel model_of(const Json& question) {
 
 // A model of the photograph in `bytes`.
 Answer fit_example(const Json& question, std::span<const unsigned char> bytes) {
-  const Exemplar<2> exemplar = exemplar_of(question, bytes);
+  const auto [exemplar, values] = photograph_of(question, bytes);
   exemplar.validate("the photograph");
   ExemplarFitOptions options;
   options.spectrum.kappa = question.value("kappa", options.spectrum.kappa);
   const std::string axes = question.value("axes", "independent");
   options.axes = axes == "rgb" ? ColorAxes::rgb : axes == "pca" ? ColorAxes::pca : ColorAxes::independent;
-  options.raw_values = question.value("raw", false);
+  options.raw_values = values.raw_values;
+  options.squares = values.squares;
   PageProgress progress;
   const ExemplarFit<2> fit = fit_exemplar<2>(std::span(&exemplar, 1), options, &progress);
   Json json{
@@ -161,8 +171,10 @@ Answer fit_example(const Json& question, std::span<const unsigned char> bytes) {
 
 // The best that noise can do of the photograph in `bytes`.
 Answer draw_version(const Json& question, std::span<const unsigned char> bytes) {
-  return picture_of(gaussian_version(exemplar_of(question, bytes), question.value("seed", std::uint64_t{1})),
-                    question.value("raw", false));
+  const auto [exemplar, values] = photograph_of(question, bytes);
+  const std::uint64_t seed = question.value("seed", std::uint64_t{1});
+  return picture_of(values.squares ? squared_version(exemplar, seed) : gaussian_version(exemplar, seed),
+                    values.raw_values);
 }
 
 // The model's "sparse" texture, or its noise, of that a tile from the "first" column on.

@@ -53,11 +53,13 @@ TEST(Photographs, AreAsSharpAsWhatTheirNoiseDraws) {
     const ValueChoice choice = choose_values(exemplars, {false});
     ExemplarFitOptions options;
     options.raw_values = choice.raw_values;
+    options.squares = choice.squares;
     const ExemplarModel model = fit_exemplar<2>(exemplars, options).model;
     const DenseField<2>& shape = exemplars.front().shape();
     std::vector<Exemplar<2>> textures;
     for (std::uint64_t seed = 1; seed <= 16; ++seed)
       textures.push_back(procedural_texture(model, shape.count, shape.step, Vec<3>(0.0), seed));
+    EXPECT_LT(choice.fit.clipped, 0.005);
     EXPECT_NEAR(clipped_share(textures), choice.fit.clipped, 2e-4 + 0.15 * choice.fit.clipped);
 
     for (Exemplar<2>& exemplar : exemplars) make_grey(exemplar);

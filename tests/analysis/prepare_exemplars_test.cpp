@@ -45,6 +45,28 @@ TEST(ChooseValues, TakesThoseThatAreNormal) {
   }
 }
 
+// Such as a lawn: dark, with bright blades. Of a noise as lopsided as normal values, 4 % would be below 0.
+TEST(ChooseValues, TakesSquaresOfWhatIsDarkWithBrightParts) {
+  std::vector<Exemplar<2>> lawn{normal_values(0.35, 0.15)};
+  for (float& value : lawn.front().channels.front().values) value *= value;
+  const Exemplar<2> before = lawn.front();
+  EXPECT_GT(fit_of_values(lawn).clipped, 0.04);
+  const ValueChoice choice = choose_values(lawn, {false});
+  EXPECT_TRUE(choice.squares);
+  EXPECT_TRUE(choice.raw_values);
+  EXPECT_EQ(lawn.front().channels.front().values, before.channels.front().values);
+  EXPECT_LT(choice.fit.clipped, 1e-4);
+  EXPECT_LT(std::abs(choice.fit.skewness), 0.3);
+  EXPECT_FALSE(choose_values(lawn, {true}).squares);
+
+  // A few bright spots on black: no squares of normal values vary as much.
+  std::vector<Exemplar<2>> spots = {before};
+  std::vector<float>& values = spots.front().channels.front().values;
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = i % 16 == 0 ? 0.9f : 0.01f;
+  EXPECT_FALSE(are_squares(spots));
+  EXPECT_FALSE(choose_values(spots, {false}).squares);
+}
+
 TEST(ChooseValues, TakesLinearLightWhereOneHoldsItAlready) {
   const Exemplar<2> normal = normal_values(0.5, 0.12);
   std::vector<Exemplar<2>> both{normal, encoded(normal)};

@@ -93,6 +93,30 @@ TEST(Noisefit, AveragesExemplarsAndKnowsGrey) {
   EXPECT_EQ(model_in(folder, "y.json").channels.size(), 3u);
 }
 
+// Of a picture that is dark with bright parts, without being asked; `info` says so.
+TEST(Noisefit, LearnsTheRootsOfLopsidedPictures) {
+  const TemporaryFolder folder;
+  Image lawn = wavy_picture(48, 40);
+  for (float& value : lawn.pixels) value = std::pow(value, 3.0f);
+  write_image(folder / "lawn.png", lawn);
+  const RunOptions there{.folder = folder.path()};
+  const ToolResult result = run_noisefit({"lawn.png", "--out", "chosen.json"}, there);
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.err.find("values: squares ("), std::string::npos) << result.err;
+  EXPECT_TRUE(model_in(folder, "chosen.json").squares);
+  EXPECT_NE(run_noisefit({"info", "chosen.json"}, there).out.find("colours are squares"), std::string::npos);
+  ASSERT_EQ(run_noisefit({"lawn.png", "--squares", "--out", "asked.json", "--quiet"}, there).status, 0);
+  EXPECT_EQ(model_in(folder, "asked.json"), model_in(folder, "chosen.json"));
+  ASSERT_EQ(run_noisefit({"lawn.png", "--raw-values", "--out", "raw.json", "--quiet"}, there).status, 0);
+  EXPECT_FALSE(model_in(folder, "raw.json").squares);
+  ASSERT_EQ(
+      run_noisefit({"lawn.png", "--squares", "--solid", "--grey", "--out", "solid.json", "--quiet"}, there)
+          .status,
+      0);
+  EXPECT_TRUE(model_in(folder, "solid.json").squares);
+  EXPECT_EQ(run_noisefit({"lawn.png", "--squares", "--linear-light", "--out", "no.json"}, there).status, 2);
+}
+
 TEST(Noisefit, HasThePapersParametersAndSolidNoise) {
   const TemporaryFolder folder;
   write_image(folder / "in.png", wavy_picture(64, 64, 1));

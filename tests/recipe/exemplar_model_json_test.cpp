@@ -24,6 +24,7 @@ ExemplarModel some_model() {
   model.axes = {{1.0 / 7.0, 0.5, 0.25}, {-0.3, 0.1, 0.0}, {0.0, 0.0, 1e-3}};
   model.mean = {0.5, 1.0 / 3.0, 0.125};
   model.raw_values = true;
+  model.squares = true;
   return model;
 }
 

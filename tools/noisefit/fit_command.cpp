@@ -2,6 +2,7 @@
 #include <chrono>
 #include <filesystem>
 #include <iostream>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "solidnoise/analysis/exemplar/exemplar_sheet.h"
 #include "solidnoise/analysis/exemplar/prepare_exemplars.h"
 #include "solidnoise/analysis/exemplar/solid_spectrum.h"
+#include "solidnoise/analysis/exemplar/square_colors.h"
 #include "solidnoise/core/named_error.h"
 
 namespace solidnoise {
@@ -34,7 +36,7 @@ constexpr char kFitDescription[] =
 struct FitCommand : FitOptions {
   std::vector<std::string> inputs;
   ExemplarReading reading;
-  bool chooses_values = true;  // between those that are stored and linear light
+  bool chooses_values = true;  // between those that are stored, linear light and squares
   bool grey = false;
   bool solid = false;
 };
@@ -52,14 +54,14 @@ void declare_flags(FlagSet& flags, FitCommand& command) {
   };
   flags.toggle(
       "--raw-values",
-      "Take values as they are stored; without it and --linear-light, that of the two of which less is "
-      "clipped, and which is less lopsided",
+      "Take values as they are stored; without it, --linear-light and --squares, that of the three of which "
+      "less is clipped, and which is less lopsided",
       [take] { take(true); });
   flags.toggle("--linear-light", "Take values as linear light", [take] { take(false); });
-  flags.exclude({"--raw-values", "--linear-light"});
   flags.toggle("--grey", "Learn the brightness alone", [&] { command.grey = true; });
   declare_patch_flag(flags, command, "PIXELS");
   declare_fields(flags, command.fit);
+  flags.exclude({"--raw-values", "--linear-light", "--squares"});
   flags.group("The spectrum");
   flags.toggle("--paper", "The paper's parameters: the narrowest band, one kappa for all channels", [&] {
     command.fit.spectrum = SpectrumFitOptions::of_paper();
@@ -89,11 +91,12 @@ std::vector<Exemplar<2>> read_exemplars(const FitCommand& command) {
 }
 
 void require_fit_cost(const FitCommand& command, const std::vector<Exemplar<2>>& exemplars) {
-  constexpr double kBytesPerPixel = 24.0;  // in colour, of a picture and the exemplar that is made of it
+  // In colour, of a picture, the exemplar that is made of it, and its square roots.
+  const double bytes_per_pixel = command.fit.squares ? 36.0 : 24.0;
   FitSize size = fit_size(exemplars, command);
   size.held = kPictureProgramBytes;
   for (const Exemplar<2>& exemplar : exemplars) {
-    size.held += kBytesPerPixel * static_cast<double>(exemplar.shape().size());
+    size.held += bytes_per_pixel * static_cast<double>(exemplar.shape().size());
     const glm::ivec2 tested = glm::min(exemplar.shape().count, kLargestTested);
     if (!command.quiet) size.tested = std::max(size.tested, static_cast<double>(tested.x) * tested.y);
   }
@@ -102,12 +105,15 @@ void require_fit_cost(const FitCommand& command, const std::vector<Exemplar<2>>&
 
 std::string describe_choice(const ValueChoice& choice) {
   return fmt::format(
-      "values: {} ({:.2g} % of the noise is clipped, skewness {:.2g}); --raw-values and --linear-light "
-      "choose\n",
-      choice.raw_values ? "as they are stored" : "linear light", 100.0 * choice.fit.clipped,
-      choice.fit.skewness);
+      "values: {} ({:.2g} % of the noise is clipped, skewness {:.2g}); --raw-values, --linear-light and "
+      "--squares choose\n",
+      choice.squares      ? "squares"
+      : choice.raw_values ? "as they are stored"
+                          : "linear light",
+      100.0 * choice.fit.clipped, choice.fit.skewness);
 }
 
+// Of what noise is learnt from: values, or their square roots.
 void warn_of_structure(const std::vector<Exemplar<2>>& exemplars, const std::vector<std::string>& names) {
   for (std::size_t i = 0; i < exemplars.size(); ++i) {
     const glm::ivec2 count = glm::min(exemplars[i].shape().count, kLargestTested);
@@ -131,9 +137,7 @@ void write_outputs(const FitCommand& command, const Exemplar<2>& exemplar, const
 }
 
 int fit_solid(const FitCommand& command, const std::vector<Exemplar<2>>& exemplars) {
-  SolidExemplarFit fit =
-      fit_solid_exemplar(exemplars, command.fit.axes, command.fit.spectrum.kappa, command.fit.patch);
-  fit.model.raw_values = command.reading.raw_values;
+  const SolidExemplarFit fit = fit_solid_exemplar(exemplars, command.fit);
   write_outputs(command, exemplars.front(), fit.model, describe_shortly(fit));
   if (command.quiet) return kDone;
   std::cerr << describe(fit) << describe_scale({fit.model, command.outputs.pixel_size});
@@ -168,7 +172,8 @@ int run_fit(const std::vector<std::string>& arguments) {
   parse_fit(flags, arguments, command);
   if (flags.given("--pixel-size")) command.outputs.pixel_size = command.reading.pixel_size;
   command.outputs.check(command.inputs);
-  if (command.chooses_values) command.reading.raw_values = true;
+  if (command.fit.squares) command.chooses_values = false;
+  command.reading.raw_values = command.reading.raw_values || command.fit.squares || command.chooses_values;
   std::vector<Exemplar<2>> exemplars = read_exemplars(command);
   std::string choice;
   if (command.chooses_values) {
@@ -176,6 +181,7 @@ int run_fit(const std::vector<std::string>& arguments) {
     for (const std::string& input : command.inputs) linear.push_back(holds_linear_light(input));
     const ValueChoice values = choose_values(exemplars, linear);
     command.reading.raw_values = values.raw_values;
+    command.fit.squares = values.squares;
     choice = describe_choice(values);
   }
   command.fit.raw_values = command.reading.raw_values;
@@ -186,7 +192,12 @@ int run_fit(const std::vector<std::string>& arguments) {
   require_fit_cost(command, exemplars);
   if (!command.quiet) {
     std::cerr << choice;
-    warn_of_structure(exemplars, command.inputs);
+    if (command.fit.squares && !are_squares(exemplars)) {
+      std::cerr << "noisefit: warning: --squares: values are more lopsided than squares of noise, which vary "
+                   "less\n";
+    }
+    warn_of_structure(command.fit.squares ? square_roots(std::span<const Exemplar<2>>(exemplars)) : exemplars,
+                      command.inputs);
   }
 
   catch_interrupts();

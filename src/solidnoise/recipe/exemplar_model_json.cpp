@@ -84,6 +84,7 @@ GaborSpectrum spectrum_from_json(JsonReader& reader, Vec<3>& axis) {
 Json to_json(const ExemplarModel& model) {
   Json json = Json::object();
   json["raw_values"] = model.raw_values;
+  if (model.squares) json["squares"] = true;
   json["mean"] = numbers(model.mean);
   json["channels"] = Json::array();
   for (std::size_t k = 0; k < model.channels.size(); ++k) {
@@ -96,6 +97,7 @@ ExemplarModel exemplar_model_from_json(JsonReader& reader) {
   ExemplarModel model;
   model.axes.clear();
   reader.read("raw_values", model.raw_values);
+  reader.read("squares", model.squares);
   reader.read("mean", model.mean);
   for (JsonReader& channel : reader.objects("channels")) {
     Vec<3> axis(1.0);

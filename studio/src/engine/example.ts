@@ -12,7 +12,6 @@ export interface Photograph {
 }
 export interface Model {
   channels: { axis: number[]; dimensions: number; groups: string[]; bands: { a: number; components: number[][] }[] }[];
-  raw_values: boolean;
   mean: number[];
 }
 
@@ -50,12 +49,12 @@ export async function restoredPhotograph(name: string, url: string): Promise<Pho
 const sized = ({ width, height }: { width: number; height: number }) => ({ width, height, pixel: 1 / width });
 
 export async function fitPhotograph(photograph: Photograph, axes: string, progress: (done: number) => void): Promise<{ exemplar: string; report: string; warnings: string[] }> {
-  const { json } = await engine.fitter.ask("fit", { do: "fit", ...sized(photograph), axes, raw: true }, { bytes: photograph.bytes.slice(), progress });
+  const { json } = await engine.fitter.ask("fit", { do: "fit", ...sized(photograph), axes }, { bytes: photograph.bytes.slice(), progress });
   return { exemplar: String(json.exemplar), report: String(json.report), warnings: json.warnings as string[] };
 }
 
 export async function versionOf(photograph: Photograph): Promise<ImageData> {
-  const { json, floats } = await engine.pool.ask("version", { do: "version", ...sized(photograph), raw: true }, { bytes: photograph.bytes.slice() });
+  const { json, floats } = await engine.pool.ask("version", { do: "version", ...sized(photograph) }, { bytes: photograph.bytes.slice() });
   return imageOf(json, floats[0]!);
 }
 

@@ -18,10 +18,12 @@ using Complex = std::complex<double>;
 constexpr int kLargestWhole = 384;  // pixels of a picture that is one patch
 constexpr int kPatchOfLarge = 256;
 
-// Means and covariances of all samples, whatever patches hold of them.
+}  // namespace
+
 template <int Dim>
-void measure_samples(std::span<const Exemplar<Dim>> exemplars, CrossSpectra<Dim>& result) {
-  const auto channels = static_cast<std::size_t>(result.channels);
+SampleMoments sample_moments(std::span<const Exemplar<Dim>> exemplars) {
+  const std::size_t channels = exemplars.front().channels.size();
+  SampleMoments result;
   double samples = 0.0;
   for (const Exemplar<Dim>& exemplar : exemplars) samples += static_cast<double>(exemplar.shape().size());
   const auto add = [&](double& total, const auto& term) {
@@ -45,9 +47,8 @@ void measure_samples(std::span<const Exemplar<Dim>> exemplars, CrossSpectra<Dim>
       });
     }
   }
+  return result;
 }
-
-}  // namespace
 
 template <int Dim>
 CrossSpectra<Dim> cross_spectra(std::span<const Exemplar<Dim>> exemplars, int patch, Progress* progress) {
@@ -77,7 +78,7 @@ CrossSpectra<Dim> cross_spectra(std::span<const Exemplar<Dim>> exemplars, int pa
     result.count[axis] = fast_count(result.count[axis]);
   }
 
-  measure_samples(exemplars, result);
+  static_cast<SampleMoments&>(result) = sample_moments(exemplars);
   const auto channels = static_cast<std::size_t>(result.channels);
   result.cross.assign(channels * channels, {});
   for (const Exemplar<Dim>& exemplar : exemplars)
@@ -144,6 +145,8 @@ double CrossSpectra<Dim>::variance(std::span<const double> direction) const {
   return std::max(sum, 0.0);
 }
 
+template SampleMoments sample_moments<2>(std::span<const Exemplar<2>>);
+template SampleMoments sample_moments<3>(std::span<const Exemplar<3>>);
 template struct CrossSpectra<2>;
 template struct CrossSpectra<3>;
 template CrossSpectra<2> cross_spectra<2>(std::span<const Exemplar<2>>, int, Progress*);

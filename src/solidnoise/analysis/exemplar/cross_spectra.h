@@ -11,18 +11,24 @@
 
 namespace solidnoise {
 
+// Means and covariances of all samples of exemplars.
+struct SampleMoments {
+  std::vector<double> mean;        // per channel
+  std::vector<double> covariance;  // channels x channels
+};
+template <int Dim>
+SampleMoments sample_moments(std::span<const Exemplar<Dim>> exemplars);
+
 // The cross-periodograms of an exemplar's channels, averaged over patches: at each frequency f the matrix
 //   C_ij(f) = conj(U_i(f)) U_j(f) / n,   U the transform of channel i's periodic component,
 // n the number of samples of a patch. They are the Fourier transforms of the lagged correlation matrices
 // (Galerne et al. 2012, eq. 9, with 1/n where the paper prints 1/M^2 for a square image).
 template <int Dim>
-struct CrossSpectra {
+struct CrossSpectra : SampleMoments {
   glm::vec<Dim, int> count{1};  // of a patch
   Vec<Dim> step{1.0};           // world units
   int channels = 1;
   int patches = 0;
-  std::vector<double> mean;                              // per channel, of all samples
-  std::vector<double> covariance;                        // channels x channels, of all samples
   std::vector<std::vector<std::complex<double>>> cross;  // channels x channels; frequencies as PowerSpectrum
 
   // The sum of the cross-spectra's real parts by their weights, channels x channels.

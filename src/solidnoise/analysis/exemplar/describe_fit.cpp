@@ -67,6 +67,7 @@ std::string describe(const ExemplarModel& model) {
                                  model.channels.size() == 1 ? "" : "s", first.dimensions,
                                  first.isotropic ? " isotropic" : "", color(model.mean),
                                  model.raw_values ? ", raw values" : ", linear light");
+  if (model.squares) text += "  colours are squares; what follows is of their roots\n";
   for (std::size_t k = 0; k < model.channels.size(); ++k) {
     const GaborSpectrum& spectrum = model.channels[k];
     text += fmt::format("  channel {}: axis {}, deviation {:.4g}, {} components in {} bands\n", k,

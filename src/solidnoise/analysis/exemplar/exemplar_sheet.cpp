@@ -13,6 +13,7 @@
 
 #include "solidnoise/analysis/exemplar/cross_spectra.h"
 #include "solidnoise/analysis/exemplar/gaussian_field.h"
+#include "solidnoise/analysis/exemplar/square_colors.h"
 #include "solidnoise/core/points.h"
 #include "solidnoise/core/random.h"
 #include "solidnoise/image/color.h"
@@ -182,7 +183,9 @@ std::vector<Panel> make_panels(const Exemplar<2>& exemplar, const ExemplarModel&
   const bool planar = model.channels.front().dimensions == 2;
   std::vector<Panel> panels;
   panels.push_back({"exemplar", exemplar, {}});
-  panels.push_back({"Gaussian version", gaussian_version(exemplar, seed), {}});
+  panels.push_back({"Gaussian version",
+                    model.squares ? squared_version(exemplar, seed) : gaussian_version(exemplar, seed),
+                    {}});
   const double middle = planar ? 0.0 : 0.5;  // of the work: a second texture of a solid noise is as much
   PartialProgress first(progress, 0.0, middle);
   PartialProgress last(progress, middle, 1.0);
@@ -197,7 +200,7 @@ std::vector<Panel> make_panels(const Exemplar<2>& exemplar, const ExemplarModel&
     panels.push_back({"solid noise, another", procedural_texture(model, count, step, far, seed, &last), {}});
   }
   for (Panel& panel : panels) panel.spectrum = brightness_spectrum(panel.texture);
-  if (planar) panels[2].spectrum = brightness_density(model, panels[2].spectrum);
+  if (planar && !model.squares) panels[2].spectrum = brightness_density(model, panels[2].spectrum);
   return panels;
 }
 

@@ -13,6 +13,7 @@
 #include "solidnoise/analysis/exemplar/edit_spectrum.h"
 #include "solidnoise/analysis/exemplar/frequency_rings.h"
 #include "solidnoise/analysis/exemplar/match_rings.h"
+#include "solidnoise/analysis/exemplar/square_colors.h"
 
 namespace solidnoise {
 namespace {
@@ -75,6 +76,13 @@ template <int Dim>
 ExemplarFit<Dim> fit_exemplar(std::span<const Exemplar<Dim>> exemplars, const ExemplarFitOptions& options,
                               Progress* progress) {
   options.validate();
+  if (options.squares) {
+    ExemplarFitOptions of_roots = options;
+    of_roots.squares = false;
+    ExemplarFit<Dim> fit = fit_exemplar<Dim>(square_roots(exemplars), of_roots, progress);
+    square_colors(fit.model, sample_moments(exemplars));
+    return fit;
+  }
   const CrossSpectra<Dim> spectra = cross_spectra(exemplars, options.patch, progress);
   ExemplarFit<Dim> result;
   result.count = spectra.count;

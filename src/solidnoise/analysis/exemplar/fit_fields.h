@@ -33,7 +33,10 @@ inline constexpr Choices<ColorAxes, 3> kColorAxesChoices{
 
 constexpr auto fields_of(std::type_identity<ExemplarFitOptions>) {
   using Options = ExemplarFitOptions;
-  return list_fields(field("axes", &Options::axes, kColorAxesChoices, "The channels of a coloured noise"));
+  return list_fields(
+      field("axes", &Options::axes, kColorAxesChoices, "The channels of a coloured noise"),
+      field("squares", &Options::squares,
+            "Learn square roots, and square the noise: for pictures that are dark with bright parts"));
 }
 
 }  // namespace solidnoise

@@ -5,8 +5,10 @@
 #include <complex>
 #include <cstddef>
 #include <numbers>
+#include <utility>
 #include <vector>
 
+#include "solidnoise/analysis/exemplar/square_colors.h"
 #include "solidnoise/analysis/fft.h"
 #include "solidnoise/core/random.h"
 
@@ -212,7 +214,7 @@ Exemplar<2> compose(const ExemplarModel& model, std::span<const DenseField<2>> c
       field.values[i] = static_cast<float>(value);
     }
   }
-  return result;
+  return model.squares ? squared(std::move(result)) : result;
 }
 
 Exemplar<2> gaussian_texture(const ExemplarModel& model, const glm::ivec2& count, const Vec<2>& step,

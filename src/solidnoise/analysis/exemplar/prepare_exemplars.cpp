@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "solidnoise/analysis/exemplar/square_colors.h"
 #include "solidnoise/core/moments.h"
 #include "solidnoise/image/color.h"
 
@@ -30,18 +31,25 @@ void agree_on_channels(std::vector<Exemplar<2>>& exemplars) {
   for (Exemplar<2>& exemplar : exemplars) exemplar.channels.resize(3, exemplar.channels.front());
 }
 
-ValueFit fit_of_values(std::span<const Exemplar<2>> exemplars) {
+namespace {
+
+// The share of a normal distribution below 0, and above 1; of squares beyond 1 on either side.
+double clipped_share(const Moments& moments, bool squares) {
+  if (!(moments.sigma() > 0.0)) return 0.0;
+  const auto beyond = [&](double distance) {
+    return 0.5 * std::erfc(distance / (std::sqrt(2.0) * moments.sigma()));
+  };
+  return beyond(1.0 - moments.mean()) + beyond(moments.mean() + (squares ? 1.0 : 0.0));
+}
+
+ValueFit fit_of(std::span<const Exemplar<2>> exemplars, bool squares) {
   ValueFit mean;
   for (const Exemplar<2>& exemplar : exemplars) {
     double clipped = 0.0;
     double skewness = 0.0;
     for (const DenseField<2>& channel : exemplar.channels) {
       const Moments moments = Moments::of(channel.values);
-      // The share of a normal distribution below 0, and above 1.
-      const auto beyond = [&](double distance) {
-        return 0.5 * std::erfc(distance / (std::sqrt(2.0) * moments.sigma()));
-      };
-      if (moments.sigma() > 0.0) clipped += beyond(moments.mean()) + beyond(1.0 - moments.mean());
+      clipped += clipped_share(moments, squares);
       if (std::abs(moments.skewness()) > std::abs(skewness)) skewness = moments.skewness();
     }
     const auto count = static_cast<double>(exemplars.size());
@@ -49,6 +57,25 @@ ValueFit fit_of_values(std::span<const Exemplar<2>> exemplars) {
     mean.skewness += skewness / count;
   }
   return mean;
+}
+
+}  // namespace
+
+ValueFit fit_of_values(std::span<const Exemplar<2>> exemplars) {
+  return fit_of(exemplars, false);
+}
+
+ValueFit fit_of_squares(std::span<const Exemplar<2>> exemplars) {
+  return fit_of(square_roots(exemplars), true);
+}
+
+bool are_squares(std::span<const Exemplar<2>> exemplars) {
+  const auto can_be = [](const DenseField<2>& channel) {
+    const Moments moments = Moments::of(channel.values);
+    return root_moments(moments.mean(), moments.sigma() * moments.sigma()).mean > 0.0;
+  };
+  return std::ranges::all_of(
+      exemplars, [&](const Exemplar<2>& exemplar) { return std::ranges::all_of(exemplar.channels, can_be); });
 }
 
 ValueChoice choose_values(std::vector<Exemplar<2>>& exemplars, const std::vector<bool>& hold_linear_light) {
@@ -65,9 +92,15 @@ ValueChoice choose_values(std::vector<Exemplar<2>>& exemplars, const std::vector
   const ValueFit of_linear = fit_of_values(linear);
   const bool any_linear =
       std::find(hold_linear_light.begin(), hold_linear_light.end(), true) != hold_linear_light.end();
-  if (!any_linear && cost(of_stored) <= cost(of_linear)) return {true, of_stored};
+  if (!any_linear) {
+    const ValueFit of_squares = fit_of_squares(exemplars);
+    if (std::min(of_stored.clipped, of_linear.clipped) > kClipped &&
+        cost(of_squares) < std::min(cost(of_stored), cost(of_linear)) && are_squares(exemplars))
+      return {.raw_values = true, .squares = true, .fit = of_squares};
+    if (cost(of_stored) <= cost(of_linear)) return {.raw_values = true, .fit = of_stored};
+  }
   exemplars = std::move(linear);
-  return {false, of_linear};
+  return {.fit = of_linear};
 }
 
 }  // namespace solidnoise

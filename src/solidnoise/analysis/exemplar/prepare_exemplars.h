@@ -19,14 +19,22 @@ struct ValueFit {
   double skewness = 0.0;  // of the exemplar, the largest of its channels', which noise does not have
 };
 ValueFit fit_of_values(std::span<const Exemplar<2>> exemplars);
+// Of a noise that is learnt from their square roots and squared: it has what skewness these leave.
+ValueFit fit_of_squares(std::span<const Exemplar<2>> exemplars);
+
+// Whether squares of noise can have the means and variances of all channels (root_moments).
+bool are_squares(std::span<const Exemplar<2>> exemplars);
 
 struct ValueChoice {
   bool raw_values = false;  // as they are stored; otherwise linear light
+  bool squares = false;     // of their square roots (ExemplarFitOptions::squares)
   ValueFit fit;             // of those chosen
 };
 
-// Chooses between the values as they are stored, which `exemplars` hold, and linear light, into which they
-// are then made: that of less clipped / 0.005 + |skewness|. If one of them holds linear light already
+// Chooses between the values as they are stored, which `exemplars` hold, linear light, into which they are
+// then made, and squares of noise of the stored values' roots: that of less clipped / 0.005 + |skewness|,
+// squares only where more than 0.005 of either other is clipped and values are_squares(). If one of them
+// holds linear light already
 // (`hold_linear_light`, one of each), all are made so.
 ValueChoice choose_values(std::vector<Exemplar<2>>& exemplars, const std::vector<bool>& hold_linear_light);
 

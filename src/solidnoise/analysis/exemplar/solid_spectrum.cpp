@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "solidnoise/analysis/exemplar/square_colors.h"
 #include "solidnoise/core/check.h"
 #include "solidnoise/core/special_functions.h"
 
@@ -218,11 +219,20 @@ SolidFit fit_solid_spectrum(const PowerSpectrum<2>& periodogram, double variance
   return fit;
 }
 
-SolidExemplarFit fit_solid_exemplar(std::span<const Exemplar<2>> exemplars, ColorAxes axes, double kappa,
-                                    int patch, Progress* progress) {
-  const CrossSpectra<2> spectra = cross_spectra(exemplars, patch, progress);
-  const ExemplarChannels channels = exemplar_channels(spectra, axes);
+SolidExemplarFit fit_solid_exemplar(std::span<const Exemplar<2>> exemplars, const ExemplarFitOptions& options,
+                                    Progress* progress) {
+  options.validate();
+  if (options.squares) {
+    ExemplarFitOptions of_roots = options;
+    of_roots.squares = false;
+    SolidExemplarFit fit = fit_solid_exemplar(square_roots(exemplars), of_roots, progress);
+    square_colors(fit.model, sample_moments(exemplars));
+    return fit;
+  }
+  const CrossSpectra<2> spectra = cross_spectra(exemplars, options.patch, progress);
+  const ExemplarChannels channels = exemplar_channels(spectra, options.axes);
   SolidExemplarFit result;
+  result.model.raw_values = options.raw_values;
   result.count = spectra.count;
   result.patches = spectra.patches;
   result.dependence = channels.dependence;
@@ -238,7 +248,7 @@ SolidExemplarFit fit_solid_exemplar(std::span<const Exemplar<2>> exemplars, Colo
       fit.spectrum.isotropic = true;
     } else {
       const PowerSpectrum<2> periodogram = spectra.spectrum(channels.directions[k]);
-      fit = fit_solid_spectrum(periodogram, channels.variances[k], kappa, &part);
+      fit = fit_solid_spectrum(periodogram, channels.variances[k], options.spectrum.kappa, &part);
     }
     result.model.channels.push_back(fit.spectrum);
   }

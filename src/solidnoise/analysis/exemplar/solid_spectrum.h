@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solidnoise/analysis/exemplar/exemplar_channels.h"
+#include "solidnoise/analysis/exemplar/fit_exemplar.h"
 #include "solidnoise/analysis/periodogram.h"
 #include "solidnoise/core/progress.h"
 #include "solidnoise/noise/gabor/gabor_spectrum.h"
@@ -43,9 +44,9 @@ struct SolidExemplarFit {
   int patches = 0;
 };
 
-// The same for the channels of exemplars in the plane, as fit_exemplar has them.
+// The same for the channels of exemplars in the plane, as fit_exemplar has them; of the spectrum's options
+// kappa is looked at.
 SolidExemplarFit fit_solid_exemplar(std::span<const Exemplar<2>> exemplars,
-                                    ColorAxes axes = ColorAxes::independent, double kappa = 1.0 / 256.0,
-                                    int patch = 0, Progress* progress = nullptr);
+                                    const ExemplarFitOptions& options = {}, Progress* progress = nullptr);
 
 }  // namespace solidnoise

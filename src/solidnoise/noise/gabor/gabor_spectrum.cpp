@@ -183,7 +183,7 @@ Vec<3> ExemplarModel::color(std::span<const double> values) const {
   for (std::size_t k = 0; k < channels.size(); ++k) {
     sum += std::sqrt(channels[k].variance()) * values[k] * axes[k];
   }
-  return sum;
+  return squares ? sum * sum : sum;
 }
 
 void ExemplarModel::validate() const {

@@ -61,12 +61,14 @@ struct GaborSpectrum {
 };
 
 // What a noise takes over from an exemplar: one spectrum per channel of a decorrelated colour space, and how
-// channels make colours: color = mean + sum over k of axes[k] n_k, with n_k the noise of channel k.
+// channels make colours: color = mean + sum over k of axes[k] n_k, with n_k the noise of channel k, or the
+// squares of these three numbers.
 struct ExemplarModel {
   std::vector<GaborSpectrum> channels{};  // 1 (grey) or 3
   std::vector<Vec<3>> axes{Vec<3>(1.0)};  // one per channel: its color
   Vec<3> mean{0.0};                       // linear light, unless the file says that values are raw
   bool raw_values = false;
+  bool squares = false;  // the colours are squares, of a mean and axes of their roots
 
   // Root mean square frequency of all channels together, a component's own width included; it is what scales
   // a model: with b the variance's share, sqrt(sum of b (|w|^2 + n a^2 / (4 pi))).
