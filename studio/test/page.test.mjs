@@ -312,6 +312,24 @@ test("a fire glows before black", async () => {
   await wellOf(page);
 });
 
+test("smoke is grey before an overcast sky", async () => {
+  const page = await open(`#recipe=${codeOf(readFileSync(join(root, "tools/vdbnoise/presets/smoke.json"), "utf8"))}&view=volume`);
+  await page.waitForFunction(() => globalThis.last?.dim === 128, null, kPatience);
+  await page.waitForTimeout(1500);
+  await picture(page, "smoke");
+  const { corner, dark, colored } = await page.evaluate(async () => {
+    const pixels = (await globalThis.shown(".volume canvas")).data;
+    let [dark, colored] = [0, 0];
+    for (let i = 0; i < pixels.length; i += 4) {
+      if (pixels[i] < 0.7 * pixels[0]) ++dark;
+      if (Math.abs(pixels[i] - pixels[i + 2]) > 24) ++colored;
+    }
+    return { corner: Array.from(pixels.slice(0, 3)), dark: dark / (pixels.length / 4), colored };
+  });
+  assert.ok(Math.min(...corner) > 150 && dark > 0.05 && dark < 0.6 && colored === 0, `${corner} at the corner, ${dark} dark, ${colored} in colour`);
+  await wellOf(page);
+});
+
 test("a body of marble has dark veins", async () => {
   const page = await open();
   await page.click("text=Gallery");

@@ -44,7 +44,7 @@ export function VolumeView(): JSX.Element {
     const looksLike = /"look": "(\w+)"/.exec(noise.text)?.[1] ?? "automatic";
     // A fire is seen by the light of its temperature, and of its flame where it has one.
     const hot = single === info.grids[0] && !single.raw && ["automatic", "fire"].includes(looksLike) && info.grids.some(({ names }) => names.includes("temperature"));
-    const look: VolumeLook = single.raw ? "solid" : hot ? "fire" : looksLike === "nebula" ? "glow" : "cloud";
+    const look: VolumeLook = single.raw ? "solid" : hot ? "fire" : looksLike === "nebula" ? "glow" : looksLike === "smoke" ? "smoke" : "cloud";
     const up = /"up": "z"/.test(noise.text) ? 2 : 1;
     const sun = turned(kSun, up);
     const begin = performance.now();

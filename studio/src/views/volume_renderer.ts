@@ -1,6 +1,7 @@
 import { lookAt, programOf } from "./gl.ts";
 
-export type VolumeLook = "cloud" | "glow" | "solid" | "fire";
+const kLooks = ["cloud", "glow", "solid", "fire", "smoke"] as const;
+export type VolumeLook = (typeof kLooks)[number];
 
 export interface VolumeData {
   size: [number, number, number];
@@ -46,6 +47,8 @@ vec3 sky(vec3 d) {
   float t = 0.5 + 0.5 * dot(d, vertical);
   return mix(vec3(0.10, 0.13, 0.19), vec3(0.22, 0.36, 0.58), smoothstep(0.1, 1.0, t));
 }
+// Overcast, as of vdbnoise's previews of smoke.
+vec3 haze(vec3 d) { return vec3(0.68, 0.68, 0.67) - 0.22 * (0.5 + 0.5 * dot(d, vertical)) * vec3(1.0, 0.95, 0.85); }
 vec3 encoded(vec3 c) { return mix(12.92 * c, 1.055 * pow(max(c, vec3(1e-5)), vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c)); }
 // Linear light of a black body, with 1 for the mean of its channels at 2000 K: as of vdbnoise's previews.
 vec3 blackBody(float kelvin) {
@@ -61,7 +64,7 @@ void main() {
   vec3 a = (-halfSides - eye) / d, b = (halfSides - eye) / d;
   vec3 near3 = min(a, b), far3 = max(a, b);
   float from = max(max(near3.x, near3.y), max(near3.z, 0.0)), to = min(far3.x, min(far3.y, far3.z));
-  vec3 back = look == 0 ? sky(d) : look == 1 ? vec3(0.004, 0.005, 0.010) : look == 3 ? vec3(0) : mix(vec3(0.035), vec3(0.075), 0.5 - 0.4 * place.y);
+  vec3 back = look == 0 ? sky(d) : look == 4 ? haze(d) : look == 1 ? vec3(0.004, 0.005, 0.010) : look == 3 ? vec3(0) : mix(vec3(0.035), vec3(0.075), 0.5 - 0.4 * place.y);
   if (from >= to) { color = vec4(encoded(back) + (hash(gl_FragCoord.yx) - 0.5) / 255.0, 1); return; }
   float stride = length(2.0 * halfSides) / float(steps);
   vec3 sum = vec3(0);
@@ -122,6 +125,7 @@ void main() {
         for (int k = 0; k < 4; ++k) { direct += weight * exp(-depth * thin); weight *= 0.5; thin *= 0.3; }
         vec3 ambient = mix(vec3(0.16, 0.20, 0.27), vec3(0.30, 0.40, 0.55), 0.5 + 0.5 * dot(p / halfSides, vertical));
         vec3 here = vec3(1.0, 0.92, 0.80) * direct * 0.56 * mix(1.0, forwardLobe, 0.5) + ambient * 0.42;
+        if (look == 4) here *= vec3(0.28, 0.272, 0.265);
         sum += through * absorbed * here;
       }
       through *= 1.0 - absorbed;
@@ -201,7 +205,7 @@ export class VolumeRenderer {
     const [low, high] = data.range;
     gl.uniform1f(at("low"), low);
     gl.uniform1f(at("high"), high > low ? high : low + 1);
-    gl.uniform1i(at("look"), ["cloud", "glow", "solid", "fire"].indexOf(data.look));
+    gl.uniform1i(at("look"), kLooks.indexOf(data.look));
     gl.uniform1i(at("steps"), Math.min(300, Math.ceil(1.7 * Math.max(...data.size))));
     gl.uniform1i(at("values"), 0);
     gl.uniform1i(at("light"), 1);
