@@ -220,6 +220,23 @@ TEST(SurfaceGaborStatistics, VarianceOnACurvedSurfaceIsOneToo) {
   expect_within_4_sigma(estimate_mean(mean_squares, [](double x) { return x; }), 1.0);
 }
 
+// The papers' impulses: the same variance, and the excess kurtosis that Campbell's theorem gives them.
+TEST(SurfaceGaborStatistics, PoissonImpulsesHaveTheirOwnKurtosis) {
+  for (const GaborWaves waves : {GaborWaves::isotropic, GaborWaves::oriented}) {
+    const SurfaceGaborNoise noise({.frequency = 1.0,
+                                   .impulses = 12.0,
+                                   .impulses_process = ImpulseSpread::poisson,
+                                   .waves = waves,
+                                   .seed = 5});
+    const std::vector<float> values =
+        evaluate(noise, independent_pairs(60000, 2.3 * noise.radius(), 0.0, 0.0));
+    expect_within_4_sigma(estimate_mean(values, [](double x) { return x * x; }), 1.0);
+    EXPECT_GT(noise.excess_kurtosis(), 0.2);
+    expect_within_4_sigma(estimate_mean(values, [](double x) { return x * x * x * x; }),
+                          3.0 + noise.excess_kurtosis());
+  }
+}
+
 TEST(SurfaceGaborStatistics, DefaultNumberOfImpulsesTakesTheExcessKurtosisAway) {
   for (const GaborWaves waves : {GaborWaves::isotropic, GaborWaves::oriented}) {
     SurfaceGaborOptions options;
