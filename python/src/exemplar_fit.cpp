@@ -66,8 +66,9 @@ ExemplarModel fit(const py::object& object, const FitKind& kind, const Call& cal
   read_fields(reader, options);
   reader.finish();
   const bool chooses_values = !json.contains("raw_values") && !options.squares;
-  if (options.squares && json.contains("raw_values") && !reading.raw_values)
-    throw std::invalid_argument("squares is given, and raw_values is false: squares are of stored values");
+  if (options.squares && json.contains("raw_values"))
+    throw std::invalid_argument("squares and raw_values are given; squares are of stored values");
+  const bool may_square = !json.contains("squares");
   reading.raw_values = reading.raw_values || options.squares || chooses_values;
   options.validate();
   require_fields(reading);
@@ -82,7 +83,7 @@ ExemplarModel fit(const py::object& object, const FitKind& kind, const Call& cal
     }
     options.raw_values = reading.raw_values;
     if (chooses_values) {
-      const ValueChoice choice = choose_values(exemplars, linear);
+      const ValueChoice choice = choose_values(exemplars, linear, may_square);
       options.raw_values = choice.raw_values;
       options.squares = choice.squares;
     }

@@ -53,8 +53,10 @@ def test_lopsided_pictures_are_learnt_as_squares() -> None:
     made = chosen.texture((256, 256), seed=3)
     assert made.min() >= 0.0
     assert abs(made.mean() - lawn.mean()) < 5 * lawn.std() / 64
-    with pytest.raises(ValueError, match="squares is given, and raw_values is false"):
-        solidnoise.fit(lawn, squares=True, raw_values=False)
+    assert "squares" not in solidnoise.fit(lawn, kappa=0.02, squares=False).recipe["exemplar"]
+    assert "squares" not in solidnoise.fit(lawn - 0.1, kappa=0.02).recipe["exemplar"]  # some are below 0
+    with pytest.raises(ValueError, match="squares and raw_values are given"):
+        solidnoise.fit(lawn, squares=True, raw_values=True)
 
 
 def test_noises_of_a_model(model: solidnoise.ExemplarModel, tmp_path: Path) -> None:

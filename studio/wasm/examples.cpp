@@ -10,6 +10,7 @@
 
 #include "commands.h"
 #include "solidnoise/analysis/exemplar/describe_fit.h"
+#include "solidnoise/analysis/exemplar/edit_model.h"
 #include "solidnoise/analysis/exemplar/edit_spectrum.h"
 #include "solidnoise/analysis/exemplar/exemplar.h"
 #include "solidnoise/analysis/exemplar/exemplar_sheet.h"
@@ -117,11 +118,6 @@ const std::map<std::string, Edit>& edits() {
   return known;
 }
 
-bool has_group(const GaborSpectrum& spectrum, const Json& edit) {
-  return !edit.contains("group") || std::find(spectrum.groups.begin(), spectrum.groups.end(),
-                                              edit.at("group").get<std::string>()) != spectrum.groups.end();
-}
-
 // As text, which goes between page and workers quicker than an object of a thousand numbers; read once, as
 // long as only what is done to it changes. "edits" are of the components or groups of all channels, or of
 // one.
@@ -138,11 +134,10 @@ ExemplarModel model_of(const Json& question) {
   ExemplarModel model = known_model;
   if (!question.contains("edits")) return model;
   for (const Json& edit : question.at("edits")) {
-    for (std::size_t k = 0; k < model.channels.size(); ++k) {
-      if (edit.contains("channel") && edit.at("channel") != k) continue;
-      if (!has_group(model.channels[k], edit)) continue;
-      edits().at(edit.at("edit"))(model.channels[k], edit);
-    }
+    EditTarget target{.group = group_of(edit)};
+    if (edit.contains("channel")) target.channel = edit.at("channel").get<int>();
+    edit_model(model, target,
+               [&](GaborSpectrum& spectrum, std::size_t) { edits().at(edit.at("edit"))(spectrum, edit); });
   }
   model.validate();
   return model;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "commands.h"
 #include "solidnoise/core/field.h"
@@ -30,6 +31,7 @@ struct SliceSubject {
   SlicePlane plane;
   double sigma = 0.0;                     // of a noise alone
   std::optional<ExemplarModel> exemplar;  // whose colours the channels make
+  std::vector<double> variances;          // of the channels then
   Json shown;                             // what is known of the values: see make_slice()
 };
 // Made anew only where recipe, grid, time, plane or "draft" differ from the last question's.

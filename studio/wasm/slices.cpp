@@ -37,12 +37,14 @@ void add_noise(const VolumeRecipe& grid, SliceSubject& subject) {
   VolumeRecipe single = at_resolution(grid, Vec<3>(subject.plane.pixel));
   single.output = {Output::value};
   const bool color = !is_scalar(grid);
+  const NoiseRecipe noise_of_all = single.noise;
   std::vector<SliceSourcePtr> channels;
   for (int channel = 0; channel < (color ? 3 : 1); ++channel) {
-    if (color) single.noise = channel_of(grid.noise, channel);
+    if (color) single.noise = channel_of(noise_of_all, channel);
     const NoiseSlice noise = make_noise_slice(single, subject.plane);
     channels.push_back(noise.source);
     subject.sigma = noise.sigma;
+    subject.variances.push_back(variance_of(single, noise));
     if (subject.shown.empty() && noise.sigma > 0.0) {
       subject.shown = {{"low", noise.shown.first}, {"high", noise.shown.second}};
     }
@@ -142,7 +144,7 @@ Answer make_slice(const Json& question, std::span<const unsigned char>) {
   if (subject.exemplar) {  // whose colours are a mixture of the channels
     for (std::size_t i = 0; i < pixels; ++i) {
       const std::array<double, 3> values{answer.floats[0][i], answer.floats[1][i], answer.floats[2][i]};
-      const Vec<3> color = subject.exemplar->color(values);
+      const Vec<3> color = subject.exemplar->color(values, subject.variances);
       for (std::size_t c = 0; c < 3; ++c)
         answer.floats[c][i] = static_cast<float>(color[static_cast<int>(c)]);
     }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 #include <random>
+#include <span>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -65,6 +66,17 @@ TEST(ChooseValues, TakesSquaresOfWhatIsDarkWithBrightParts) {
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = i % 16 == 0 ? 0.9f : 0.01f;
   EXPECT_FALSE(are_squares(spots));
   EXPECT_FALSE(choose_values(spots, {false}).squares);
+  // Nor values below 0, nor pictures that are dark but for one, though each alone is.
+  std::vector<Exemplar<2>> negative = {before};
+  negative.front().channels.front().values.front() = -0.1f;
+  EXPECT_FALSE(are_squares(negative));
+  std::vector<Exemplar<2>> pictures(12, before);
+  for (Exemplar<2>& dark : pictures) {
+    for (float& value : dark.channels.front().values) value *= &dark == pictures.data() ? 5.0f : 0.02f;
+    EXPECT_TRUE(are_squares(std::span(&dark, 1)));
+  }
+  EXPECT_FALSE(are_squares(pictures));
+  EXPECT_FALSE(choose_values(lawn, {false}, false).squares);
 }
 
 TEST(ChooseValues, TakesLinearLightWhereOneHoldsItAlready) {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <numbers>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -189,6 +190,46 @@ TEST(SurfaceScale, OrientedNoiseHasOneValueWhereDirectionsTurn) {
   EXPECT_LT(largest_difference(), 0.5);
   recipe.smooth_radius = 0.0;
   EXPECT_GT(largest_difference(), 1.5);
+}
+
+// Of a plane whose points are up to an edge's length above and below it.
+TEST(SurfaceScale, RoughSurfacesKeepTheirDirections) {
+  constexpr int kSide = 60;
+  PolygonMesh mesh = grid_mesh(kSide, kSide, {Ends::open, Ends::open}, {},
+                               [](double u, double v) { return Vec<3>(u, 0.0, v); });
+  std::mt19937 engine(3);
+  std::uniform_real_distribution<double> height(-1.0 / kSide, 1.0 / kSide);
+  for (Vec<3>& position : mesh.positions) position.y = height(engine);
+  BakeRecipe recipe;
+  recipe.noise.kind = SurfaceNoiseKind::oriented;
+  recipe.frequency = ParameterRange{4.0, 4.0};
+  recipe.direction.axis = Vec<3>(1.0, 0.0, 0.0);
+  std::vector<double> lengths;
+  for (const Vec<3>& direction : plan_bake(mesh, recipe).guides.directions)
+    lengths.push_back(glm::length(direction));
+  std::sort(lengths.begin(), lengths.end());
+  EXPECT_GT(lengths[lengths.size() / 10], 0.99);
+}
+
+// They lie in the planes that the file says, where there are no faces to tell.
+TEST(SurfaceScale, PointsWithoutFacesHaveTheAxisForADirection) {
+  PolygonMesh cloud;
+  cloud.positions = sphere_mesh(1.0, {.n = 8}).positions;
+  for (int axis = 0; axis < 3; ++axis) {
+    VertexProperty normal{std::string("n") + "xyz" [axis], ScalarType::float64, {}};
+    for (const Vec<3>& position : cloud.positions) normal.values.push_back(position[axis]);
+    cloud.properties.push_back(normal);
+  }
+  BakeRecipe recipe;
+  recipe.noise.kind = SurfaceNoiseKind::oriented;
+  recipe.frequency = ParameterRange{4.0, 4.0};
+  recipe.direction.axis = Vec<3>(0.3, 1.0, 0.2);
+  const BakePlan plan = plan_bake(cloud, recipe);
+  for (std::size_t v = 0; v < cloud.positions.size(); ++v) {
+    const Vec<3>& direction = plan.guides.directions[v];
+    EXPECT_NEAR(glm::length(direction), 1.0, 1e-6);
+    EXPECT_NEAR(glm::dot(direction, cloud.positions[v]), 0.0, 1e-6);
+  }
 }
 
 TEST(SurfaceScale, FrequenciesDoNotDependOnTheTessellation) {

@@ -29,6 +29,15 @@ TEST(MeshnoiseEstimatedMemory, IsWhatABakeTakes) {
     command.insert(command.end(), options.begin(), options.end());
     expect_estimate(run, command, {"--force", "--out", "x.ply"});
   }
+  // Where smoothing takes most.
+  write_sample(folder, "fine.ply", sample_torus(300));
+  for (const std::vector<std::string>& options : {std::vector<std::string>{"--noise", "solid"},
+                                                  {"--noise", "surface"},
+                                                  {"--noise", "oriented", "--follow", "max-curvature"}}) {
+    std::vector<std::string> command{"bake", "fine.ply", "--octaves", "1", "--frequency", "2"};
+    command.insert(command.end(), options.begin(), options.end());
+    expect_estimate(run, command, {"--force", "--out", "x.ply"});
+  }
 }
 
 TEST(MeshnoiseEstimatedMemory, IsWhatCurvatureTakes) {

@@ -193,8 +193,9 @@ int run_fit(const std::vector<std::string>& arguments) {
   if (!command.quiet) {
     std::cerr << choice;
     if (command.fit.squares && !are_squares(exemplars)) {
-      std::cerr << "noisefit: warning: --squares: values are more lopsided than squares of noise, which vary "
-                   "less\n";
+      std::cerr
+          << "noisefit: warning: --squares: values are below 0, or more lopsided than squares of noise, "
+             "which vary less\n";
     }
     warn_of_structure(command.fit.squares ? square_roots(std::span<const Exemplar<2>>(exemplars)) : exemplars,
                       command.inputs);

@@ -8,6 +8,8 @@ namespace solidnoise {
 // Bytes that planning and baking take at most for a mesh of so many vertices and faces; a preview takes two
 // thirds more (kPreviewMemory). The libraries that images are rendered and written by are kImageMemory.
 double bake_memory(double vertices, double faces);
+// And what smoothing takes besides, for a vertex of the mesh before it is refined.
+double smoothing_memory(const BakeRecipe& recipe);
 inline constexpr double kPreviewMemory = 5.0 / 3.0;
 inline constexpr double kImageMemory = 128.0 * 0x1p20;
 

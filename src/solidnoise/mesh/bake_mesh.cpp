@@ -173,9 +173,10 @@ RefineOptions limited(RefineOptions options, std::uint64_t most_memory) {
   return options;
 }
 
-void require_memory(const PolygonMesh& mesh, std::uint64_t most_memory) {
+void require_memory(const PolygonMesh& mesh, const BakeRecipe& recipe, std::uint64_t most_memory) {
+  const auto vertices = static_cast<double>(mesh.positions.size());
   const double bytes =
-      bake_memory(static_cast<double>(mesh.positions.size()), static_cast<double>(mesh.face_count()));
+      bake_memory(vertices, static_cast<double>(mesh.face_count())) + vertices * smoothing_memory(recipe);
   if (bytes <= static_cast<double>(most_memory)) return;
   throw std::runtime_error(
       fmt::format("to bake {} vertices and {} faces may take {:.0f} MiB of memory, more than it may",
@@ -238,7 +239,7 @@ RefinedMesh refine_mesh(const PolygonMesh& mesh, const RefineRecipe& recipe, std
 BakePlan plan_bake(PolygonMesh mesh, const BakeRecipe& recipe, Progress* progress,
                    std::uint64_t most_memory) {
   recipe.validate();
-  require_memory(mesh, most_memory);
+  require_memory(mesh, recipe, most_memory);
   BakePlan plan;
   plan.original_vertices = mesh.positions.size();
   const double diagonal = diagonal_of(mesh);

@@ -296,10 +296,13 @@ BakedLayers bake_layers(const SurfaceNoiseRecipe& recipe, const SurfaceLayers& l
   const Components directions = components_of(vertices.directions);
   const SurfaceKernel kernel = kernel_of(recipe, vertices, directions);
   const std::size_t count = vertices.positions.size();
-  BakedLayers baked{std::vector<float>(count), {layers.properties.size(), std::vector<float>(count)}};
+  BakedLayers baked;
+  baked.values.resize(count);
+  baked.properties.assign(layers.properties.size(), std::vector<float>(count));
   VertexLayers made(recipe, layers, kernel, vertices);
   const FieldPtr value =
       layers.layers.empty() ? make_surface_field(recipe, kernel) : made.make(layers.layers);
+  if (const auto statistics = value->statistics()) baked.variance = statistics->variance;
   made.set_value(std::make_shared<VertexField>(std::vector{std::span<const float>(baked.values)}));
   std::vector<FieldPtr> properties;
   for (const Layer& property : layers.properties) properties.push_back(made.make({property}));

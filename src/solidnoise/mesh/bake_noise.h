@@ -124,6 +124,7 @@ inline constexpr char kValueField[] = "value";
 
 struct BakedLayers {
   std::vector<float> values;
+  double variance = 1.0;                       // of a noise alone, what a filter leaves of it
   std::vector<std::vector<float>> properties;  // without magnitude and bias
 };
 

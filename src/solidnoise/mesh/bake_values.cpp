@@ -55,22 +55,24 @@ std::vector<Color> ramp_colors(const BakeRecipe& recipe, const std::vector<float
   return colors;
 }
 
-// The exemplar's own, of the values of its first channel and of the others.
-std::vector<Color> exemplar_colors(const BakePlan& plan, const BakeRecipe& recipe,
-                                   const std::vector<float>& first, Progress* progress) {
+// The exemplar's own, of its first channel and of the others. Contrast leaves their mean, too.
+std::vector<Color> exemplar_colors(const BakePlan& plan, const BakeRecipe& recipe, BakedLayers first,
+                                   Progress* progress) {
   const ExemplarModel& exemplar = recipe.noise.exemplar;
-  std::vector<std::vector<float>> others;
+  std::vector<BakedLayers> channels{std::move(first)};
   for (std::size_t k = 1; k < exemplar.channels.size(); ++k) {
-    others.push_back(bake_layers(channel_of(recipe.noise, static_cast<int>(k)),
-                                 surface_layers(plan, recipe, {}), vertices_of(plan), progress)
-                         .values);
+    channels.push_back(bake_layers(channel_of(recipe.noise, static_cast<int>(k)),
+                                   surface_layers(plan, recipe, {}), vertices_of(plan), progress));
   }
-  std::vector<Color> colors(first.size());
-  std::vector<double> values(exemplar.channels.size());
-  for (std::size_t i = 0; i < first.size(); ++i) {
-    values[0] = recipe.contrast * first[i];
-    for (std::size_t k = 0; k < others.size(); ++k) values[k + 1] = recipe.contrast * others[k][i];
-    const Color color(exemplar.color(values));
+  std::vector<double> variances;
+  for (const BakedLayers& channel : channels)
+    variances.push_back(recipe.contrast * recipe.contrast * channel.variance);
+  std::vector<Color> colors(channels.front().values.size());
+  std::vector<double> values(channels.size());
+  for (std::size_t i = 0; i < colors.size(); ++i) {
+    for (std::size_t k = 0; k < channels.size(); ++k)
+      values[k] = recipe.contrast * static_cast<double>(channels[k].values[i]);
+    const Color color(exemplar.color(values, variances));
     colors[i] = exemplar.raw_values ? linear_from_srgb(color) : color;
   }
   return colors;
@@ -96,10 +98,10 @@ BakedValues bake_values(const BakePlan& plan, const BakeRecipe& recipe, const Ba
   BakedValues baked;
   BakedLayers layers =
       bake_layers(recipe.noise, surface_layers(plan, recipe, wishes.properties), vertices_of(plan), progress);
-  baked.noise = std::move(layers.values);
+  baked.noise = layers.values;
   baked.properties = std::move(layers.properties);
   if (wishes.colors) {
-    baked.colors = recipe.has_exemplar_colors() ? exemplar_colors(plan, recipe, baked.noise, progress)
+    baked.colors = recipe.has_exemplar_colors() ? exemplar_colors(plan, recipe, std::move(layers), progress)
                                                 : ramp_colors(recipe, baked.noise);
   }
   if (wishes.slopes) baked.slopes = height_slopes(plan, recipe, progress);

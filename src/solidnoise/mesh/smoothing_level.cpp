@@ -45,9 +45,10 @@ std::vector<float> cotangent_weights(const SurfaceMesh& surface) {
   return all;
 }
 
-std::vector<std::complex<float>> turns_between_points(const SurfaceMesh& surface) {
+std::vector<std::complex<float>> turns_between_points(const SurfaceMesh& surface,
+                                                      std::span<const Vec<3>> normals) {
   const Adjacency& neighbours = surface.neighbours();
-  const TangentFrames frames(surface.normals());
+  const TangentFrames frames(normals);
   std::vector<std::complex<float>> turns(neighbours.items.size());
   tbb::parallel_for(std::size_t{0}, surface.point_count(), [&](std::size_t p) {
     const TangentFrame frame = frames[p];
@@ -132,14 +133,14 @@ std::vector<std::uint32_t> make_clusters(const SmoothingLevel& fine, std::vector
 
 }  // namespace
 
-SmoothingLevel level_of_points(const SurfaceMesh& surface) {
+SmoothingLevel level_of_points(const SurfaceMesh& surface, std::span<const Vec<3>> normals) {
   SmoothingLevel level;
   level.neighbours = surface.neighbours();
   level.areas = surface.areas();
   level.positions = surface.positions();
-  level.normals = surface.normals();
+  level.normals.assign(normals.begin(), normals.end());
   level.weights = cotangent_weights(surface);
-  level.turns = turns_between_points(surface);
+  level.turns = turns_between_points(surface, normals);
   level.mean_edge = mean_edge_of(level);
   return level;
 }

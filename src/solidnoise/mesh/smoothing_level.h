@@ -2,6 +2,7 @@
 
 #include <complex>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "solidnoise/core/vec.h"
@@ -25,7 +26,8 @@ struct SmoothingLevel {
 };
 
 // The level of a mesh's points: the cotangent weights of Pinkall and Polthier 1993, negative ones taken as 0.
-SmoothingLevel level_of_points(const SurfaceMesh& surface);
+// Lines are carried between planes of these unit normals, one per point.
+SmoothingLevel level_of_points(const SurfaceMesh& surface, std::span<const Vec<3>> normals);
 
 // A coarser level, whose places are clusters of a finer one's: a point and what neighbours of it no earlier
 // cluster has, of those between which heat flows well.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <complex>
+#include <span>
 #include <vector>
 
 #include "solidnoise/core/progress.h"
@@ -14,7 +15,10 @@ namespace solidnoise {
 // tangent plane to the next before they are added.
 class SurfaceSmoothing {
  public:
-  explicit SurfaceSmoothing(const SurfaceMesh& surface) : points_(level_of_points(surface)) {}
+  explicit SurfaceSmoothing(const SurfaceMesh& surface) : SurfaceSmoothing(surface, surface.normals()) {}
+  // Lines lie in the planes of these unit normals, one per point, and not in the surface's.
+  SurfaceSmoothing(const SurfaceMesh& surface, std::span<const Vec<3>> normals)
+      : points_(level_of_points(surface, normals)) {}
 
   // One round: at each point the mean of its value and its neighbours', weighted by `weights` (>= 0, one per
   // point). Where all of these are 0, the value stays.

@@ -179,17 +179,21 @@ std::vector<Vec<3>> make_directions(const SurfaceMesh& surface, std::span<const 
 
 // Near a point around which directions turn, waves of one length would turn within a fraction of it. Smoothed
 // over a feature, lines are the shorter the more of them are there; directions become those, of a length that
-// rises from 0 at such a point to 1 where most of a feature agrees.
-void weaken_where_they_turn(const SurfaceMesh& surface, double radius, Progress* progress,
-                            std::vector<Vec<3>>& directions) {
+// rises from 0 at such a point to 1 where most of a feature agrees. In the planes that the noise lies in:
+// between those of a rough surface's own normals, lines that agree would turn.
+void weaken_where_they_turn(const SurfaceMesh& surface, std::span<const Vec<3>> planes, double radius,
+                            Progress* progress, std::vector<Vec<3>>& directions) {
   constexpr double kMost = 0.7;
-  const TangentFrames frames(surface.normals());
-  std::vector<ShapeOperator> shapes(surface.point_count());
+  std::vector<Vec<3>> normals(surface.point_count());
+  for (std::size_t p = 0; p < normals.size(); ++p) normals[p] = planes[surface.vertex_at(p)];
+  const TangentFrames frames(normals);
+  std::vector<ShapeOperator> shapes(normals.size());
   for (std::size_t p = 0; p < shapes.size(); ++p)
     shapes[p].line = axis_line(frames[p], directions[surface.vertex_at(p)]);
-  SurfaceSmoothing(surface).diffuse(shapes, radius, progress);
+  SurfaceSmoothing(surface, normals).diffuse(shapes, radius, progress);
   for (std::size_t v = 0; v < directions.size(); ++v) {
     const std::uint32_t p = surface.point_of(v);
+    if (surface.triangles_at(p).empty()) continue;
     const Line line = shapes[p].line;
     directions[v] = std::min(1.0, std::abs(line) / kMost) * frames[p].in_space(direction_of_line(line));
   }
@@ -278,8 +282,8 @@ VertexGuides measure_guides(const PolygonMesh& mesh, const SurfaceMesh& surface,
     curvature = measure_curvature(surface, {.rounds = recipe.smooth, .radius = radius}, &stop);
   }
   if (oriented) guides.directions = make_directions(surface, guides.planes(), curvature, recipe);
-  if (recipe.noise.kind == SurfaceNoiseKind::oriented && radius > 0.0)
-    weaken_where_they_turn(surface, radius, &stop, guides.directions);
+  if (recipe.noise.kind == SurfaceNoiseKind::oriented && radius > 0.0 && !surface.triangles().empty())
+    weaken_where_they_turn(surface, guides.planes(), radius, &stop, guides.directions);
   if (recipe.noise.kind == SurfaceNoiseKind::spectrum) turn_upright(guides.planes(), guides.directions);
   throw_if_cancelled(progress);
   if (recipe.steers()) {

@@ -65,9 +65,10 @@ std::string describe(const ExemplarModel& model) {
   const GaborSpectrum& first = model.channels.front();
   std::string text = fmt::format("{} channel{}, {}D{}, mean {}{}\n", model.channels.size(),
                                  model.channels.size() == 1 ? "" : "s", first.dimensions,
-                                 first.isotropic ? " isotropic" : "", color(model.mean),
+                                 first.isotropic ? " isotropic" : "", color(model.mean_color()),
                                  model.raw_values ? ", raw values" : ", linear light");
-  if (model.squares) text += "  colours are squares; what follows is of their roots\n";
+  if (model.squares)
+    text += fmt::format("  colours are squares; of their roots, of mean {}:\n", color(model.mean));
   for (std::size_t k = 0; k < model.channels.size(); ++k) {
     const GaborSpectrum& spectrum = model.channels[k];
     text += fmt::format("  channel {}: axis {}, deviation {:.4g}, {} components in {} bands\n", k,

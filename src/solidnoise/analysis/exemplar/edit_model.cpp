@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include <glm/common.hpp>
+#include <glm/exponential.hpp>
+
 #include "solidnoise/core/check.h"
 
 namespace solidnoise {
@@ -16,12 +19,17 @@ bool edit_model(ExemplarModel& model, const EditTarget& target,
     require_in_range("channel", *target.channel, 0, static_cast<double>(model.channels.size()) - 1,
                      "of the model");
   }
+  const Vec<3> before = model.variances();
   bool edited = false;
   for (std::size_t k = 0; k < model.channels.size(); ++k) {
     if (target.channel && *target.channel != static_cast<int>(k)) continue;
     if (target.group && !target.makes_group && !has_group(model.channels[k], *target.group)) continue;
     edited = true;
     edit(model.channels[k], k);
+  }
+  if (model.squares) {
+    const Vec<3> square = model.mean * model.mean + before - model.variances();
+    model.mean = glm::sqrt(glm::max(square, Vec<3>(0.0)));
   }
   return edited;
 }

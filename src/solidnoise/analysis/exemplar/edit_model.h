@@ -18,7 +18,8 @@ struct EditTarget {
 };
 
 // Edits the channels of a model that have the group; it may be missing in some of them. Returns whether any
-// has it. Throws std::invalid_argument for a channel that is not there; what `edit` throws.
+// has it. The mean of the colours stays, of squares too. Throws std::invalid_argument for a channel that is
+// not there; what `edit` throws.
 bool edit_model(ExemplarModel& model, const EditTarget& target,
                 const std::function<void(GaborSpectrum& spectrum, std::size_t channel)>& edit);
 

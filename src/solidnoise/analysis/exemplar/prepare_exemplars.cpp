@@ -70,15 +70,20 @@ ValueFit fit_of_squares(std::span<const Exemplar<2>> exemplars) {
 }
 
 bool are_squares(std::span<const Exemplar<2>> exemplars) {
-  const auto can_be = [](const DenseField<2>& channel) {
-    const Moments moments = Moments::of(channel.values);
-    return root_moments(moments.mean(), moments.sigma() * moments.sigma()).mean > 0.0;
-  };
-  return std::ranges::all_of(
-      exemplars, [&](const Exemplar<2>& exemplar) { return std::ranges::all_of(exemplar.channels, can_be); });
+  std::array<Moments, 3> colors;
+  for (const Exemplar<2>& exemplar : exemplars) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::size_t channel = exemplar.channels.size() == 1 ? 0 : c;
+      colors[c].merge(Moments::of(exemplar.channels[channel].values));
+    }
+  }
+  return std::ranges::all_of(colors, [](const Moments& moments) {
+    return moments.min() >= 0.0 && reached_share(moments.mean(), std::pow(moments.sigma(), 2)) == 1.0;
+  });
 }
 
-ValueChoice choose_values(std::vector<Exemplar<2>>& exemplars, const std::vector<bool>& hold_linear_light) {
+ValueChoice choose_values(std::vector<Exemplar<2>>& exemplars, const std::vector<bool>& hold_linear_light,
+                          bool may_square) {
   constexpr double kClipped = 0.005;  // as bad as a skewness of 1
   const auto cost = [](const ValueFit& fit) { return fit.clipped / kClipped + std::abs(fit.skewness); };
   std::vector<Exemplar<2>> linear = exemplars;
@@ -94,7 +99,7 @@ ValueChoice choose_values(std::vector<Exemplar<2>>& exemplars, const std::vector
       std::find(hold_linear_light.begin(), hold_linear_light.end(), true) != hold_linear_light.end();
   if (!any_linear) {
     const ValueFit of_squares = fit_of_squares(exemplars);
-    if (std::min(of_stored.clipped, of_linear.clipped) > kClipped &&
+    if (may_square && std::min(of_stored.clipped, of_linear.clipped) > kClipped &&
         cost(of_squares) < std::min(cost(of_stored), cost(of_linear)) && are_squares(exemplars))
       return {.raw_values = true, .squares = true, .fit = of_squares};
     if (cost(of_stored) <= cost(of_linear)) return {.raw_values = true, .fit = of_stored};

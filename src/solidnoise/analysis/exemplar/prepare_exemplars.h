@@ -22,7 +22,8 @@ ValueFit fit_of_values(std::span<const Exemplar<2>> exemplars);
 // Of a noise that is learnt from their square roots and squared: it has what skewness these leave.
 ValueFit fit_of_squares(std::span<const Exemplar<2>> exemplars);
 
-// Whether squares of noise can have the means and variances of all channels (root_moments).
+// Whether no value is below 0, and squares of noise can have the mean and variance of each colour in all
+// exemplars together (reached_share).
 bool are_squares(std::span<const Exemplar<2>> exemplars);
 
 struct ValueChoice {
@@ -33,9 +34,9 @@ struct ValueChoice {
 
 // Chooses between the values as they are stored, which `exemplars` hold, linear light, into which they are
 // then made, and squares of noise of the stored values' roots: that of less clipped / 0.005 + |skewness|,
-// squares only where more than 0.005 of either other is clipped and values are_squares(). If one of them
-// holds linear light already
-// (`hold_linear_light`, one of each), all are made so.
-ValueChoice choose_values(std::vector<Exemplar<2>>& exemplars, const std::vector<bool>& hold_linear_light);
+// squares only if they may be, more than 0.005 of either other is clipped, and values are_squares(). If one
+// of them holds linear light already (`hold_linear_light`, one of each), all are made so.
+ValueChoice choose_values(std::vector<Exemplar<2>>& exemplars, const std::vector<bool>& hold_linear_light,
+                          bool may_square = true);
 
 }  // namespace solidnoise

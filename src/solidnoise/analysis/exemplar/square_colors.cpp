@@ -24,6 +24,16 @@ Eigen::Matrix3d matrix_power(const Eigen::Matrix3d& matrix, double power) {
   return solver.eigenvectors() * values.asDiagonal() * solver.eigenvectors().transpose();
 }
 
+// The nearest that noise can have: without negative eigenvalues, and with the variances that it had.
+Eigen::Matrix3d with_own_variances(const Eigen::Matrix3d& matrix) {
+  const Eigen::Matrix3d positive = matrix_power(matrix, 1.0);
+  Eigen::Vector3d scale = Eigen::Vector3d::Zero();
+  for (int i = 0; i < 3; ++i) {
+    if (positive(i, i) > 0.0) scale[i] = std::sqrt(matrix(i, i) / positive(i, i));
+  }
+  return scale.asDiagonal() * positive * scale.asDiagonal();
+}
+
 // Of the colours before they are squared.
 Eigen::Matrix3d covariance_of(const ExemplarModel& model) {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
@@ -58,31 +68,41 @@ Exemplar<2> squared_version(const Exemplar<2>& exemplar, std::uint64_t seed) {
   return squared(gaussian_version(square_roots(std::span(&exemplar, 1)).front(), seed));
 }
 
+double reached_share(double mean, double variance) {
+  const double most = 2.0 * mean * mean;
+  return variance > most ? most / variance : 1.0;
+}
+
 RootMoments root_moments(double mean, double variance) {
+  if (!(mean > 0.0)) return {};
   const double square = std::sqrt(std::max(mean * mean - 0.5 * variance, 0.0));  // m^2
   return {std::sqrt(square), mean - square};
 }
 
 void square_colors(ExemplarModel& model, const SampleMoments& wanted) {
   const std::size_t colors = wanted.mean.size();
+  const auto channel = [&](int i) { return colors == 1 ? 0 : static_cast<std::size_t>(i); };
   Eigen::Vector3d mean;
+  Eigen::Vector3d share;  // of the deviation that is wanted
   Eigen::Matrix3d covariance;
   for (int i = 0; i < 3; ++i) {
-    const std::size_t c = colors == 1 ? 0 : static_cast<std::size_t>(i);
-    const RootMoments root = root_moments(wanted.mean[c], wanted.covariance[c * colors + c]);
+    const std::size_t c = channel(i);
+    const double variance = wanted.covariance[c * colors + c];
+    const RootMoments root = root_moments(wanted.mean[c], variance);
     model.mean[i] = mean[i] = root.mean;
+    share[i] = std::sqrt(reached_share(wanted.mean[c], variance));
     covariance(i, i) = root.variance;
   }
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
       if (i == j) continue;
-      const double of_squares =
-          wanted.covariance[colors == 1 ? 0 : 3 * static_cast<std::size_t>(i) + static_cast<std::size_t>(j)];
+      const double of_squares = share[i] * share[j] * wanted.covariance[channel(i) * colors + channel(j)];
       const double product = mean[i] * mean[j];
       covariance(i, j) = std::sqrt(std::max(product * product + 0.5 * of_squares, 0.0)) - product;
     }
   }
-  const Eigen::Matrix3d change = matrix_power(covariance, 0.5) * matrix_power(covariance_of(model), -0.5);
+  const Eigen::Matrix3d change =
+      matrix_power(with_own_variances(covariance), 0.5) * matrix_power(covariance_of(model), -0.5);
   for (Vec<3>& axis : model.axes) {
     const Eigen::Vector3d moved = change * Eigen::Vector3d(axis.x, axis.y, axis.z);
     axis = Vec<3>(moved[0], moved[1], moved[2]);

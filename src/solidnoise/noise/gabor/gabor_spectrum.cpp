@@ -178,12 +178,25 @@ double ExemplarModel::principal_frequency() const {
   return principal_frequency_of(channels);
 }
 
-Vec<3> ExemplarModel::color(std::span<const double> values) const {
+Vec<3> ExemplarModel::variances() const {
+  Vec<3> sum(0.0);
+  for (std::size_t k = 0; k < channels.size(); ++k) sum += channels[k].variance() * axes[k] * axes[k];
+  return sum;
+}
+
+Vec<3> ExemplarModel::mean_color() const {
+  return squares ? mean * mean + variances() : mean;
+}
+
+Vec<3> ExemplarModel::color(std::span<const double> values, std::span<const double> variances) const {
   Vec<3> sum = mean;
+  Vec<3> taken(0.0);
   for (std::size_t k = 0; k < channels.size(); ++k) {
-    sum += std::sqrt(channels[k].variance()) * values[k] * axes[k];
+    const double variance = channels[k].variance();
+    sum += std::sqrt(variance) * values[k] * axes[k];
+    if (!variances.empty()) taken += (1.0 - variances[k]) * variance * axes[k] * axes[k];
   }
-  return squares ? sum * sum : sum;
+  return squares ? sum * sum + taken : sum;
 }
 
 void ExemplarModel::validate() const {

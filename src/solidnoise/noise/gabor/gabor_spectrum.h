@@ -74,8 +74,13 @@ struct ExemplarModel {
   // a model: with b the variance's share, sqrt(sum of b (|w|^2 + n a^2 / (4 pi))).
   double principal_frequency() const;
 
-  // The color that noises of unit variance make, one value per channel. Not clamped. Precondition: valid.
-  Vec<3> color(std::span<const double> values) const;
+  // Variances of the three numbers, before they are squared, and the mean of the colours.
+  Vec<3> variances() const;
+  Vec<3> mean_color() const;
+
+  // The color that noises of unit variance make, one value per channel, or of these variances, where a filter
+  // has taken some: the mean of the colours stays then, of squares too. Not clamped. Precondition: valid.
+  Vec<3> color(std::span<const double> values, std::span<const double> variances = {}) const;
 
   // Throws std::invalid_argument: as GaborSpectrum::validate, and where numbers or dimensions do not agree.
   void validate() const;

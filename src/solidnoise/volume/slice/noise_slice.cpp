@@ -129,6 +129,10 @@ NoiseSlice make_flat(const VolumeRecipe& recipe, const SlicePlane& plane) {
 
 }  // namespace
 
+double variance_of(const VolumeRecipe& recipe, const NoiseSlice& slice) {
+  return raw_of(recipe).normalize ? 1.0 : slice.sigma * slice.sigma;
+}
+
 bool is_noise_alone(const VolumeRecipe& recipe) {
   return std::holds_alternative<RawShaping>(recipe.shaping) && recipe.layers.empty() && !recipe.within &&
          !recipe.parameters.any() && std::holds_alternative<BoxShape>(recipe.shape) &&

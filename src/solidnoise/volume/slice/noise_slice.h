@@ -32,6 +32,9 @@ NoiseSlice make_noise_slice(const VolumeRecipe& recipe, const SlicePlane& plane)
 // and y, and is constant along the other axes.
 NoiseSlice make_flat_slice(const VolumeRecipe& recipe, const SlicePlane& plane);
 
+// Of the slice's values, what a filter leaves of 1, or 1 where they are normalized.
+double variance_of(const VolumeRecipe& recipe, const NoiseSlice& slice);
+
 // The upper end of the band of its noise, of any dimensions, cycles per world unit.
 double highest_frequency_in_slice(const VolumeRecipe& recipe);
 

@@ -43,6 +43,7 @@ SliceField make_noise_field(const SliceRecipe& slice, const VolumeRecipe& grid) 
         recipe.dims < 3 ? make_flat_slice(single, slice.plane) : make_noise_slice(single, slice.plane);
     channels.push_back(noise.source);
     field.sigma = noise.sigma;
+    field.variances.push_back(variance_of(recipe, noise));
     field.shown = noise.shown;
   }
   if (const ExemplarModel* const exemplar = exemplar_of_colors(recipe); exemplar && color) {

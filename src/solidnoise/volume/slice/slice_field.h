@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "solidnoise/core/progress.h"
 #include "solidnoise/core/vec.h"
@@ -40,6 +41,7 @@ struct SliceField {
       shown{};                              // as black and white; none: the slice's least and greatest
   std::optional<Box<3>> bounds{};           // of a grid's active voxels
   std::optional<ExemplarModel> exemplar{};  // whose colours the three channels make
+  std::vector<double> variances{};          // of the channels then
 };
 
 // The short form of the grid that is sliced of a recipe.

@@ -117,7 +117,7 @@ Image color_image(const SliceField& field, std::span<const DenseField<2>> channe
       for (std::size_t c = 0; c < 3; ++c) values[c] = value_at(channels[c], x, image.height - 1 - y);
       Color color;
       if (exemplar) {
-        color = Color(exemplar->color(values));
+        color = Color(exemplar->color(values, field.variances));
         if (!floats && !exemplar->raw_values) color = srgb_from_linear(color);
       } else {
         for (int c = 0; c < 3; ++c) {
