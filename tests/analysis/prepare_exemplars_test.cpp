@@ -77,6 +77,12 @@ TEST(ChooseValues, TakesSquaresOfWhatIsDarkWithBrightParts) {
   }
   EXPECT_FALSE(are_squares(pictures));
   EXPECT_FALSE(choose_values(lawn, {false}, false).squares);
+  // Of values all over the range squares are clipped hardly less.
+  std::vector<Exemplar<2>> even = {before};
+  std::vector<float>& all_over = even.front().channels.front().values;
+  for (std::size_t i = 0; i < all_over.size(); ++i)
+    all_over[i] = static_cast<float>(i) / static_cast<float>(all_over.size());
+  EXPECT_FALSE(choose_values(even, {false}).squares);
 }
 
 TEST(ChooseValues, TakesLinearLightWhereOneHoldsItAlready) {

@@ -2,6 +2,7 @@
 
 import json
 import os
+import shutil
 
 import bpy
 import numpy as np
@@ -281,6 +282,7 @@ def test_what_cannot_be_is_refused_and_changes_nothing(smoke, blocks, tmp_path) 
     smoke.data.filepath = ""
     with pytest.raises(RuntimeError, match="Smoke has no file; it must be a volume of a .vdb"):
         modify()
-    smoke.data.filepath, smoke.data.is_sequence, smoke.data.frame_duration = path, True, 3
+    still = shutil.copy(path, tmp_path / "still.vdb")  # a name without digits, which would be a frame's
+    smoke.data.filepath, smoke.data.is_sequence, smoke.data.frame_duration = str(still), True, 3
     with pytest.raises(RuntimeError, match="Smoke has no files of frames 1 to 3"):
         modify()

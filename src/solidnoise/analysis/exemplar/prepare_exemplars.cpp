@@ -99,7 +99,8 @@ ValueChoice choose_values(std::vector<Exemplar<2>>& exemplars, const std::vector
       std::find(hold_linear_light.begin(), hold_linear_light.end(), true) != hold_linear_light.end();
   if (!any_linear) {
     const ValueFit of_squares = fit_of_squares(exemplars);
-    if (may_square && std::min(of_stored.clipped, of_linear.clipped) > kClipped &&
+    const double otherwise = std::min(of_stored.clipped, of_linear.clipped);
+    if (may_square && otherwise > kClipped && of_squares.clipped < 0.5 * otherwise &&
         cost(of_squares) < std::min(cost(of_stored), cost(of_linear)) && are_squares(exemplars))
       return {.raw_values = true, .squares = true, .fit = of_squares};
     if (cost(of_stored) <= cost(of_linear)) return {.raw_values = true, .fit = of_stored};

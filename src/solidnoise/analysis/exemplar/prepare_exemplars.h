@@ -34,8 +34,9 @@ struct ValueChoice {
 
 // Chooses between the values as they are stored, which `exemplars` hold, linear light, into which they are
 // then made, and squares of noise of the stored values' roots: that of less clipped / 0.005 + |skewness|,
-// squares only if they may be, more than 0.005 of either other is clipped, and values are_squares(). If one
-// of them holds linear light already (`hold_linear_light`, one of each), all are made so.
+// squares only if they may be, more than 0.005 of either other is clipped and less than half of that of
+// squares, and values are_squares(). If one of them holds linear light already (`hold_linear_light`, one of
+// each), all are made so.
 ValueChoice choose_values(std::vector<Exemplar<2>>& exemplars, const std::vector<bool>& hold_linear_light,
                           bool may_square = true);
 
