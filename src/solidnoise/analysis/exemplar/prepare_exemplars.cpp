@@ -65,10 +65,6 @@ ValueFit fit_of_values(std::span<const Exemplar<2>> exemplars) {
   return fit_of(exemplars, false);
 }
 
-ValueFit fit_of_squares(std::span<const Exemplar<2>> exemplars) {
-  return fit_of(square_roots(exemplars), true);
-}
-
 bool are_squares(std::span<const Exemplar<2>> exemplars) {
   std::array<Moments, 3> colors;
   for (const Exemplar<2>& exemplar : exemplars) {
@@ -98,11 +94,13 @@ ValueChoice choose_values(std::vector<Exemplar<2>>& exemplars, const std::vector
   const bool any_linear =
       std::find(hold_linear_light.begin(), hold_linear_light.end(), true) != hold_linear_light.end();
   if (!any_linear) {
-    const ValueFit of_squares = fit_of_squares(exemplars);
     const double otherwise = std::min(of_stored.clipped, of_linear.clipped);
-    if (may_square && otherwise > kClipped && of_squares.clipped < 0.5 * otherwise &&
-        cost(of_squares) < std::min(cost(of_stored), cost(of_linear)) && are_squares(exemplars))
-      return {.raw_values = true, .squares = true, .fit = of_squares};
+    if (may_square && otherwise > kClipped && are_squares(exemplars)) {
+      const ValueFit of_squares = fit_of(square_roots(std::span<const Exemplar<2>>(exemplars)), true);
+      if (of_squares.clipped < 0.5 * otherwise &&
+          cost(of_squares) < std::min(cost(of_stored), cost(of_linear)))
+        return {.raw_values = true, .squares = true, .fit = of_squares};
+    }
     if (cost(of_stored) <= cost(of_linear)) return {.raw_values = true, .fit = of_stored};
   }
   exemplars = std::move(linear);

@@ -19,8 +19,6 @@ struct ValueFit {
   double skewness = 0.0;  // of the exemplar, the largest of its channels', which noise does not have
 };
 ValueFit fit_of_values(std::span<const Exemplar<2>> exemplars);
-// Of a noise that is learnt from their square roots and squared: it has what skewness these leave.
-ValueFit fit_of_squares(std::span<const Exemplar<2>> exemplars);
 
 // Whether no value is below 0, and squares of noise can have the mean and variance of each colour in all
 // exemplars together (reached_share).
