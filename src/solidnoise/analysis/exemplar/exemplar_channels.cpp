@@ -36,6 +36,34 @@ std::vector<Matrix> rotated_matrices(const CrossSpectra<Dim>& spectra, const Axi
   return result;
 }
 
+// Divides the matrix of each frequency by the mean trace of those in its ring, of .05 cycles per sample, to
+// some power.
+template <int Dim>
+void even_out(std::vector<Matrix>& matrices, const CrossSpectra<Dim>& spectra, double power) {
+  constexpr double kWidth = 0.05;
+  struct Ring {
+    double trace = 0.0;
+    double count = 0.0;
+  };
+  PowerSpectrum<Dim> frequencies;
+  frequencies.count = spectra.count;
+  frequencies.step = Vec<Dim>(1.0);
+  std::vector<Ring> rings(static_cast<std::size_t>(std::sqrt(Dim) * 0.5 / kWidth) + 1);
+  const auto ring_of = [&](std::size_t k) -> Ring& {
+    return rings[static_cast<std::size_t>(glm::length(frequencies.frequency(k)) / kWidth)];
+  };
+  for (std::size_t k = 0; k < matrices.size(); ++k) {
+    Ring& ring = ring_of(k);
+    for (std::size_t i = 0; i < 9; i += 4) ring.trace += matrices[k][i].real();
+    ring.count += 1.0;
+  }
+  for (std::size_t k = 0; k < matrices.size(); ++k) {
+    const Ring& ring = ring_of(k);
+    const double factor = ring.trace > 0.0 ? std::pow(ring.count / ring.trace, power) : 0.0;
+    for (Complex& element : matrices[k]) element *= factor;
+  }
+}
+
 // Turns rows and columns p and q of all matrices by an angle, and the axes with them.
 void rotate(std::vector<Matrix>& matrices, AxisMatrix& axes, std::size_t p, std::size_t q, double angle) {
   const double c = std::cos(angle);
@@ -118,6 +146,22 @@ std::size_t live_axes(const AxisMatrix& principal) {
   return live;
 }
 
+// Axes of the joint diagonalisation of all frequencies, where each ring of them weighs as much as the next,
+// as far as that leaves channels no more dependent than along the principal axes; else as its power asks for.
+template <int Dim>
+AxisMatrix independent_axes(const CrossSpectra<Dim>& spectra, const AxisMatrix& principal) {
+  const double most = channel_dependence(spectra, channel_directions(principal));
+  AxisMatrix axes;
+  for (const double power : {1.0, 0.5, 0.0}) {
+    std::vector<Matrix> matrices = rotated_matrices(spectra, channel_directions(principal));
+    even_out(matrices, spectra, power);
+    axes = principal;
+    diagonalize_jointly(matrices, axes, live_axes(principal));
+    if (channel_dependence(spectra, channel_directions(axes)) <= most) break;
+  }
+  return axes;
+}
+
 }  // namespace
 
 AxisMatrix channel_directions(const AxisMatrix& axes) {
@@ -138,10 +182,7 @@ AxisMatrix color_axes(const CrossSpectra<Dim>& spectra, ColorAxes kind) {
   AxisMatrix axes{Vec<3>(1.0, 0.0, 0.0), Vec<3>(0.0, 1.0, 0.0), Vec<3>(0.0, 0.0, 1.0)};
   if (kind == ColorAxes::rgb) return axes;
   axes = principal_axes(spectra);
-  if (kind == ColorAxes::independent) {
-    std::vector<Matrix> matrices = rotated_matrices(spectra, channel_directions(axes));
-    diagonalize_jointly(matrices, axes, live_axes(axes));
-  }
+  if (kind == ColorAxes::independent) axes = independent_axes(spectra, axes);
   for (Vec<3>& axis : axes) {
     if (axis.x + axis.y + axis.z < 0.0) axis = -axis;
   }
@@ -213,6 +254,12 @@ ExemplarChannels exemplar_channels(const CrossSpectra<Dim>& spectra, ColorAxes k
   }
   for (const std::vector<double>& direction : result.directions) {
     result.variances.push_back(spectra.variance(direction));
+  }
+  const auto samples = static_cast<double>(spectra.cross.front().size());
+  for (std::size_t i = 0; i < spectra.cross.size(); ++i) {
+    double sum = 0.0;
+    for (const Complex& cross : spectra.cross[i]) sum += cross.real();
+    result.trends.push_back(spectra.covariance[i] - sum / samples);
   }
   return result;
 }

@@ -27,9 +27,11 @@ using AxisMatrix = std::array<Vec<3>, 3>;
 // rotation, is the approximate joint diagonalisation of all lagged correlation matrices (Galerne et al. 2012,
 // section 7) by real Jacobi rotations (Cardoso and Souloumiac 1996), begun at the principal axes, so that it
 // never does worse than these. It works on the cross-periodograms, whose sums of squares are those of the
-// lagged matrices by Parseval's theorem. The paper rotates the colours themselves: its axes are orthogonal,
-// and cannot leave the channels uncorrelated at the same point and nearly so at others, too (covariances were
-// off by up to a third).
+// lagged matrices by Parseval's theorem, and divides each by the mean power of its ring of frequencies where
+// that leaves the channels no more dependent (J, below) than the principal axes do: pictures have nearly all
+// of their power at the lowest frequencies, whose colours need not be those of fine detail. The paper rotates
+// the colours themselves: its axes are orthogonal, and cannot leave the channels uncorrelated at the same
+// point and nearly so at others, too (covariances were off by up to a third).
 template <int Dim>
 AxisMatrix color_axes(const CrossSpectra<Dim>& spectra, ColorAxes axes);
 
@@ -58,6 +60,7 @@ struct ExemplarChannels {
   std::vector<double> variances;                // of the samples along them: of what they give to the colours
   std::vector<Vec<3>> axes;                     // of the model
   Vec<3> mean{0.0};
+  std::vector<double> trends;  // of the samples' covariance, what their periodic components are without
   std::optional<ColorDependence> dependence;  // of exemplars in colour
 
   double total_variance() const;

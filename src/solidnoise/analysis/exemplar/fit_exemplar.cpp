@@ -118,7 +118,7 @@ ExemplarFit<Dim> fit_exemplar(std::span<const Exemplar<Dim>> exemplars, const Ex
     SharedProgress::Channel storage;
     // The variance of the samples, of which the periodic component has lost some.
     result.channels[k] = fit_channel(periodogram, channels.variances[k], channel, shared.channel(k, storage));
-    if (matches_rings) match_rings(result.channels[k].spectrum, rings, k, channels.variances[k]);
+    if (matches_rings) match_rings(result.channels[k].spectrum, rings, k);
   });
   for (const SpectrumFit& fit : result.channels) {
     result.model.channels.push_back(group_spectrum(fit.spectrum));

@@ -7,7 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "solidnoise/analysis/exemplar/channel_spectra.h"
+#include "solidnoise/analysis/exemplar/balance_rings.h"
 #include "solidnoise/analysis/exemplar/exemplar_patches.h"
 #include "solidnoise/analysis/fft.h"
 #include "solidnoise/analysis/periodogram.h"
@@ -66,10 +66,10 @@ FrequencyRings frequency_rings(std::span<const Exemplar<2>> exemplars, const Exe
                          std::vector<double>(static_cast<std::size_t>(std::ceil(corner / rings.width))));
 
   const std::size_t colors = exemplars.front().channels.size();
-  const std::vector<std::vector<double>> weights = channel_weights(channels);
+  std::vector cross(rings.count(), std::vector<double>(colors * colors));
   const double size = static_cast<double>(block.count.x) * block.count.y;
   const double energy = size * energy_of(block.count.x) * energy_of(block.count.y);
-  int blocks = 0;
+  double blocks = 0.0;
   for_each_patch(exemplars, block.count, progress, [&](const std::vector<DenseField<2>>& fields) {
     ++blocks;
     std::vector<std::vector<Complex>> transforms;
@@ -77,19 +77,17 @@ FrequencyRings frequency_rings(std::span<const Exemplar<2>> exemplars, const Exe
       transforms.push_back(windowed_transform(fields[i], channels.mean[static_cast<int>(i)]));
     }
     for (std::size_t p = 0; p < transforms.front().size(); ++p) {
-      const std::size_t ring = rings.ring_of(block.frequency(p));
+      std::vector<double>& ring = cross[rings.ring_of(block.frequency(p))];
       for (std::size_t i = 0; i < colors; ++i) {
-        for (std::size_t j = 0; j < colors; ++j) {
-          const double cross = (std::conj(transforms[i][p]) * transforms[j][p]).real() / energy;
-          for (std::size_t k = 0; k < weights.size(); ++k)
-            rings.variances[k][ring] += weights[k][i * colors + j] * cross;
-        }
+        for (std::size_t j = 0; j < colors; ++j)
+          ring[i * colors + j] += (std::conj(transforms[i][p]) * transforms[j][p]).real() / energy;
       }
     }
   });
-  for (std::vector<double>& channel : rings.variances) {
-    for (double& variance : channel) variance = std::max(variance / blocks, 0.0);
+  for (std::vector<double>& ring : cross) {
+    for (double& power : ring) power /= blocks;
   }
+  rings.variances = balance_rings(cross, channels);
   return rings;
 }
 

@@ -16,10 +16,12 @@ namespace solidnoise {
 // while the smaller patches that spectra are fitted to, whose periodic components scatter less at each
 // frequency, are off by up to a third in a ring of little power.
 struct FrequencyRings {
-  double width = 0.0;                          // cycles per unit
-  Vec<2> step{1.0};                            // world units between the samples
-  Vec<2> blur{0.0};                            // variance of what the window spreads, cycles^2 per unit^2
-  std::vector<std::vector<double>> variances;  // of each channel, in each ring up to the corners' frequency
+  double width = 0.0;  // cycles per unit
+  Vec<2> step{1.0};    // world units between the samples
+  Vec<2> blur{0.0};    // variance of what the window spreads, cycles^2 per unit^2
+  // Of each channel, in each ring up to the corners' frequency; together what the channel's is
+  // (balance_rings).
+  std::vector<std::vector<double>> variances;
 
   std::size_t count() const { return variances.front().size(); }
   // The ring of a frequency, which samples fold.

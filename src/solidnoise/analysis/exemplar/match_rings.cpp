@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <vector>
 
 namespace solidnoise {
@@ -30,21 +31,10 @@ std::vector<double> shares_of(double a, const SpectrumComponent& component, cons
   return shares;
 }
 
-std::vector<double> targets_of(std::vector<double> powers, double variance) {
-  double total = 0.0;
-  for (const double power : powers) total += power;
-  if (total > variance) {
-    for (double& power : powers) power *= variance / total;
-  } else {
-    powers.front() += variance - total;
-  }
-  return powers;
-}
-
 }  // namespace
 
-void match_rings(GaborSpectrum& spectrum, const FrequencyRings& rings, std::size_t channel, double variance) {
-  const std::vector<double> targets = targets_of(rings.variances[channel], variance);
+void match_rings(GaborSpectrum& spectrum, const FrequencyRings& rings, std::size_t channel) {
+  const std::vector<double>& targets = rings.variances[channel];
   std::vector<SpectrumComponent*> components;
   std::vector<std::vector<double>> shares;
   for (SpectrumBand& band : spectrum.bands) {
@@ -67,8 +57,8 @@ void match_rings(GaborSpectrum& spectrum, const FrequencyRings& rings, std::size
     }
   }
   // Rings without a component have left theirs.
-  const double total = spectrum.variance();
-  for (SpectrumComponent* component : components) component->variance *= variance / total;
+  const double left = std::accumulate(targets.begin(), targets.end(), 0.0) / spectrum.variance();
+  for (SpectrumComponent* component : components) component->variance *= left;
 }
 
 }  // namespace solidnoise
