@@ -30,7 +30,7 @@ std::shared_ptr<const Noise<3>> gabor(double frequency, int grade) {
 }
 
 FieldPtr graded() {
-  return make_graded_field({std::make_shared<Ramp>(), 1.0, 16.0}, gabor);
+  return make_graded_field({std::make_shared<Ramp>(), 1.0, 16.0}, 1.0, gabor);
 }
 
 // With x as given, elsewhere far apart.

@@ -35,7 +35,7 @@ std::vector<std::pair<std::string, FieldPtr>> fields() {
           {"warped", warp(gabor(1), 0.1, {gabor(2), gabor(3), gabor(4)})},
           {"unit", shape(gabor(1), RawShaping{.range = RawShaping::Range::unit})},
           {"veins", shape(gabor(1), VeinShaping{})},
-          {"graded", make_graded_field({constant, 1.0, 2.0}, [](double, int grade) {
+          {"graded", make_graded_field({constant, 1.0, 2.0}, 1.0, [](double, int grade) {
              return gabor(static_cast<std::uint64_t>(100 + grade));
            })}};
 }

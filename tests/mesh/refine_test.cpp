@@ -244,7 +244,7 @@ TEST(Refine, RefusesWhatItCannotDo) {
   target.pop_back();
   EXPECT_EQ(message([&] { refine(mesh, target); }), "there are 55 lengths of edges for 56 vertices");
   EXPECT_EQ(message([&] { refine_to(mesh, 1e-3, {.most_vertices = 1000}); }),
-            "refining takes more than 1000 vertices: the edges that are asked for are too short");
+            "refining takes more than 1000 vertices, the most that there is room for: refine less");
   EXPECT_EQ(message([&] { subdivide(mesh, -1); }),
             "the rounds of refining is -1; it must be between 0 and 16");
 }
@@ -270,7 +270,7 @@ TEST(Refine, RefusesTooManyFacesBeforeAnyWork) {
     return message_of<std::invalid_argument>([&] { refine_to(mesh, target, options); });
   };
   const std::string most =
-      "refining takes more than 100000000 faces: the edges that are asked for are too short";
+      "refining takes more than 100000000 faces, the most that there is room for: refine less";
   PolygonMesh square;
   square.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
   square.add_face(std::array<std::uint32_t, 4>{0, 1, 3, 2});
@@ -284,7 +284,7 @@ TEST(Refine, RefusesTooManyFacesBeforeAnyWork) {
   PolygonMesh repeated = square;
   for (int i = 0; i < 1000; ++i) repeated.add_face(square.face(0));
   EXPECT_EQ(refusal(repeated, 0.5, {.most_faces = 10000}),
-            "refining takes more than 10000 faces: the edges that are asked for are too short");
+            "refining takes more than 10000 faces, the most that there is room for: refine less");
   EXPECT_NO_THROW(refine_to(repeated, 0.5, {.most_faces = 100000}));
 }
 

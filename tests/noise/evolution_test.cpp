@@ -239,7 +239,7 @@ TEST(Evolution, BadOptionsAreRefused) {
   EXPECT_EQ(refusal({.rate = 1.0, .time = NAN}), "time is nan; it must be a finite number");
   EXPECT_EQ(refusal({.rate = 1.0, .loop = -2.0}),
             "loop is -2; it must be at least 0 (units of time; 0 for none)");
-  EXPECT_EQ(refusal({.loop = 2.0}), "loop is 2; it must be 0 where evolve is");
+  EXPECT_EQ(refusal({.loop = 2.0}), "loop is 2; it must be 0, for without evolve nothing moves");
   EXPECT_EQ(refusal({.rate = 1e3, .loop = 1e4}),
             "loop is 10000; it must be at most 1000 where evolve is 1000");
   EXPECT_EQ(message_of<std::invalid_argument>(

@@ -124,7 +124,7 @@ TEST(RefineByOpenMesh, RefusesWhatIsNoManifoldOfTriangles) {
   for (const Method method : {Method::longest_edge, Method::loop, Method::sqrt3}) {
     EXPECT_EQ(message_of<std::invalid_argument>(
                   [&] { refine(mesh, std::array{1e-3}, {.method = method, .most_vertices = 1000}); }),
-              "refining takes more than 1000 vertices: the edges that are asked for are too short");
+              "refining takes more than 1000 vertices, the most that there is room for: refine less");
   }
 }
 

@@ -145,6 +145,10 @@ void warn_of_points(const PolygonMesh& mesh, const std::string& in, const BakeOp
   std::cerr << fmt::format("meshnoise: {}: {} points without faces: no curvature to follow{}\n", in,
                            mesh.positions.size(),
                            options.preview.empty() ? "" : ", and nothing in the preview");
+  if (has_plane(options.recipe.noise) && lies_in_unknown_planes(mesh)) {
+    std::cerr << "meshnoise: warning: the points have no normals (nx, ny, nz), and this noise lies in planes "
+                 "across the y axis; --noise solid needs no normals\n";
+  }
 }
 
 // Those that numbers of the vertices say: NAME_x, NAME_y and NAME_z, or NAMEx, NAMEy and NAMEz.

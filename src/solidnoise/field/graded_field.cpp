@@ -15,11 +15,6 @@
 namespace solidnoise {
 namespace {
 
-// Where a frequency is among the grades: log2(f / 1 cycle per world unit) in grades.
-double grade_of(double frequency) {
-  return kGradesPerOctave * std::log2(frequency);
-}
-
 // Points by their numbers among others, with all that these know of them.
 class SomePoints {
  public:
@@ -42,11 +37,12 @@ class SomePoints {
 
 class GradedField final : public PointwiseField {
  public:
-  GradedField(VaryingParameter frequency, const GradedNoise& noise) : frequency_(std::move(frequency)) {
+  GradedField(VaryingParameter frequency, double unit, const GradedNoise& noise)
+      : frequency_(std::move(frequency)), unit_(unit) {
     lowest_ = static_cast<int>(std::floor(grade_of(frequency_.least)));
     const int highest = static_cast<int>(std::floor(grade_of(frequency_.greatest))) + 1;
     for (int grade = lowest_; grade <= highest; ++grade) {
-      grades_.push_back(noise(std::exp2(static_cast<double>(grade) / kGradesPerOctave), grade));
+      grades_.push_back(noise(std::exp2(static_cast<double>(grade) / kGradesPerOctave) / unit, grade));
     }
   }
 
@@ -91,6 +87,9 @@ class GradedField final : public PointwiseField {
   }
 
  private:
+  // Where a frequency is among the grades: log2(f / 1 cycle per unit) in grades.
+  double grade_of(double frequency) const { return kGradesPerOctave * std::log2(frequency * unit_); }
+
   static void add_grade(const Field<3>& noise, const SomePoints& some, std::span<const float> weights,
                         const Samples<3>& samples) {
     const SampleBuffer<3> buffer(samples.subspan(0, weights.size()));
@@ -106,14 +105,15 @@ class GradedField final : public PointwiseField {
   }
 
   VaryingParameter frequency_;
+  double unit_;  // world units
   int lowest_ = 0;
   std::vector<FieldPtr> grades_;  // from the lowest on, one more than the highest
 };
 
 }  // namespace
 
-FieldPtr make_graded_field(const VaryingParameter& frequency, const GradedNoise& noise) {
-  return std::make_shared<GradedField>(frequency, noise);
+FieldPtr make_graded_field(const VaryingParameter& frequency, double unit, const GradedNoise& noise) {
+  return std::make_shared<GradedField>(frequency, unit, noise);
 }
 
 }  // namespace solidnoise

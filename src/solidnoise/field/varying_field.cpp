@@ -144,6 +144,7 @@ class VaryingField final : public PointwiseField {
 // The options of an octave by itself.
 VaryingGaborOptions varying_options(const NoiseRecipe& octave, const KernelFields& fields) {
   VaryingGaborOptions varying;
+  varying.unit = fields.unit;
   const auto copy = [&](const auto& options) {
     varying.frequency = options.frequency;
     if (!fields.bandwidth) varying.bandwidth = options.bandwidth;

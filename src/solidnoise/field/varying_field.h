@@ -27,6 +27,7 @@ struct KernelFields {
   VaryingParameter frequency;  // of the first octave, cycles per world unit
   VaryingParameter bandwidth;  // octaves
   FieldPtr direction;          // three channels, of any length but 0; null: the noise's own
+  double unit = 1.0;           // VaryingGaborOptions::unit
 };
 
 // The noise of a recipe, with the kernels that the fields give it at each position (VaryingGaborNoise):

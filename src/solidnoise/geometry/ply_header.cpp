@@ -57,6 +57,7 @@ class HeaderReader {
   void read_statement(std::string_view keyword, std::string_view text) {
     if (keyword == "comment" || keyword == "obj_info") {
       header_.comments.emplace_back(trim(text));
+      header_.has_info = header_.has_info || keyword == "obj_info";
     } else if (keyword == "format") {
       read_format(text);
     } else if (keyword == "element") {

@@ -28,6 +28,7 @@ struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::ascii;
   std::vector<PlyElement> elements;
   std::vector<std::string> comments;  // also lines of obj_info
+  bool has_info = false;              // whether there are any
   std::size_t bytes = 0;              // its length
   std::size_t lines = 0;
 };

@@ -256,6 +256,7 @@ MeshReading read_ply(std::string_view bytes, const std::string& name) {
                             ? BodyReader<PlyTextRows>(body, name, header).read()
                             : BodyReader<PlyBinaryRows>(body, name, header).read();
   reading.comments = header.comments;
+  if (header.has_info) reading.notes.emplace_back("lines of obj_info become comments");
   return reading;
 }
 

@@ -183,6 +183,17 @@ void require_memory(const PolygonMesh& mesh, const BakeRecipe& recipe, std::uint
                   mesh.positions.size(), mesh.face_count(), std::ceil(bytes / 0x1p20)));
 }
 
+// What points alone cannot have.
+void require_faces(const PolygonMesh& mesh, const BakeRecipe& recipe) {
+  if (mesh.face_count() > 0) return;
+  if (recipe.refine.mode != RefineRecipe::Mode::off)
+    throw std::invalid_argument("refine needs faces; the mesh is of points alone");
+  if (recipe.displace != 0.0 && lies_in_unknown_planes(mesh)) {
+    throw std::invalid_argument(fmt::format(
+        "displace is {}; it must be 0 for points that have no normals (nx, ny, nz)", recipe.displace));
+  }
+}
+
 // Edges of these lengths at the vertices show frequencies up to `highest` times the principal one, or
 // `finest` where that is higher.
 std::vector<double> edges_that_show(const VertexNumber& frequency, double finest, double highest,
@@ -236,9 +247,14 @@ RefinedMesh refine_mesh(const PolygonMesh& mesh, const RefineRecipe& recipe, std
 
 }  // namespace
 
+bool lies_in_unknown_planes(const PolygonMesh& mesh) {
+  return mesh.face_count() == 0 && normal_parts(mesh).empty();
+}
+
 BakePlan plan_bake(PolygonMesh mesh, const BakeRecipe& recipe, Progress* progress,
                    std::uint64_t most_memory) {
   recipe.validate();
+  require_faces(mesh, recipe);
   require_memory(mesh, recipe, most_memory);
   BakePlan plan;
   plan.original_vertices = mesh.positions.size();
@@ -258,7 +274,8 @@ BakePlan plan_bake(PolygonMesh mesh, const BakeRecipe& recipe, Progress* progres
   std::vector<double> targets =
       edges_that_show(plan.parameters.frequency, finest, highest, mesh.positions.size());
   if (plan.mean_cycles_per_edge > kHighestCyclesPerEdge) {
-    plan.vertices_to_show = refined_vertices(mesh, targets, {}, kMostCounted);
+    const auto shown = edges_that_show(plan.parameters.frequency, 0.0, highest, mesh.positions.size());
+    plan.vertices_to_show = refined_vertices(mesh, shown, {}, kMostCounted);
   }
   if (recipe.refine.mode != RefineRecipe::Mode::off) {
     RefinedMesh refined = refine_mesh(mesh, recipe.refine, std::move(targets), most_memory, progress);

@@ -35,7 +35,7 @@ struct BakePlan {
                                       // cycles per world unit
   double mean_cycles_per_edge = 0.0;  // of the highest frequency: above kHighestCyclesPerEdge it aliases
   // Where it does, or would without refining: about how many vertices the mesh takes to show all of the
-  // noise, counted up to kMostCounted.
+  // noise (layers that have noises of their own aside), counted up to kMostCounted.
   double vertices_to_show = 0.0;
 };
 
@@ -62,6 +62,10 @@ struct BakedMesh {
 // unit, and curl, that vector turned by a right angle around the normal, which has no divergence along the
 // surface.
 std::vector<std::string_view> keepable_names();
+
+// Whether a mesh is of points that say no normals either (nx, ny, nz): noise of the tangent plane then lies
+// in planes across the y axis, and nothing is displaced.
+bool lies_in_unknown_planes(const PolygonMesh& mesh);
 
 // Throws std::invalid_argument if one of the names is not keepable, or not there with this recipe: no
 // parameter is a range, the noise is not oriented.

@@ -131,6 +131,7 @@ SurfaceKernel kernel_of(const SurfaceNoiseRecipe& recipe, const BakeVertices& ve
   SurfaceKernel kernel{
       typical(vertices.frequency, kFrequencies), typical(vertices.bandwidth, kBandwidths), {}};
   kernel.filter = vertices.filter;
+  kernel.fields.unit = vertices.unit;
   kernel.fields.frequency = as_parameter(vertices.frequency);
   kernel.fields.bandwidth = as_parameter(vertices.bandwidth);
   if (has_direction(recipe)) {

@@ -94,6 +94,7 @@ struct BakeVertices {
   // What a vertex stands for: a Gaussian of this standard deviation, world units, that noises are convolved
   // with in closed form, those that may_filter(), before layers fold and combine them; 0: a point.
   double filter = 0.0;
+  double unit = 1.0;  // VaryingGaborOptions::unit
 };
 
 // Where places of layers are: the least box that holds all positions, a unit long where they are flat.

@@ -13,7 +13,8 @@
 namespace solidnoise {
 namespace {
 
-BakeVertices vertices_of(const BakePlan& plan) {
+// Frequencies that the recipe counts in features make the same pattern on a mesh of any size.
+BakeVertices vertices_of(const BakePlan& plan, const BakeRecipe& recipe) {
   BakeVertices vertices;
   vertices.positions = plan.mesh.positions;
   vertices.normals = plan.guides.planes();
@@ -25,6 +26,7 @@ BakeVertices vertices_of(const BakePlan& plan) {
   vertices.weights = plan.guides.steering.weights;
   vertices.bounds = plan.bounds;
   vertices.filter = plan.filter;
+  if (!recipe.frequency) vertices.unit = plan.feature_size;
   return vertices;
 }
 
@@ -62,7 +64,7 @@ std::vector<Color> exemplar_colors(const BakePlan& plan, const BakeRecipe& recip
   std::vector<BakedLayers> channels{std::move(first)};
   for (std::size_t k = 1; k < exemplar.channels.size(); ++k) {
     channels.push_back(bake_layers(channel_of(recipe.noise, static_cast<int>(k)),
-                                   surface_layers(plan, recipe, {}), vertices_of(plan), progress));
+                                   surface_layers(plan, recipe, {}), vertices_of(plan, recipe), progress));
   }
   std::vector<double> variances;
   for (const BakedLayers& channel : channels)
@@ -82,7 +84,7 @@ std::vector<Vec<3>> height_slopes(const BakePlan& plan, const BakeRecipe& recipe
   std::vector<std::string> height;
   if (recipe.properties.contains(kHeightProperty)) height.push_back(kHeightProperty);
   std::vector<Vec<3>> slopes =
-      bake_slopes(recipe.noise, surface_layers(plan, recipe, height), vertices_of(plan), progress);
+      bake_slopes(recipe.noise, surface_layers(plan, recipe, height), vertices_of(plan, recipe), progress);
   // The noise's plane is smoother than the surface.
   for (std::size_t i = 0; i < slopes.size(); ++i) {
     const Vec<3> normal = glm::normalize(plan.guides.normals[i]);
@@ -96,8 +98,8 @@ std::vector<Vec<3>> height_slopes(const BakePlan& plan, const BakeRecipe& recipe
 BakedValues bake_values(const BakePlan& plan, const BakeRecipe& recipe, const BakeWishes& wishes,
                         Progress* progress) {
   BakedValues baked;
-  BakedLayers layers =
-      bake_layers(recipe.noise, surface_layers(plan, recipe, wishes.properties), vertices_of(plan), progress);
+  BakedLayers layers = bake_layers(recipe.noise, surface_layers(plan, recipe, wishes.properties),
+                                   vertices_of(plan, recipe), progress);
   baked.noise = layers.values;
   baked.properties = std::move(layers.properties);
   if (wishes.colors) {

@@ -34,7 +34,7 @@ struct Piece {
 void require_faces(double count, const RefineOptions& options) {
   if (count <= static_cast<double>(options.most_faces)) return;
   throw std::invalid_argument(fmt::format(
-      "refining takes more than {} faces: the edges that are asked for are too short", options.most_faces));
+      "refining takes more than {} faces, the most that there is room for: refine less", options.most_faces));
 }
 
 class Refiner {
@@ -269,7 +269,7 @@ std::vector<Vec<3>> RefinedMesh::carry_lines(std::vector<Vec<3>> directions) con
 void require_vertices(std::size_t count, const RefineOptions& options) {
   if (count <= options.most_vertices) return;
   throw std::invalid_argument(
-      fmt::format("refining takes more than {} vertices: the edges that are asked for are too short",
+      fmt::format("refining takes more than {} vertices, the most that there is room for: refine less",
                   options.most_vertices));
 }
 

@@ -172,6 +172,7 @@ auto with_tangent_noise(const SurfaceNoiseRecipe& recipe, const SurfaceKernel& k
   auto options = common_options<SurfaceGaborOptions>(recipe, kernel.frequency);
   options.bandwidth = kernel.bandwidth;
   options.layer = recipe.layer;
+  options.unit = kernel.fields.unit;
   options.filter = kernel.filter;
   if (recipe.kind == SurfaceNoiseKind::oriented) options.waves = GaborWaves::oriented;
   return use(SurfaceGaborNoise(with_truncation_share(options)), kernel.fields);
@@ -192,7 +193,7 @@ bool is_graded(const SurfaceNoiseRecipe& recipe, const SurfaceKernel& kernel) {
 constexpr std::uint64_t kGradeStream = 3000;
 
 FieldPtr make_graded(const SurfaceNoiseRecipe& recipe, const SurfaceKernel& kernel) {
-  return make_graded_field(kernel.fields.frequency, [&](double frequency, int grade) {
+  return make_graded_field(kernel.fields.frequency, kernel.fields.unit, [&](double frequency, int grade) {
     SurfaceNoiseRecipe single = recipe;
     single.seed = derive_seed(recipe.seed, kGradeStream + static_cast<std::uint64_t>(grade));
     SurfaceKernel own = kernel;
@@ -292,8 +293,9 @@ FieldPtr make_surface_field(const SurfaceNoiseRecipe& recipe, const SurfaceKerne
   if (is_graded(recipe, kernel)) return make_graded(recipe, kernel);
   if (const auto solid = solid_recipe(recipe, kernel)) {
     if (kernel.fields.frequency || kernel.fields.bandwidth) {
-      return make_varying_field(*solid, {recipe.dims, recipe.time, Vec<3>(0.0)},
-                                {kernel.fields.frequency, kernel.fields.bandwidth, nullptr});
+      return make_varying_field(
+          *solid, {recipe.dims, recipe.time, Vec<3>(0.0)},
+          {kernel.fields.frequency, kernel.fields.bandwidth, nullptr, kernel.fields.unit});
     }
     return solid_noise_of(recipe, *solid);
   }

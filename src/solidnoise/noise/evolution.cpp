@@ -43,7 +43,8 @@ void Evolution::validate() const {
   require_fields(*this);
   require_finite("time", time);
   if (loop > 0.0 && rate == 0.0) {
-    throw std::invalid_argument(fmt::format("loop is {}; it must be 0 where evolve is", loop));
+    throw std::invalid_argument(
+        fmt::format("loop is {}; it must be 0, for without evolve nothing moves", loop));
   }
   if (rate * loop > kMostTurns) {
     throw std::invalid_argument(

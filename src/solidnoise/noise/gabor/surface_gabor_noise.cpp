@@ -25,6 +25,7 @@ void SurfaceGaborOptions::validate() const {
   for (int axis = 0; axis < 3; ++axis) require("direction", direction[axis], kDirections);
   if (direction == Vec<3>(0.0)) throw std::invalid_argument("direction is 0; it must have a length");
   evolution.validate();
+  require_positive("unit", unit, "world units");
   require_in_range("filter", filter, 0.0, 1e9, "world units");
 }
 
@@ -77,6 +78,7 @@ SurfaceGaborNoise::SurfaceGaborNoise(const SurfaceGaborOptions& options)
   PointConvolution<3>::Settings settings{.waves = options.waves,
                                          .layer = options.layer * family_->nominal_share(),
                                          .count = {layout.density * std::pow(scale, 3), fixed},
+                                         .unit = options.unit,
                                          .seed = options.seed};
   if (options.evolution.moves()) settings.factor = TurningFactor(options.evolution);
   settings.parts = parts_for_points(scale, nominal);

@@ -29,6 +29,9 @@ struct SurfaceGaborOptions {
   // curvature, and impulses are made in inverse proportion to it.
   double layer = 0.5;
   std::uint64_t seed = 0;
+  // World units: frequencies that vary take their impulses from grids whose sides are this times a power of
+  // two (ScaleFade), so that the noise of what is as much larger, at frequencies as much lower, is the same.
+  double unit = 1.0;
   Evolution evolution{};  // how it changes with time; by default it does not
   double filter = 0.0;  // standard deviation of a Gaussian that it is convolved with along the surface, world
                         // units; 0: none

@@ -21,6 +21,7 @@ void VaryingGaborOptions::validate() const {
   require_impulses(impulses);
   for (int axis = 0; axis < 4; ++axis) require("direction", direction[axis], kDirections);
   evolution.validate();
+  require_positive("unit", unit, "world units");
   require_in_range("filter", filter, 0.0, 1e9, "world units");
 }
 
@@ -83,6 +84,7 @@ VaryingGaborNoise<Dim>::VaryingGaborNoise(const VaryingGaborOptions& options)
   typename PointConvolution<Dim>::Settings settings;
   settings.waves = options.waves;
   settings.seed = options.seed;
+  settings.unit = options.unit;
   if (options.evolution.moves()) settings.factor = TurningFactor(options.evolution);
   settings.count = {layout.density * std::pow(scale, Dim), fixed};
   settings.parts = parts_for_points(scale, choice.radius);

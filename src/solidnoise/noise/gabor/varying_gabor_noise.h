@@ -26,6 +26,9 @@ struct VaryingGaborOptions {
   GaborWaves waves = GaborWaves::isotropic;
   Vec<4> direction{1.0, 0.0, 0.0, 0.0};  // of oriented waves, the first axes of it; any length
   std::uint64_t seed = 0;
+  // World units: frequencies that vary take their impulses from grids whose sides are this times a power of
+  // two (ScaleFade), so that the noise of what is as much larger, at frequencies as much lower, is the same.
+  double unit = 1.0;
   Evolution evolution{};  // how it changes with time; by default it does not
   double filter = 0.0;    // standard deviation of a Gaussian that it is convolved with, world units; 0: none
 

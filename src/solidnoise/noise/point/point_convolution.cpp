@@ -154,8 +154,8 @@ class PointConvolution<Dim>::Evaluation {
     if (!extent_.fade) {
       if (!fine_) fine_ = &level(0, noise_.settings_.side);
     } else if (!(scale >= size_ && scale < 2.0 * size_)) {
-      const int l = std::ilogb(scale);
-      size_ = std::ldexp(1.0, l);
+      const int l = std::ilogb(scale / noise_.settings_.unit);
+      size_ = std::ldexp(noise_.settings_.unit, l);
       fine_ = &level(l, size_);
     }
     Located located;

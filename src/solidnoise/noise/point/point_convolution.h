@@ -58,6 +58,9 @@ class PointConvolution {
     // If that is fixed, cells have a whole number, with turns in as many parts.
     double side = 0.0;
     ImpulseCount count{};
+    // Of a hierarchy: the sides of its grids are this, world units, times a power of two. What is as much
+    // larger in all of space has the same values.
+    double unit = 1.0;
     std::uint64_t seed = 0;
     // Strata along an axis of what is looked into together: for speed alone.
     int parts = 1;
