@@ -258,7 +258,7 @@ ExemplarChannels exemplar_channels(const CrossSpectra<Dim>& spectra, ColorAxes k
   const auto samples = static_cast<double>(spectra.cross.front().size());
   for (std::size_t i = 0; i < spectra.cross.size(); ++i) {
     double sum = 0.0;
-    for (const Complex& cross : spectra.cross[i]) sum += cross.real();
+    for (std::size_t k = 1; k < spectra.cross[i].size(); ++k) sum += spectra.cross[i][k].real();
     result.trends.push_back(spectra.covariance[i] - sum / samples);
   }
   return result;

@@ -60,7 +60,8 @@ struct ExemplarChannels {
   std::vector<double> variances;                // of the samples along them: of what they give to the colours
   std::vector<Vec<3>> axes;                     // of the model
   Vec<3> mean{0.0};
-  std::vector<double> trends;  // of the samples' covariance, what their periodic components are without
+  // Of the samples' covariance, what patches' periodic components are without, and what patches' means have.
+  std::vector<double> trends;
   std::optional<ColorDependence> dependence;  // of exemplars in colour
 
   double total_variance() const;

@@ -1,6 +1,7 @@
 #include "solidnoise/analysis/exemplar/frequency_rings.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 
@@ -9,6 +10,7 @@
 
 #include "solidnoise/analysis/exemplar/balance_rings.h"
 #include "solidnoise/analysis/exemplar/exemplar_patches.h"
+#include "solidnoise/analysis/exemplar/gaussian_field.h"
 #include "solidnoise/analysis/fft.h"
 #include "solidnoise/analysis/periodogram.h"
 
@@ -21,13 +23,20 @@ constexpr int kLargestBlock = 512;   // samples along an axis
 constexpr double kWidth = 0.05;      // cycles per sample
 constexpr double kLeastSteps = 4.0;  // of a block's frequencies, to which the window spreads each, in a ring
 
-std::vector<Complex> windowed_transform(const DenseField<2>& field, double mean) {
-  const std::vector<double> rows = window_values(Window::hann, field.count.x);
-  const std::vector<double> columns = window_values(Window::hann, field.count.y);
+// A window that begins in the middle, or at the end as usual.
+std::vector<double> shifted_window(int count, bool shifted) {
+  std::vector<double> window = window_values(Window::hann, count);
+  if (shifted) std::rotate(window.begin(), window.begin() + count / 2, window.end());
+  return window;
+}
+
+std::vector<Complex> windowed_transform(const DenseField<2>& field, const std::array<bool, 2>& shifted) {
+  const std::vector<double> rows = shifted_window(field.count.x, shifted[0]);
+  const std::vector<double> columns = shifted_window(field.count.y, shifted[1]);
   std::vector<double> values;
   values.reserve(field.size());
   for (const double row : rows) {
-    for (const double column : columns) values.push_back(row * column * (field.values[values.size()] - mean));
+    for (const double column : columns) values.push_back(row * column * field.values[values.size()]);
   }
   return fft_of_real(values, std::vector<int>{field.count.x, field.count.y});
 }
@@ -69,13 +78,11 @@ FrequencyRings frequency_rings(std::span<const Exemplar<2>> exemplars, const Exe
   std::vector cross(rings.count(), std::vector<double>(colors * colors));
   const double size = static_cast<double>(block.count.x) * block.count.y;
   const double energy = size * energy_of(block.count.x) * energy_of(block.count.y);
-  double blocks = 0.0;
-  for_each_patch(exemplars, block.count, progress, [&](const std::vector<DenseField<2>>& fields) {
-    ++blocks;
+  double windows = 0.0;
+  const auto add = [&](const std::vector<DenseField<2>>& fields, const std::array<bool, 2>& shifted) {
+    ++windows;
     std::vector<std::vector<Complex>> transforms;
-    for (std::size_t i = 0; i < colors; ++i) {
-      transforms.push_back(windowed_transform(fields[i], channels.mean[static_cast<int>(i)]));
-    }
+    for (const DenseField<2>& field : fields) transforms.push_back(windowed_transform(field, shifted));
     for (std::size_t p = 0; p < transforms.front().size(); ++p) {
       std::vector<double>& ring = cross[rings.ring_of(block.frequency(p))];
       for (std::size_t i = 0; i < colors; ++i) {
@@ -83,9 +90,19 @@ FrequencyRings frequency_rings(std::span<const Exemplar<2>> exemplars, const Exe
           ring[i * colors + j] += (std::conj(transforms[i][p]) * transforms[j][p]).real() / energy;
       }
     }
+  };
+  for_each_patch(exemplars, block.count, progress, [&](std::vector<DenseField<2>>& fields) {
+    for (std::size_t i = 0; i < colors; ++i) {
+      const auto mean = static_cast<float>(channels.mean[static_cast<int>(i)]);
+      for (float& value : fields[i].values) value -= mean;
+      fields[i] = periodic_component(fields[i]);
+    }
+    for (const bool x : {false, true}) {
+      for (const bool y : {false, true}) add(fields, {x, y});
+    }
   });
   for (std::vector<double>& ring : cross) {
-    for (double& power : ring) power /= blocks;
+    for (double& power : ring) power /= windows;
   }
   rings.variances = balance_rings(cross, channels);
   return rings;

@@ -12,7 +12,8 @@
 namespace solidnoise {
 
 // The power of an exemplar's channels in rings of frequencies around 0, which an eye sees as its sharpness.
-// Blocks of half a thousand samples and more under a Hann window tell it well: its leakage falls off fast,
+// Periodic components of blocks of half a thousand samples and more tell it well, under a Hann window, whose
+// leakage falls off fast, and that begins at their borders and in their middle, so that all parts count;
 // while the smaller patches that spectra are fitted to, whose periodic components scatter less at each
 // frequency, are off by up to a third in a ring of little power.
 struct FrequencyRings {
