@@ -145,36 +145,6 @@ TEST(BakeNoise, ADraftShowsTheFinal) {
   }
 }
 
-// Of all noises of kernels, against some that hardly end: at errors of drafts and of finals, varying or not.
-TEST(BakeNoise, SlopesAreWithinTheErrorToo) {
-  const Sphere sphere(5000, 8.0);
-  for (const SurfaceNoiseKind kind : kKinds) {
-    if (!is_gabor(kind)) continue;
-    for (const bool varies : {false, true}) {
-      BakeVertices vertices = sphere.vertices(2.0);
-      if (varies) {
-        for (const Vec<3>& position : sphere.positions)
-          vertices.frequency.values.push_back(static_cast<float>(2.0 + 0.1 * position.y));
-      }
-      const auto slopes_at = [&](double error) {
-        SurfaceNoiseRecipe recipe = recipe_of(kind);
-        recipe.error = error;
-        return bake_slopes(recipe, {}, vertices);
-      };
-      const std::vector<Vec<3>> ideal = slopes_at(0.0005);
-      double all = 0.0;
-      for (const Vec<3>& slope : ideal) all += glm::dot(slope, slope);
-      for (const double error : {0.1, 0.02}) {
-        const std::vector<Vec<3>> slopes = slopes_at(error);
-        double missing = 0.0;
-        for (std::size_t v = 0; v < slopes.size(); ++v)
-          missing += glm::dot(slopes[v] - ideal[v], slopes[v] - ideal[v]);
-        EXPECT_LT(std::sqrt(missing / all), error) << static_cast<int>(kind) << ", varies " << varies;
-      }
-    }
-  }
-}
-
 // The values of a vertex alone, among others, in another order and with one thread.
 TEST(BakeNoise, AValueDependsOnItsVertexOnly) {
   const Sphere sphere(3000);

@@ -237,15 +237,6 @@ FieldPtr magnified(FieldPtr field, const BakeVertices& vertices) {
   return combine(Layer::Combine::sum, {std::move(field), added});
 }
 
-// The same noise, of whose gradient kernels lack no more than they may of its values: relative to itself they
-// lack 1.1 to 2.1 times as much of it.
-SurfaceNoiseRecipe bounding_slopes(SurfaceNoiseRecipe recipe) {
-  constexpr double kMostOverValues = 2.2;
-  constexpr double kLeastError = 1e-4;
-  recipe.error = std::max(kLeastError, recipe.error / kMostOverValues);
-  return recipe;
-}
-
 // The side of the cubes that vertices are put together in, world units: some wavelengths.
 double cube_of(const BakeVertices& vertices) {
   constexpr double kWavelengths = 16.0;
@@ -332,10 +323,9 @@ BakedLayers bake_layers(const SurfaceNoiseRecipe& recipe, const SurfaceLayers& l
   return baked;
 }
 
-std::vector<Vec<3>> bake_slopes(const SurfaceNoiseRecipe& of_values, const SurfaceLayers& layers,
+std::vector<Vec<3>> bake_slopes(const SurfaceNoiseRecipe& recipe, const SurfaceLayers& layers,
                                 const BakeVertices& vertices, Progress* progress) {
-  validate(of_values, vertices);
-  const SurfaceNoiseRecipe recipe = bounding_slopes(of_values);
+  validate(recipe, vertices);
   const Components directions = components_of(vertices.directions);
   const SurfaceKernel kernel = kernel_of(recipe, vertices, directions);
   VertexLayers made(recipe, layers, kernel, vertices);
