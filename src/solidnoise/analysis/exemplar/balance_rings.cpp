@@ -1,10 +1,10 @@
 #include "solidnoise/analysis/exemplar/balance_rings.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 
-#include <Eigen/Core>
 #include <glm/geometric.hpp>
 
 namespace solidnoise {
@@ -58,16 +58,16 @@ double power_of(const Probe& probe, const std::vector<double>& covariance) {
 }
 
 // The power of a probe in each ring.
-Eigen::ArrayXd wanted_powers(const std::vector<std::vector<double>>& cross, const std::vector<double>& trends,
-                             const Probe& probe) {
-  Eigen::ArrayXd wanted(static_cast<Eigen::Index>(cross.size()));
-  for (std::size_t r = 0; r < cross.size(); ++r)
-    wanted[static_cast<Eigen::Index>(r)] = power_of(probe, cross[r]);
-  const double seen = wanted.sum();
+std::vector<double> wanted_powers(const std::vector<std::vector<double>>& cross,
+                                  const std::vector<double>& trends, const Probe& probe) {
+  std::vector<double> wanted;
+  double seen = 0.0;
+  for (const std::vector<double>& ring : cross) seen += wanted.emplace_back(power_of(probe, ring));
   const double hidden = std::clamp(probe.all - seen, 0.0, std::max(power_of(probe, trends), 0.0));
-  if (seen > 0.0) wanted *= (probe.all - hidden) / seen;
-  wanted[0] += hidden;
-  return wanted.max(kLeast * probe.all);
+  for (double& power : wanted) power *= seen > 0.0 ? (probe.all - hidden) / seen : 1.0;
+  wanted.front() += hidden;
+  for (double& power : wanted) power = std::max(power, kLeast * probe.all);
+  return wanted;
 }
 
 }  // namespace
@@ -75,38 +75,41 @@ Eigen::ArrayXd wanted_powers(const std::vector<std::vector<double>>& cross, cons
 std::vector<std::vector<double>> balance_rings(const std::vector<std::vector<double>>& cross,
                                                const ExemplarChannels& channels) {
   const std::vector<Probe> probes = probes_of(channels);
-  const auto rings = static_cast<Eigen::Index>(cross.size());
-  const auto count = static_cast<Eigen::Index>(channels.axes.size());
-  Eigen::VectorXd variances(count);
-  for (Eigen::Index k = 0; k < count; ++k) variances[k] = channels.variances[static_cast<std::size_t>(k)];
-  Eigen::MatrixXd gains(probes.size(), count);  // of a channel's power, in a probe's
-  Eigen::ArrayXXd wanted(rings, probes.size());
-  Eigen::ArrayXXd weights(rings, probes.size());
-  for (Eigen::Index p = 0; p < wanted.cols(); ++p) {
-    const Probe& probe = probes[static_cast<std::size_t>(p)];
-    for (Eigen::Index k = 0; k < count; ++k)
-      gains(p, k) = probe.gain(channels.axes[static_cast<std::size_t>(k)]);
-    wanted.col(p) = wanted_powers(cross, channels.trends, probe);
-    weights.col(p) = probe.weight;
-  }
+  std::vector<std::vector<double>> wanted;
+  for (const Probe& probe : probes) wanted.push_back(wanted_powers(cross, channels.trends, probe));
+  std::vector<std::vector<double>> powers;  // of each channel
+  for (const double variance : channels.variances)
+    powers.emplace_back(cross.size(), variance / static_cast<double>(cross.size()));
 
   // Each power is multiplied by the root of the ratio of the two parts of the sum's derivative by it.
-  Eigen::MatrixXd powers =
-      Eigen::VectorXd::Constant(rings, 1.0 / static_cast<double>(rings)) * variances.transpose();
+  const std::size_t count = powers.size();
   for (int round = 0; round < kBalancingRounds; ++round) {
-    const Eigen::ArrayXXd made = (powers * gains.transpose()).array();
-    const Eigen::MatrixXd more = (weights * wanted / made.square()).matrix() * gains;
-    const Eigen::MatrixXd less = (weights / wanted).matrix() * gains;
-    for (Eigen::Index k = 0; k < count; ++k) {
-      if (!(variances[k] > 0.0)) continue;
-      powers.col(k).array() *= (more.col(k).array() / less.col(k).array()).sqrt();
-      powers.col(k) *= variances[k] / powers.col(k).sum();
+    std::vector<double> sums(count);
+    for (std::size_t r = 0; r < cross.size(); ++r) {
+      std::array<double, 3> more{};
+      std::array<double, 3> less{};
+      for (std::size_t p = 0; p < probes.size(); ++p) {
+        std::array<double, 3> gains{};
+        double made = 0.0;
+        for (std::size_t k = 0; k < count; ++k) {
+          gains[k] = probes[p].gain(channels.axes[k]);
+          made += gains[k] * powers[k][r];
+        }
+        for (std::size_t k = 0; k < count; ++k) {
+          more[k] += probes[p].weight * gains[k] * wanted[p][r] / (made * made);
+          less[k] += probes[p].weight * gains[k] / wanted[p][r];
+        }
+      }
+      for (std::size_t k = 0; k < count; ++k) {
+        if (powers[k][r] > 0.0) powers[k][r] *= std::sqrt(more[k] / less[k]);
+        sums[k] += powers[k][r];
+      }
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      for (double& power : powers[k]) power *= sums[k] > 0.0 ? channels.variances[k] / sums[k] : 0.0;
     }
   }
-  std::vector<std::vector<double>> result;
-  for (Eigen::Index k = 0; k < count; ++k)
-    result.emplace_back(powers.col(k).data(), powers.col(k).data() + rings);
-  return result;
+  return powers;
 }
 
 }  // namespace solidnoise
