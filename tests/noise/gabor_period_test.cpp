@@ -188,11 +188,11 @@ TEST(GaborPeriod, BelowTwoRadiiIsRefused) {
   EXPECT_NO_THROW(GaborNoise<3>{options});
   options.period = Vec<4>(0.0, 2.5, 0.0, 0.0);
   EXPECT_EQ(message_of<std::invalid_argument>([&] { GaborNoise<3>{options}; }),
-            "period is 2.5 along y; it must be at least 2.82329 (twice the kernel's radius), or 0 for none");
+            "period is 2.5 along y; it must be at least 2.9435 (twice the kernel's radius), or 0 for none");
   options.period = Vec<4>(0.0, 0.0, 0.0, 1.0);
   EXPECT_NO_THROW(GaborNoise<3>{options});  // has no time
   EXPECT_EQ(message_of<std::invalid_argument>([&] { GaborNoise<4>{options}; }),
-            "period is 1 along t; it must be at least 2.94877 (twice the kernel's radius), or 0 for none");
+            "period is 1 along t; it must be at least 3.07194 (twice the kernel's radius), or 0 for none");
   OrientedGaborNoiseOptions oriented;
   oriented.frequency = 1.0;
   oriented.period = Vec<4>(3.2, 0.0, 0.0, 0.0);

@@ -24,7 +24,7 @@ const CompactKernel& profile(const OrientedGaborNoise<Dim>& noise) {
 // The kernel's polynomial at the end of the support: s radii from there, the kernel is (2 s)^3 times that.
 double end_of(const CompactKernel& kernel) {
   constexpr double kNear = 1e-4;
-  return kernel.value(kernel.radius() * (1.0 - kNear)) / std::pow(2.0 * kNear, 3);
+  return kernel.value(kernel.radius() * (1.0 - kNear)) / std::pow(2.0 * kNear, kernel.taper());
 }
 
 // The largest difference between the gradient and fourth-order differences of the values, along an axis.
@@ -109,9 +109,9 @@ void expect_no_seam(const Noise<Dim>& noise) {
       for (const double s : {0.01, 0.001}) {
         // The next terms of the kernel near its end are less than 8 s degree^2 of the first.
         const double slack = 1.0 + 8.0 * s * kernel.degree() * kernel.degree();
-        const double value = 8.0 * std::pow(s, 3) * std::abs(end) * noise.amplitude() * slack + 1e-6;
-        const double slope =
-            24.0 * s * s * std::abs(end) / kernel.radius() * noise.amplitude() * slack + turn * value + 1e-5;
+        const double height = std::pow(2.0 * s, kernel.taper()) * std::abs(end) * noise.amplitude() * slack;
+        const double value = height + 1e-6;
+        const double slope = kernel.taper() * height / (s * kernel.radius()) + turn * value + 1e-5;
         const Evaluated<Dim> inside = near_end(1.0 - s);
         EXPECT_LT(std::abs(inside.values[0]), value);
         for (const auto& gradient : inside.gradient) EXPECT_LT(std::abs(gradient[0]), slope);

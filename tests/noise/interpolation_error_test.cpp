@@ -159,8 +159,8 @@ TEST(InterpolationError, LowOctavesLeaveTheBudgetToTheHighOnes) {
   NoiseRecipe recipe{GaborNoiseOptions{.frequency = 1.0, .impulses = 32.0}, {}};
   recipe.fractal.octaves = 4;
   const auto noise = make_noise<3>(recipe);
-  const double radius = GaborNoise<3>({.frequency = 1.0}).radius();
-  const auto plans = InterpolationPlanner<3>(*noise, {Vec<3>(0.0), Vec<3>(radius / 128.0)}).plan(0.01);
+  constexpr double kVoxel = 1.0 / 90.0;  // of the longest waves
+  const auto plans = InterpolationPlanner<3>(*noise, {Vec<3>(0.0), Vec<3>(kVoxel)}).plan(0.01);
   ASSERT_EQ(plans.size(), 4u);
   double total = 0.0;
   for (std::size_t k = 0; k < plans.size(); ++k) {
@@ -171,7 +171,7 @@ TEST(InterpolationError, LowOctavesLeaveTheBudgetToTheHighOnes) {
   }
   EXPECT_GE(plans.front().axes[0].step, 8);
   // No more than is allowed, for the sake of differences of neighbours here, and most of it.
-  const Vec<3> neighbour(radius / 128.0, 0.0, 0.0);
+  const Vec<3> neighbour(kVoxel, 0.0, 0.0);
   const double allowed = 1e-4 * 25.0 * (1.0 - noise->covariance(neighbour));
   EXPECT_LT(allowed, 1e-4);
   EXPECT_LE(total, allowed);

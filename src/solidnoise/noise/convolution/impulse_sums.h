@@ -152,12 +152,13 @@ Derivatives derivatives_of(const Samples<Dim>& samples) {
 void cull_impulses(const ImpulseRun& run, const CullBox& box, ImpulseList& list);
 void cull_impulses(const ImpulseList& impulses, const PointCull& cull, ImpulseList& list);
 
-// P of a CompactKernel in single precision: a sum is w t^3 P(v) with t = 1 - s and s the squared distance in
+// P of a CompactKernel in single precision: a sum is w t^k P(v) with t = 1 - s and s the squared distance in
 // radii, 0 for s >= 1.
 struct RadialPolynomial {
-  bool power = true;         // P in powers of v, of an even degree; or t P in Chebyshev polynomials of 2 v
-  std::vector<float> value;  // coefficients, from degree 0
-  std::vector<float> derivative;  // in Chebyshev polynomials: of d(t P)/dv; else not used
+  bool power = true;              // P in powers of v, of an even degree; or t^(k - 2) P in Chebyshev
+                                  // polynomials of 2 v
+  std::vector<float> value;       // coefficients, from degree 0
+  std::vector<float> derivative;  // in Chebyshev polynomials: of d(t^(k - 2) P)/dv; else not used
 };
 
 // Sums of an isotropic kernel. Attribute 0 of the list is the impulse's weight.

@@ -50,7 +50,7 @@ HWY_INLINE AxisFactor<V> FactorAlongAxis(D d, const Envelope& envelope, V offset
                                          float scale) {
   const V scaled = hn::Mul(offset, hn::Set(d, scale));
   const V t = PositivePart(d, hn::NegMulAdd(scaled, scaled, hn::Set(d, 1.0f)));
-  const RadialTerm<kDerivatives, D, Envelope> term(d, envelope, t, weight);
+  const RadialTerm<kAxisTaper, kDerivatives, D, Envelope> term(d, envelope, t, weight);
   const V amplitude = term.value();
   V cosine, sine;
   CosineSine(d, hn::MulAdd(offset, wave, phase), cosine, sine);

@@ -6,6 +6,7 @@
 #include <hwy/highway.h>
 
 #include "solidnoise/noise/convolution/impulse_sums.h"
+#include "solidnoise/noise/kernel/compact_kernel.h"
 
 #if defined(SOLIDNOISE_POLYNOMIAL_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef SOLIDNOISE_POLYNOMIAL_INL
@@ -41,7 +42,8 @@ struct Horner {
   class Bound {
    public:
     using V = hn::Vec<D>;
-    static constexpr int kTaper = 3;  // the power of t that makes a kernel of it
+    // The power of t that makes a kernel of it.
+    static constexpr int power(int taper) { return taper; }
 
     HWY_INLINE Bound(D d, const RadialPolynomial& polynomial) {
       for (int k = 0; k <= kDegree; ++k) {
@@ -72,7 +74,7 @@ struct Clenshaw {
   class Bound {
    public:
     using V = hn::Vec<D>;
-    static constexpr int kTaper = 2;
+    static constexpr int power(int) { return 2; }
 
     HWY_INLINE Bound(D, const RadialPolynomial& polynomial) : polynomial_(polynomial) {}
 
@@ -99,13 +101,30 @@ struct Clenshaw {
   };
 };
 
-// The kernel w t^3 P(v) and, where wanted, its derivative by t, of one vector of samples and one impulse.
-template <Derivatives kDerivatives, class D, class Polynomial, class V = hn::Vec<D>>
+// w t^k and w t^(k - 1).
+template <int kPower, class V>
+struct Taper {
+  HWY_INLINE Taper(V weight, V t) : lower(weight) {
+    if constexpr (kPower == 4) {
+      const V square = hn::Mul(t, t);
+      const V weighted = hn::Mul(weight, square);
+      lower = hn::Mul(weighted, t);
+      value = hn::Mul(weighted, square);
+    } else {
+      for (int k = 1; k < kPower; ++k) lower = hn::Mul(lower, t);
+      value = hn::Mul(lower, t);
+    }
+  }
+  V lower, value;
+};
+
+// The kernel w t^k P(v) and, where wanted, its derivative by t, of one vector of samples and one impulse.
+template <int kTaper, Derivatives kDerivatives, class D, class Polynomial, class V = hn::Vec<D>>
 class RadialTerm {
+  static constexpr int kPower = Polynomial::power(kTaper);
+
  public:
-  HWY_INLINE RadialTerm(D d, const Polynomial& polynomial, V t, V weight) : lower_(weight) {
-    for (int k = 1; k < Polynomial::kTaper; ++k) lower_ = hn::Mul(lower_, t);
-    taper_ = hn::Mul(lower_, t);
+  HWY_INLINE RadialTerm(D d, const Polynomial& polynomial, V t, V weight) : taper_(weight, t) {
     if constexpr (kDerivatives == Derivatives::none) {
       factor_ = {polynomial.value(d, t), hn::Zero(d)};
     } else {
@@ -113,17 +132,16 @@ class RadialTerm {
     }
   }
 
-  HWY_INLINE V value() const { return hn::Mul(taper_, factor_.value); }
-  HWY_INLINE V add_to(V sum) const { return hn::MulAdd(taper_, factor_.value, sum); }
+  HWY_INLINE V value() const { return hn::Mul(taper_.value, factor_.value); }
+  HWY_INLINE V add_to(V sum) const { return hn::MulAdd(taper_.value, factor_.value, sum); }
 
   HWY_INLINE V derivative() const {
-    const V power = hn::Set(D(), static_cast<float>(Polynomial::kTaper));
-    return hn::MulAdd(taper_, factor_.slope, hn::Mul(hn::Mul(lower_, power), factor_.value));
+    const V power = hn::Set(D(), static_cast<float>(kPower));
+    return hn::MulAdd(taper_.value, factor_.slope, hn::Mul(hn::Mul(taper_.lower, power), factor_.value));
   }
 
  private:
-  V lower_;  // w t^(kTaper - 1)
-  V taper_;  // w t^kTaper
+  Taper<kPower, V> taper_;
   Jet<V> factor_;
 };
 

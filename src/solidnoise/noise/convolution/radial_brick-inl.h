@@ -221,7 +221,7 @@ class VectorSum {
     const D d;
     const V rest = hn::LoadU(d, prepared_.rest(i) + piece_);
     const V t = PositivePart(d, hn::Sub(rest, hn::Set(d, x_squared_[i])));
-    const RadialTerm<kDerivatives, D, Bound> term(d, polynomial, t, hn::Set(d, weight_[i]));
+    const RadialTerm<kRadialTaper, kDerivatives, D, Bound> term(d, polynomial, t, hn::Set(d, weight_[i]));
     value_ = term.add_to(value_);
     if constexpr (kDerivatives == Derivatives::gradient) {
       const V slope = term.derivative();

@@ -48,7 +48,7 @@ class RadialTerms {
     const V rest = hn::Sub(hn::Sub(hn::Set(d, 1.0f), hn::Mul(offset[kT], offset[kT])), plane_squared);
     const V t = PositivePart(d, hn::Sub(rest, hn::Mul(offset[kX], offset[kX])));
     const V weight = hn::Set(d, list_.attribute(0)[i]);
-    const RadialTerm<kDerivatives, PointTag, Bound> term(d, polynomial_, t, weight);
+    const RadialTerm<kRadialTaper, kDerivatives, PointTag, Bound> term(d, polynomial_, t, weight);
     value_ = term.add_to(value_);
     if constexpr (kDerivatives == Derivatives::gradient) {
       const V slope = term.derivative();

@@ -11,7 +11,6 @@
 #include "solidnoise/core/special_functions.h"
 #include "solidnoise/noise/convolution/impulse_sums.h"
 #include "solidnoise/noise/convolution/kernel_cells.h"
-#include "solidnoise/noise/kernel/compact_gradient.h"
 #include "solidnoise/noise/kernel/gabor_parameters.h"
 #include "solidnoise/noise/kernel/impulse_statistics.h"
 #include "solidnoise/noise/kernel/impulse_strata.h"
@@ -46,11 +45,6 @@ class WeightDraw {
   ImpulseWeights weights_;
   std::optional<TurningFactor> turning_;
 };
-
-template <int Dim>
-CompactKernel fit(const IsotropicGaborKernel<Dim>& kernel, double error, const GaborNoiseOptions& options) {
-  return options.bounds_gradient ? compact_with_gradient(kernel, error) : compact_kernel(kernel, error);
-}
 
 // An isotropic kernel times a random weight.
 class WeightedKernel final : public ImpulseKernel {
@@ -111,7 +105,7 @@ std::shared_ptr<const GaborSetting<Dim>> setting_of(const IsotropicGaborKernel<D
   shared.filter = 0.0;
   thread_local Memo<std::pair<GaborNoiseOptions, double>, GaborSetting<Dim>> known;
   return known.get({shared, weights.fourth}, [&] {
-    const CompactKernel compact = fit(kernel, options.error, options);
+    const CompactKernel compact = compact_kernel(kernel, options.error, options.bounds_gradient);
     // Impulses are those of unlimited kernels.
     const StrataChoice choice = strata_choice(kernel, weights);
     const ImpulseLayout<Dim> layout =
@@ -158,7 +152,7 @@ bool GaborNoise<Dim>::filter_kernel() {
   const FilteredShare share{std::sqrt(filtered.energy() / kernel_.energy()), kernel_.a() / filtered.a()};
   if (share.nothing(options_.error)) return false;
   kernel_ = filtered;
-  compact_ = fit(filtered, share.error(options_.error), options_);
+  compact_ = solidnoise::compact_kernel(filtered, share.error(options_.error), options_.bounds_gradient);
   return true;
 }
 

@@ -30,7 +30,8 @@ DirectionCone<Dim> make_directions(const OrientedGaborNoiseOptions& options) {
 
 template <int Dim>
 CompactKernel fit_envelope(double a, double frequency, double error, bool bounds_gradient) {
-  return bounds_gradient ? compact_with_gradient(a, frequency, Dim, error) : compact_envelope(a, Dim, error);
+  return bounds_gradient ? compact_envelope_with_gradient(a, frequency, Dim, error)
+                         : compact_envelope(a, Dim, error);
 }
 
 // Draws the waves of impulses, at the time of an evolution.

@@ -66,15 +66,17 @@ std::vector<double> powers_of_half_argument(const std::vector<double>& coefficie
 }  // namespace
 
 CompactKernel::CompactKernel(int dimensions, double radius, std::vector<double> chebyshev,
-                             double relative_error)
+                             double relative_error, int taper)
     : dimensions_(dimensions),
       radius_(radius),
+      taper_(taper),
       chebyshev_(std::move(chebyshev)),
       slope_(chebyshev_derivative(chebyshev_)),
-      power_(divided_by_t(powers_of_half_argument(chebyshev_))),
+      power_(powers_of_half_argument(chebyshev_)),
       relative_error_(relative_error) {
+  for (int k = 2; k < taper_; ++k) power_ = divided_by_t(power_);
   // The fourth power is a polynomial in r: a rule of half its degree is exact.
-  shells_ = make_shells(4 * (degree() + kTaper) + dimensions + 18);
+  shells_ = make_shells(4 * (degree() + taper_) + dimensions + 18);
   for (std::size_t i = 0; i < shells_.radii.size(); ++i) {
     const double g = value(shells_.radii[i]);
     energy_ += shells_.integrals[i] * g;
@@ -100,8 +102,8 @@ double CompactKernel::derivative(double r) const {
 }
 
 double CompactKernel::gradient_energy() const {
-  // A polynomial in r of degree 4 (d + 3) + n - 3: this rule is exact.
-  const QuadratureRule rule = gauss_legendre(2 * (degree() + kTaper) + dimensions_);
+  // A polynomial in r of degree 4 (d + k) + n - 3: this rule is exact.
+  const QuadratureRule rule = gauss_legendre(2 * (degree() + taper_) + dimensions_);
   double sum = 0.0;
   for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
     const double r = 0.5 * radius_ * (1.0 + rule.nodes[i]);
@@ -125,7 +127,8 @@ double CompactKernel::horner_rounding() const {
     for (std::size_t k = power_.size(); k > 0; --k) {
       polynomial = std::fma(polynomial, t - 0.5f, static_cast<float>(power_[k - 1]));
     }
-    squared_error += shells_.integrals[i] / g * std::pow(static_cast<double>(t * t * t * polynomial) - g, 2);
+    for (int k = 0; k < taper_; ++k) polynomial *= t;
+    squared_error += shells_.integrals[i] / g * std::pow(static_cast<double>(polynomial) - g, 2);
   }
   return std::sqrt(squared_error / energy_);
 }
@@ -144,7 +147,7 @@ CompactKernel::Shells CompactKernel::make_shells(int count) const {
 
 double CompactKernel::spectrum(double f) const {
   // Over the radius the wave is, to all digits, a polynomial of degree pi f R + 30; the kernel is one of
-  // degree 2 (d + 3). The nodes at hand are enough for up to a few times the kernel's own frequencies.
+  // degree 2 (d + k). The nodes at hand are enough for up to a few times the kernel's own frequencies.
   const auto needed =
       static_cast<std::size_t>(degree() + dimensions_ + 18 + 0.5 * kPi * std::abs(f) * radius_);
   if (needed <= shells_.radii.size()) return transform(shells_, f);

@@ -44,11 +44,11 @@ struct Strata {
 // What strata are chosen by: the kernel of unlimited support, so that an error that is allowed for does not
 // move impulses.
 struct StrataChoice {
-  int dimensions;
+  int dimensions = 0;
   KernelMoments moments;  // of unlimited support
   WeightMoments weights;
   std::shared_ptr<const CubeAverages> averages;
-  double radius;            // that holds nearly all of a kernel, world units: no cube is much smaller
+  double radius = 0.0;      // that holds nearly all of a kernel, world units: no cube is much smaller
   double known_side = 0.0;  // balanced_side(), where it has been found
 
   // Balanced cubes with the fewest impulses in each for which the excess kurtosis given the place is within

@@ -72,6 +72,13 @@ double IsotropicGaborKernel<Dim>::fourth_moment() const {
 }
 
 template <int Dim>
+double IsotropicGaborKernel<Dim>::gradient_energy() const {
+  const auto integrand = [this](double r) { return squared(derivative(r)) * std::pow(r, Dim - 1); };
+  const double reach = kNegligible / a_;
+  return unit_sphere_area(Dim) * integrate(integrand, 0.0, reach, panels_for(2.0 * frequency_ * reach));
+}
+
+template <int Dim>
 double IsotropicGaborKernel<Dim>::autocorrelation(double r) const {
   // The Fourier transform of G^2, a radial function.
   const auto integrand = [this, r](double f) {

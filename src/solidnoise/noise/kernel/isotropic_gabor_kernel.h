@@ -33,8 +33,9 @@ class IsotropicGaborKernel {
   // Integral of g^2 over space (eqs. 43 to 46; in 43 and 45 as printed the exponent lacks the square of F0).
   double energy() const;
 
-  // Integral of g^4 over space, by quadrature.
+  // Integrals of g^4 and of (dg/dr)^2 over space, by quadrature.
   double fourth_moment() const;
+  double gradient_energy() const;
 
   // Autocorrelation, the integral of g(x) g(x + d) over space, |d| = r; exact to 1e-12 of energy(). The
   // covariance of a noise, per unit of impulse density and of mean squared weight.

@@ -15,8 +15,8 @@ namespace solidnoise {
 enum class GaborWaves { isotropic, oriented };
 
 // The compact Gabor kernels of all bandwidths, in n dimensions and on the unit ball:
-//   isotropic: k(x) = t^3 P(v), the compact form of an isotropic Gabor kernel of unit peak;
-//   oriented:  k(x) = t^3 P(v) cos(2 pi c u.x), that of a Gaussian times a wave along a unit vector u.
+//   isotropic: k(x) = t^4 P(v), the compact form of an isotropic Gabor kernel of unit peak;
+//   oriented:  k(x) = t^4 P(v) cos(2 pi c u.x), that of a Gaussian times a wave along a unit vector u.
 // A Gabor kernel of frequency F0 is k(x / r) with r = cycles / F0, where `cycles` is how many periods of the
 // wave there are in the radius. The phase is 0 so that u and -u are the same kernel: a field of directions
 // needs no signs.

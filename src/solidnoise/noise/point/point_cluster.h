@@ -36,12 +36,12 @@ struct PointCluster : SampleCluster {
 
 // Coefficients of each point's polynomial, from degree 0, `kSamples` to a degree.
 struct PointPolynomials {
-  bool power = true;                    // P in powers of v; or t P in Chebyshev polynomials of 2 v
+  bool power = true;                    // P in powers of v; or t^2 P in Chebyshev polynomials of 2 v
   int degree = 0;                       // of the highest; even and at least 4 for powers
   const float* coefficients = nullptr;  // aligned to 64 bytes
 };
 
-// Which kernel is summed: w fade(y) t^3 P(t - 1/2) with t = 1 - |d|^2 / r^2, 0 where negative; d is the
+// Which kernel is summed: w fade(y) t^4 P(t - 1/2) with t = 1 - |d|^2 / r^2, 0 where negative; d is the
 // offset from the impulse;
 //   oriented: times cos(2 pi wave . d);
 //   layer:    |d| is the distance along the surface, d - (d . normal) normal, and there is another factor
@@ -58,7 +58,7 @@ void sum_impulses(const PointKernel& kernel, const PointCluster& cluster, const 
 
 // Waves along a surface: with d = o n + x u + y (n cross u) the offset split along the normal and the
 // tangents, the sum of
-//   weight t^3 P(t - 1/2) cos(2 pi (wave x . x + wave y . y)) (1 - o^2 / H^2)^2,   t = 1 - (x^2 + y^2) / r^2,
+//   weight t^4 P(t - 1/2) cos(2 pi (wave x . x + wave y . y)) (1 - o^2 / H^2)^2,   t = 1 - (x^2 + y^2) / r^2,
 // 0 where t or the last factor's base are negative.
 struct LayerWaveKernel {
   RadialPolynomial envelope;  // in Chebyshev polynomials; two at least

@@ -43,7 +43,7 @@ class HornerSum {
 // coefficients.
 template <int kDegree>
 struct PointHorner {
-  static constexpr int kTaper = 3;  // the power of t that makes a kernel of it
+  static constexpr int kPower = kRadialTaper;  // of t that makes a kernel of it
 
   HWY_INLINE PointHorner(const PointPolynomials& polynomials, int lane)
       : coefficients(polynomials.coefficients + lane) {}
@@ -100,7 +100,7 @@ class ClenshawSum {
 
 // The same in Chebyshev polynomials of 2 v.
 struct PointClenshaw {
-  static constexpr int kTaper = 2;
+  static constexpr int kPower = 2;
 
   HWY_INLINE PointClenshaw(const PointPolynomials& polynomials, int lane)
       : coefficients(polynomials.coefficients + lane), degree(polynomials.degree) {}

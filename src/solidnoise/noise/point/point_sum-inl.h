@@ -103,9 +103,9 @@ class PointTerms {
     }
     v = hn::Max(hn::NegMulAdd(square, shrink_, hn::Set(d, 0.5f)), hn::Set(d, -0.5f));
     const V t = hn::Add(v, hn::Set(d, 0.5f));
-    for (int k = 1; k < Polynomial::kTaper; ++k) factor = hn::Mul(factor, t);
-    term.lower = factor;
-    factor = hn::Mul(factor, t);
+    const Taper<Polynomial::kPower, V> taper(factor, t);
+    term.lower = taper.lower;
+    factor = taper.value;
     if constexpr (kFade) {
       const V share = fade(i);
       factor = hn::Mul(factor, share);
@@ -121,7 +121,7 @@ class PointTerms {
   }
 
   HWY_INLINE void add_slopes(const Term& term, const Jet<V>& p) {
-    const V taper = hn::Set(Tag(), static_cast<float>(Polynomial::kTaper));
+    const V taper = hn::Set(Tag(), static_cast<float>(Polynomial::kPower));
     const V by_t = hn::MulAdd(term.factor, p.slope, hn::Mul(hn::Mul(term.lower, taper), p.value));
     for (int axis = 0; axis < kDim; ++axis) slope_[axis] = hn::MulAdd(by_t, term.offset[axis], slope_[axis]);
     if constexpr (kOriented) turning_ = hn::MulAdd(term.quadrature, p.value, turning_);

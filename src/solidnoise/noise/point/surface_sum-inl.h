@@ -75,21 +75,21 @@ class LayerWaveTerms {
     const V t = hn::Max(hn::NegMulAdd(square, frame_.shrink, one), hn::Zero(d));
     const V inside = hn::Max(hn::NegMulAdd(hn::Mul(height, height), frame_.flatten, one), hn::Zero(d));
     const V layer = hn::Mul(inside, inside);
-    const V window = hn::Mul(hn::Mul(t, t), layer);
     const V wave_x = attribute(kWaveX, i);
     const V wave_y = attribute(kWaveY, i);
     const V weight = attribute(kWaveWeight, i);
     V cosine, sine;
     CosineSine(d, hn::MulAdd(x, wave_x, hn::Mul(y, wave_y)), cosine, sine);
-    const V factor = hn::Mul(weight, window);
+    const Taper<2, V> taper(hn::Mul(weight, layer), t);
+    const V factor = taper.value;
     if constexpr (kDerivatives == Derivatives::none) {
       sum_ = hn::MulAdd(hn::Mul(envelope_.value(d, t), factor), cosine, sum_);
     } else {
       const Jet<V> p = envelope_.jet(d, t);
       const V envelope = hn::Mul(p.value, factor);
       sum_ = hn::MulAdd(envelope, cosine, sum_);
-      // d (t^2 P) / d t, and d t / d x = -2 x / r^2; the wave turns by 2 pi in a cycle.
-      const V lower = hn::Mul(hn::Mul(hn::Set(d, 2.0f), t), hn::Mul(weight, layer));
+      // d (t^2 (t^2 P)) / d t, and d t / d x = -2 x / r^2; the wave turns by 2 pi in a cycle.
+      const V lower = hn::Mul(hn::Set(d, 2.0f), taper.lower);
       const V by_t = hn::Mul(hn::MulAdd(factor, p.slope, hn::Mul(lower, p.value)), cosine);
       const V by_square = hn::Mul(by_t, hn::Mul(hn::Set(d, -2.0f), frame_.shrink));
       const V turning = hn::Mul(hn::Mul(envelope, sine), hn::Set(d, 2.0f * std::numbers::pi_v<float>));
