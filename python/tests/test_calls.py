@@ -106,7 +106,7 @@ def test_curvature_the_fit_of_a_solid_and_textures_tell_their_progress() -> None
         return solidnoise.fit(np.random.default_rng(1).random((256, 256)), solid=True, progress=told)
 
     def draw(told: Callable[[float], object]) -> object:
-        return solidnoise.fit(np.random.default_rng(1).random((64, 64))).texture((2048, 2048), progress=told)
+        return solidnoise.fit(np.random.default_rng(1).random((64, 64))).texture((4096, 4096), progress=told)
 
     for call in (bend, learn, draw):
         fractions: list[float] = []

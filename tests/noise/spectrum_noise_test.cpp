@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "solidnoise/noise/gabor/oriented_gabor_noise.h"
 #include "support/independent_values.h"
 #include "support/message_of.h"
 #include "support/spectra.h"
@@ -79,6 +80,7 @@ TEST(SpectrumNoise, ByDefaultHasTheKurtosisThatTheEyeTakesForGaussian) {
   for_two_and_three_dimensions([]<int Dim>(SpectrumNoiseOptions options) {
     options.impulses = 0.0;
     EXPECT_LE(std::abs(SpectrumNoise<Dim>(options).excess_kurtosis()), 1.0 / 64.0);
+    EXPECT_LE(SpectrumNoise<Dim>(options).kurtosis_given_place(), 1.1 / 70.0);  // whole impulses in cubes
     options.impulses_process = ImpulseSpread::poisson;
     const SpectrumNoise<Dim> noise(options);
     EXPECT_LE(noise.excess_kurtosis(), 1.01 / 64.0);  // compact kernels: within a percent
@@ -88,6 +90,29 @@ TEST(SpectrumNoise, ByDefaultHasTheKurtosisThatTheEyeTakesForGaussian) {
 
 // A band of a thousandth of the variance, of long waves: with the amplitude of all other kernels it would
 // have one impulse in fifty of its supports.
+// Of one component it is a noise of waves in one direction; of two bands of the same kernels and of shares p
+// and 1 - p of the variance and of the impulses, each has a share of its square, and 1 / p times the
+// kurtosis.
+TEST(SpectrumNoise, HasTheKurtosisGivenThePlaceOfItsWaves) {
+  OrientedGaborNoiseOptions waves{.frequency = 1.0, .impulses = 40.0};
+  waves.anisotropy = 1.0;
+  const OrientedGaborNoise<2> one(waves);
+  GaborSpectrum spectrum;
+  spectrum.dimensions = 2;
+  spectrum.bands = {{one.kernel().a(), {{{1.0, 0.0, 0.0}, 1.0}}}};
+  SpectrumNoiseOptions options;
+  options.model.channels = {spectrum};
+  options.frequency = 1.0;
+  options.impulses = 40.0;
+  EXPECT_NEAR(SpectrumNoise<2>(options).kurtosis_given_place() / one.kurtosis_given_place(), 1.0, 0.02);
+  spectrum.bands = {{one.kernel().a(), {{{1.0, 0.0, 0.0}, 0.3}}},
+                    {one.kernel().a(), {{{0.0, 1.0, 0.0}, 0.7}}}};
+  options.model.channels = {spectrum};
+  EXPECT_NEAR(SpectrumNoise<2>(options).kurtosis_given_place() / one.kurtosis_given_place(), 1.0, 0.2);
+  options.impulses_process = ImpulseSpread::poisson;
+  EXPECT_EQ(SpectrumNoise<2>(options).kurtosis_given_place(), 0.0);
+}
+
 TEST(SpectrumNoise, WeakBandsHaveImpulsesEnough) {
   SpectrumNoiseOptions options = some_spectrum(2);
   options.model.channels[0].bands.push_back({0.02, {{{0.5, 0.5, 0.0}, 1e-3}}});

@@ -243,6 +243,8 @@ TEST(SurfaceGaborStatistics, DefaultNumberOfImpulsesTakesTheExcessKurtosisAway) 
     options.waves = waves;
     const SurfaceGaborNoise noise(options);
     EXPECT_LT(std::abs(noise.excess_kurtosis()), 0.02);
+    EXPECT_LE(noise.kurtosis_given_place(), 0.26);
+    EXPECT_GT(noise.kurtosis_given_place(), 0.05);
     EXPECT_LT(std::abs(noise.varying_excess_kurtosis()), 0.1);
   }
 }

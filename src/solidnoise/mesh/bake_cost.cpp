@@ -114,14 +114,14 @@ Cost bake_cost(const BakePlan& plan, const BakeRecipe& recipe) {
   constexpr double kSecondsPerImpulse = 3.5e-9;
   constexpr double kSecondsPerTangentImpulse = 9e-9;
   constexpr double kSecondsPerLoneOctave = 14e-6;
-  constexpr double kLeastImpulses = 20.0;
+  constexpr double kFewestImpulses = 20.0;
   const bool in_tangent_plane =
       recipe.noise.kind == SurfaceNoiseKind::surface || recipe.noise.kind == SurfaceNoiseKind::oriented;
   const double vertices = static_cast<double>(plan.mesh.positions.size());
   const double frequency = plan.parameters.frequency.constant;
   const bool is_graded = plan.parameters.frequency.varies() && !has_bandwidth(recipe.noise.kind);
   const double reached = impulses_at_point(recipe.noise, {frequency, plan.parameters.bandwidth.constant, {}});
-  const double impulses = (is_graded ? 2.0 : 1.0) * (kLeastImpulses + reached);
+  const double impulses = (is_graded ? 2.0 : 1.0) * (kFewestImpulses + reached);
   const double noises =
       recipe.layers.empty()
           ? 1.0

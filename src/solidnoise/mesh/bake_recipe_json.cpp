@@ -98,7 +98,8 @@ Json describe_kernel(const SurfaceNoiseRecipe& recipe, const VertexParameters& p
           {"impulses_per_kernel", noise.impulses_per_kernel()},
           {"excess_kurtosis", parameters.frequency.varies() || parameters.bandwidth.varies()
                                   ? noise.varying_excess_kurtosis()
-                                  : noise.excess_kurtosis()}};
+                                  : noise.excess_kurtosis()},
+          {"kurtosis_given_place", noise.kurtosis_given_place()}};
 }
 
 Json describe_steering(const SteeringWeights& steering) {

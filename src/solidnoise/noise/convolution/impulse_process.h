@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "solidnoise/core/cell_grid.h"
@@ -62,6 +64,18 @@ struct ImpulseReach {
     const float distance = std::max(std::max(from - upper[a], lower[a] - to), 0.0f) * scale[a];
     return is_ball ? square + distance * distance : std::max(square, distance * distance);
   }
+
+  // The strata along the last axis, `into` farther than their cells, that may be in reach after `square` of
+  // the axes before it, and maybe one more on either side.
+  std::pair<std::int64_t, std::int64_t> between(float square, float into) const {
+    constexpr std::size_t kLast = Dim - 1;
+    constexpr double kFarthest = 1e9;  // cells
+    const double radii = std::sqrt(std::max(0.0, static_cast<double>(kMost - (is_ball ? square : 0.0f))));
+    const double room = scale[kLast] > 0.0f ? std::min(radii / scale[kLast], kFarthest) : kFarthest;
+    const double from = std::floor(lower[kLast] - room - 1.0 - into);
+    const double to = std::ceil(upper[kLast] + room - into);
+    return {first[Dim - 1] + static_cast<std::int64_t>(from), first[Dim - 1] + static_cast<std::int64_t>(to)};
+  }
 };
 
 // A marked point process in Dim dimensions, cell by cell: strata, which hold a fixed number of impulses each,
@@ -103,7 +117,9 @@ class ImpulseProcess {
       hash = hash_coordinate(hash, axes_[axis].wrap(stratum[axis]));
     }
     const Draws draws(*this, hash);
-    for (int i = 0; i < draws.count; ++i) sink(Impulse<Dim>{draws.position(i, shift), draws.mark(i)});
+    for (int i = 0; i < draws.count; ++i) {
+      sink(Impulse<Dim>{Draws::position(draws.key_at(i, 0), shift), draws.mark(i)});
+    }
   }
 
   // Calls sink(stratum, impulse) for the impulses in reach of all strata from `first` to `last`, last axis
@@ -111,37 +127,20 @@ class ImpulseProcess {
   template <typename Sink>
   void generate(const Index<Dim>& first, const Index<Dim>& last, const ImpulseReach<Dim>& reach,
                 Sink&& sink) const {
-    Index<Dim> stratum;
-    std::array<std::int32_t, Dim> shift;
-    std::array<float, Dim> corner;  // of the stratum's cell, from the first cell's corner
-    const auto look_into = [&](std::uint64_t hash) {
-      const Draws draws(*this, hash);
-      for (int i = 0; i < draws.count; ++i) {
-        const std::uint64_t mark = draws.mark(i);
-        const std::uint64_t share = mark & kShareMask;
-        if (share < reach.least_share || share > reach.most_share) continue;
-        const std::array<std::int32_t, Dim> position = draws.position(i, shift);
-        float square = 0.0f;
-        for (int axis = 0; axis < Dim; ++axis) {
-          const float at = corner[axis] + in_cells(position[axis]);
-          square = reach.square(square, axis, at, at);
-        }
-        if (square <= ImpulseReach<Dim>::kMost) sink(stratum, Impulse<Dim>{position, mark});
-      }
-    };
+    Row row{*this, reach};
     const auto descend = [&]<int kAxis>(const auto& self, std::uint64_t hash, float square) {
-      shift[kAxis] = shift_by(hash);
-      const float into = in_cells(shift[kAxis]);
-      for (stratum[kAxis] = first[kAxis]; stratum[kAxis] <= last[kAxis]; ++stratum[kAxis]) {
-        corner[kAxis] = static_cast<float>(stratum[kAxis] - reach.first[kAxis]);
-        const float from = corner[kAxis] + into;
-        const float beyond = reach.square(square, kAxis, from, from + 1.0f);
-        if (beyond > ImpulseReach<Dim>::kMost) continue;
-        const std::uint64_t next = hash_coordinate(hash, axes_[kAxis].wrap(stratum[kAxis]));
-        if constexpr (kAxis + 1 < Dim) {
+      row.shift[kAxis] = shift_by(hash);
+      if constexpr (kAxis + 1 == Dim) {
+        row.generate(hash, first[kAxis], last[kAxis], square, sink);
+      } else {
+        const float into = in_cells(row.shift[kAxis]);
+        for (std::int64_t at = first[kAxis]; at <= last[kAxis]; ++at) {
+          row.stratum[kAxis] = at;
+          const float from = row.corner(kAxis) + into;
+          const float beyond = reach.square(square, kAxis, from, from + 1.0f);
+          if (beyond > ImpulseReach<Dim>::kMost) continue;
+          const std::uint64_t next = hash_coordinate(hash, axes_[kAxis].wrap(at));
           self.template operator()<kAxis + 1>(self, next, beyond);
-        } else {
-          look_into(next);
         }
       }
     };
@@ -168,9 +167,11 @@ class ImpulseProcess {
       key += kGoldenGamma;
     }
 
-    std::array<std::int32_t, Dim> position(int i, const std::array<std::int32_t, Dim>& shift) const {
+    // `key` is that of the impulse, key_at(i, 0).
+    static std::array<std::int32_t, Dim> position(std::uint64_t key,
+                                                  const std::array<std::int32_t, Dim>& shift) {
       constexpr int kShift = 32 - CellAxis::kFractionBits;
-      RandomStream stream = stream_at(i, 0);
+      RandomStream stream(key);
       std::array<std::int32_t, Dim> result;
       for (int axis = 0; axis < Dim; axis += 2) {
         const std::uint64_t pair = stream.next();
@@ -184,7 +185,7 @@ class ImpulseProcess {
 
     // With the share in the impulse's part.
     std::uint64_t mark(int i) const {
-      const std::uint64_t mark = stream_at(i, kPairs).next();
+      const std::uint64_t mark = RandomStream(key_at(i, kPairs)).next();
       if (!in_parts || count == 1) return mark;
       const std::uint64_t within = mark & kShareMask;
       const std::uint64_t share =
@@ -192,14 +193,99 @@ class ImpulseProcess {
       return mark - within + share;
     }
 
+    // The first and the end of the impulses whose shares may be between two.
+    std::pair<int, int> between(std::uint64_t least, std::uint64_t most) const {
+      if (!in_parts) return {0, count};
+      const auto m = static_cast<std::uint64_t>(count);
+      const std::uint64_t last = ((most + 1) * m - 1) >> kShareBits;
+      return {static_cast<int>((least * m) >> kShareBits), std::min(count, static_cast<int>(last) + 1)};
+    }
+
     static constexpr int kPairs = (Dim + 1) / 2;
-    RandomStream stream_at(int i, int number) const {
-      return RandomStream(key + static_cast<std::uint64_t>(i * (kPairs + 1) + number) * kGoldenGamma);
+    std::uint64_t key_at(int i, int number) const {
+      return key + static_cast<std::uint64_t>(i * (kPairs + 1) + number) * kGoldenGamma;
     }
 
     std::uint64_t key;
     int count;
     bool in_parts;
+  };
+
+  // Strata side by side along the last axis. What is looked at is not known in advance, and branches would be
+  // mistaken half of the time: candidates are drawn first, and those that are in reach then taken out of
+  // them.
+  struct Row {
+    const ImpulseProcess& process;
+    const ImpulseReach<Dim>& reach;
+    Index<Dim> stratum{0};
+    std::array<std::int32_t, Dim> shift{};
+
+    // Of the stratum's cell along an axis, from the corner of the first cell in reach.
+    float corner(int axis) const { return static_cast<float>(stratum[axis] - reach.first[axis]); }
+
+    // Of the strata from `first` to `last`, whose hash without the last axis is `hash`, and which are at
+    // least this squared distance from the box along the axes before.
+    template <typename Sink>
+    void generate(std::uint64_t hash, std::int64_t first, std::int64_t last, float square, Sink& sink) {
+      constexpr int kLast = Dim - 1;
+      const auto [from, to] = reach.between(square, in_cells(shift[kLast]));
+      first = std::max(first, from);
+      last = std::min(last, to);
+      Candidates candidates;
+      for (std::int64_t at = first; at <= last; ++at) {
+        const Draws draws(process, hash_coordinate(hash, process.axes_[kLast].wrap(at)));
+        const auto [begin, end] = draws.between(reach.least_share, reach.most_share);
+        for (int i = begin; i < end; ++i) {
+          const std::uint64_t mark = draws.mark(i);
+          const std::uint64_t share = mark & kShareMask;
+          candidates.add(at, draws.key_at(i, 0), mark,
+                         (share >= reach.least_share) & (share <= reach.most_share));
+          if (candidates.count == Candidates::kMost) take(candidates, sink);
+        }
+      }
+      take(candidates, sink);
+    }
+
+   private:
+    struct Candidates {
+      static constexpr int kMost = 64;
+      int count = 0;
+      std::array<std::int64_t, kMost> at;  // along the last axis
+      std::array<std::uint64_t, kMost> mark;
+      std::array<std::uint64_t, kMost> key;  // of its position
+
+      void add(std::int64_t place, std::uint64_t its_key, std::uint64_t its_mark, bool wanted) {
+        const auto end = static_cast<std::size_t>(count);
+        at[end] = place;
+        mark[end] = its_mark;
+        key[end] = its_key;
+        count += wanted ? 1 : 0;
+      }
+    };
+
+    template <typename Sink>
+    void take(Candidates& candidates, Sink& sink) {
+      std::array<std::array<std::int32_t, Dim>, Candidates::kMost> positions;
+      std::array<std::size_t, Candidates::kMost> taken;
+      std::size_t count = 0;
+      for (std::size_t i = 0; i < static_cast<std::size_t>(candidates.count); ++i) {
+        positions[i] = Draws::position(candidates.key[i], shift);
+        stratum[Dim - 1] = candidates.at[i];
+        float square = 0.0f;
+        for (int axis = 0; axis < Dim; ++axis) {
+          const float at = corner(axis) + in_cells(positions[i][axis]);
+          square = reach.square(square, axis, at, at);
+        }
+        taken[count] = i;
+        count += square <= ImpulseReach<Dim>::kMost ? 1 : 0;
+      }
+      for (std::size_t k = 0; k < count; ++k) {
+        const std::size_t i = taken[k];
+        stratum[Dim - 1] = candidates.at[i];
+        sink(stratum, Impulse<Dim>{positions[i], candidates.mark[i]});
+      }
+      candidates.count = 0;
+    }
   };
 
   // The Poisson count whose cumulative probability first exceeds a uniform 64-bit number.

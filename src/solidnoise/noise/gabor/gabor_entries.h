@@ -191,6 +191,7 @@ struct NoiseEntry<SpectrumNoiseOptions> {
     of_kernel("frequency", options.frequency);
     of_kernel("relative_error", options.error);
     of_noise("impulses_per_kernel", noise.impulses_per_kernel());
+    of_noise("kurtosis_given_place", noise.kurtosis_given_place());
     of_noise("filter", options.filter);
   }
 

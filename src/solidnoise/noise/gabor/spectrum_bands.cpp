@@ -52,6 +52,17 @@ ImpulseBudget share_impulses(std::span<const BandShare> bands, double impulses, 
   return budget;
 }
 
+double kurtosis_given_place(std::span<const BandShare> bands, std::span<const double> densities) {
+  double sum = 0.0;
+  for (std::size_t b = 0; b < densities.size(); ++b) {
+    const auto& [variance, support, choice] = bands[b];
+    sum += variance * variance *
+           kurtosis_given_place(densities[b], choice.moments, *choice.averages,
+                                choice.of_density(densities[b]).side);
+  }
+  return sum;
+}
+
 double variance_of(const SpectrumBand& band) {
   double sum = 0.0;
   for (const SpectrumComponent& component : band.components) sum += component.variance;

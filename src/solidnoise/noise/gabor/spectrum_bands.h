@@ -50,6 +50,10 @@ inline constexpr double kExamplePlaceKurtosis = 1.0 / 70.0;
 // make it more. The bands' variances add up to 1.
 ImpulseBudget share_impulses(std::span<const BandShare> bands, double impulses, ImpulseSpread spread);
 
+// How far the excess kurtosis at a place in the planes of cubes may be from its mean, a bound, of bands with
+// strata of these densities.
+double kurtosis_given_place(std::span<const BandShare> bands, std::span<const double> densities);
+
 double variance_of(const SpectrumBand& band);
 // Root mean square of the components' frequencies, by variance; cycles per world unit.
 double rms_frequency(const SpectrumBand& band);

@@ -56,7 +56,7 @@ class SpectrumWaveDraw {
 
 template <int Dim>
 CompactKernel envelope_of(const SpectrumBand& band, const SpectrumNoiseOptions& options, double error) {
-  return options.bounds_gradient ? compact_with_gradient(band.a, rms_frequency(band), Dim, error)
+  return options.bounds_gradient ? compact_envelope_with_gradient(band.a, rms_frequency(band), Dim, error)
                                  : compact_envelope(band.a, Dim, error);
 }
 
@@ -237,19 +237,19 @@ SpectrumNoise<Dim>::SpectrumNoise(const SpectrumNoiseOptions& options) {
         fmt::format("the spectrum is of {} dimensions; it must be of {}", spectrum_.dimensions, Dim));
   }
   std::vector<std::shared_ptr<const BandSetting>> settings;
-  std::vector<BandShare> shares;
   for (const SpectrumBand& band : unfiltered.bands) {
     const StrataChoice& choice = settings.emplace_back(setting_of<Dim>(band, options))->choice;
-    shares.push_back({variance_of(band), impulses_in_ball(Dim, 1.0, choice.radius), choice});
+    shares_.push_back({variance_of(band), impulses_in_ball(Dim, 1.0, choice.radius), choice});
   }
-  const ImpulseBudget budget = share_impulses(shares, options.impulses, options.impulses_process);
+  const ImpulseBudget budget = share_impulses(shares_, options.impulses, options.impulses_process);
+  if (options.impulses_process == ImpulseSpread::strata) densities_ = budget.densities;
   impulses_ = budget.impulses;
   least_density_ = HUGE_VAL;
   spectrum_.bands.clear();
   std::vector<typename FractalNoise<Dim>::Octave> bands;
-  for (std::size_t b = 0; b < shares.size(); ++b) {
+  for (std::size_t b = 0; b < shares_.size(); ++b) {
     const CompactKernel& envelope = settings[b]->envelope;
-    const auto layout = make_layout<Dim>(shares[b].choice, budget.densities[b], options.impulses_process,
+    const auto layout = make_layout<Dim>(shares_[b].choice, budget.densities[b], options.impulses_process,
                                          envelope.radius(), options.period);
     auto band = std::make_unique<BandNoise<Dim>>(band_of(unfiltered, b), envelope, layout, options,
                                                  derive_seed(options.seed, kBandStream + b));

@@ -2,10 +2,12 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "solidnoise/noise/evolution.h"
 #include "solidnoise/noise/fractal_noise.h"
 #include "solidnoise/noise/gabor/gabor_spectrum.h"
+#include "solidnoise/noise/gabor/spectrum_bands.h"
 #include "solidnoise/noise/kernel/impulse_statistics.h"
 #include "solidnoise/noise/noise.h"
 
@@ -62,6 +64,9 @@ class SpectrumNoise final : public Noise<Dim> {
   double impulses_per_kernel() const { return impulses_; }  // N, mean
   // Of the band that has the fewest, per world unit^Dim.
   double least_impulse_density() const { return least_density_; }
+  // How far the excess kurtosis at a place in the planes of strata may be from its mean, without a filter and
+  // a period; 0 of a Poisson process.
+  double kurtosis_given_place() const { return solidnoise::kurtosis_given_place(shares_, densities_); }
 
   using Noise<Dim>::evaluate;
   std::unique_ptr<FieldBlock<Dim>> block(const Box<Dim>& box) const override { return bands_->block(box); }
@@ -80,6 +85,8 @@ class SpectrumNoise final : public Noise<Dim> {
   GaborSpectrum spectrum_;
   double impulses_ = 0.0;
   double least_density_ = 0.0;
+  std::vector<BandShare> shares_;
+  std::vector<double> densities_;  // of the bands' strata
   std::unique_ptr<const FractalNoise<Dim>> bands_;
 };
 

@@ -61,18 +61,20 @@ SurfaceGaborNoise::SurfaceGaborNoise(const SurfaceGaborOptions& options)
     filtered_ = family_->filtered(options.frequency, options.bandwidth, options.filter);
   const double r = radius();
   const double nominal = family_->nominal_share() * r;
-  StrataChoice choice = surface_choice(options, options.layer * nominal);
-  if (options.evolution.moves()) choice.weights = turning({});
+  choice_ = surface_choice(options, options.layer * nominal);
+  if (options.evolution.moves()) choice_.weights = turning({});
   const double support = 2.0 * std::numbers::pi * options.layer * std::pow(nominal, 3);
   // Of the kernels as they are evaluated, and their window.
   const KernelMoments plane = family_->moments(kernel_);
   KernelMoments moments{plane.second * r * r * layer_window_moment(2) * options.layer * nominal,
                         plane.fourth * r * r * layer_window_moment(4) * options.layer * nominal};
   const double wanted = options.impulses / support;
-  const auto layout = make_layout<3>(choice, wanted, options.impulses_process, r, Vec<4>(0.0));
+  const auto layout = make_layout<3>(choice_, wanted, options.impulses_process, r, Vec<4>(0.0));
   impulses_ = layout.density * support;
   const bool fixed = layout.count.is_fixed;
-  const double scale = fixed ? choice.balanced_side() : nominal;
+  density_ = layout.density;
+  if (fixed) side_ = layout.side();
+  const double scale = fixed ? choice_.balanced_side() : nominal;
   scale_in_radii_ = scale / r;
 
   PointConvolution<3>::Settings settings{.waves = options.waves,
@@ -81,18 +83,21 @@ SurfaceGaborNoise::SurfaceGaborNoise(const SurfaceGaborOptions& options)
                                          .unit = options.unit,
                                          .seed = options.seed};
   if (options.evolution.moves()) settings.factor = TurningFactor(options.evolution);
-  settings.parts = parts_for_points(scale, nominal);
   varying_ = std::make_shared<PointConvolution<3>>(settings);
-  varying_excess_kurtosis_ = varying_->excess_kurtosis(scale, moments, choice.weights, *choice.averages);
-  if (layout.count.is_fixed) {
+  varying_excess_kurtosis_ = varying_->excess_kurtosis(scale, moments, choice_.weights, *choice_.averages);
+  if (fixed) {
     moments.overlap =
-        choice.averages->overlap(layout.side()) * std::pow(moments.second / choice.moments.second, 2);
+        choice_.averages->overlap(layout.side()) * std::pow(moments.second / choice_.moments.second, 2);
   }
-  excess_kurtosis_ = noise_excess_kurtosis(layout.density, moments, choice.weights);
+  excess_kurtosis_ = noise_excess_kurtosis(layout.density, moments, choice_.weights);
   settings.side = layout.side();
-  settings.parts = parts_for_points(settings.side, nominal);
   settings.count = layout.count;
   stationary_ = std::make_shared<PointConvolution<3>>(settings);
+}
+
+double SurfaceGaborNoise::kurtosis_given_place() const {
+  return side_ > 0.0 ? solidnoise::kurtosis_given_place(density_, choice_.moments, *choice_.averages, side_)
+                     : 0.0;
 }
 
 double SurfaceGaborNoise::radius() const {

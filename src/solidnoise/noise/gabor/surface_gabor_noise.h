@@ -8,6 +8,7 @@
 #include "solidnoise/core/vec.h"
 #include "solidnoise/noise/evolution.h"
 #include "solidnoise/noise/kernel/impulse_statistics.h"
+#include "solidnoise/noise/kernel/impulse_strata.h"
 #include "solidnoise/noise/kernel/kernel_family.h"
 #include "solidnoise/noise/noise.h"
 #include "solidnoise/noise/point/point_convolution.h"
@@ -96,6 +97,8 @@ class SurfaceGaborNoise {
   double variance() const { return filtered_ ? filtered_->variance : 1.0; }
   // E[value^4] / E[value^2]^2 - 3, of the options' kernel.
   double excess_kurtosis() const { return excess_kurtosis_; }
+  // How far that may be from its mean at a place in the planes of strata; 0 of a Poisson process.
+  double kurtosis_given_place() const;
   // The excess kurtosis where frequency or bandwidth vary, the mean over frequencies (PointConvolution).
   double varying_excess_kurtosis() const { return varying_excess_kurtosis_; }
   // The frequencies that hold all but a thousandth of the variance, without a filter.
@@ -108,6 +111,9 @@ class SurfaceGaborNoise {
   std::optional<KernelFamily::Filtered> filtered_;  // with one
   double impulses_ = 0.0;
   double excess_kurtosis_ = 0.0;
+  StrataChoice choice_;
+  double density_ = 0.0;
+  double side_ = 0.0;  // of strata; 0: there are none
   double varying_excess_kurtosis_ = 0.0;
   double scale_in_radii_ = 1.0;  // that impulses of the hierarchy follow
   std::shared_ptr<const PointConvolution<3>> stationary_;

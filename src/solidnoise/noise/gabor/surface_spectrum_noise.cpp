@@ -67,17 +67,16 @@ class SurfaceSpectrumNoise::Band {
   double layer() const { return layer_; }
   int span() const { return process_.span(); }
 
-  // Appends the impulses of a stratum relative to the anchor.
-  void append(const Index<3>& anchor, const Index<3>& cell, const ImpulseReach<3>& reach,
-              ImpulseList& impulses) const {
-    const Index<3> stratum = anchor + cell;
-    process_.generate(stratum, stratum, reach, [&](const Index<3>&, const Impulse<3>& impulse) {
+  // Appends the impulses of a row of strata relative to the anchor.
+  void append(const Index<3>& anchor, const Index<3>& first, const Index<3>& last,
+              const ImpulseReach<3>& reach, ImpulseList& impulses) const {
+    process_.generate(anchor + first, anchor + last, reach, [&](const Index<3>& at, const auto& impulse) {
       const std::size_t end = impulses.size();
       impulses.reserve(end + 1);
       for (int axis = 0; axis < 3; ++axis) {
         const auto a = static_cast<std::size_t>(axis);
         impulses.position(axis)[end] =
-            static_cast<float>(cell[axis]) +
+            static_cast<float>(at[axis] - anchor[axis]) +
             static_cast<float>(impulse.position[a]) / static_cast<float>(CellAxis::kQuantaPerCell);
       }
       RandomStream stream(impulse.mark);
@@ -120,20 +119,20 @@ SurfaceSpectrumNoise::SurfaceSpectrumNoise(const SpectrumNoiseOptions& options, 
         fmt::format("the spectrum is of {} dimensions; it must be of 2", spectrum_.dimensions));
   }
   const WeightMoments turns = options.evolution.moves() ? turning({}) : WeightMoments{};
-  std::vector<BandShare> shares;
   for (const SpectrumBand& band : spectrum_.bands) {
     const RandomPhaseGaborKernel<2> kernel(1.0, band.a, Vec<2>(0.0));
     const double radius = kernel.radius_for_error(kNominalError);
-    shares.push_back({variance_of(band), 2.0 * std::numbers::pi * layer * std::pow(radius, 3),
-                      layer_strata_choice(kernel, layer * radius, layer_window)});
+    shares_.push_back({variance_of(band), 2.0 * std::numbers::pi * layer * std::pow(radius, 3),
+                       layer_strata_choice(kernel, layer * radius, layer_window)});
   }
-  const ImpulseBudget budget = share_impulses(shares, options.impulses, options.impulses_process);
+  const ImpulseBudget budget = share_impulses(shares_, options.impulses, options.impulses_process);
+  if (options.impulses_process == ImpulseSpread::strata) densities_ = budget.densities;
   impulses_ = budget.impulses;
   // Impulses, what they draw and the amplitude are those of the noise before it is filtered.
   const GaborSpectrum unfiltered = spectrum_;
   spectrum_.bands.clear();
-  for (std::size_t b = 0; b < shares.size(); ++b) {
-    const auto& [variance, support, choice] = shares[b];
+  for (std::size_t b = 0; b < shares_.size(); ++b) {
+    const auto& [variance, support, choice] = shares_[b];
     const SpectrumBand& band = unfiltered.bands[b];
     const double half_thickness = layer * choice.radius;
     CompactKernel envelope = compact_gaussian(band.a, 2, options.error);

@@ -41,6 +41,8 @@ class SurfaceSpectrumNoise {
   double variance() const { return variance_; }
   double impulses_per_kernel() const { return impulses_; }     // N, mean
   double excess_kurtosis() const { return excess_kurtosis_; }  // at most, without a filter
+  // As SpectrumNoise's.
+  double kurtosis_given_place() const { return solidnoise::kurtosis_given_place(shares_, densities_); }
 
   // One sample per point; the gradient is as that of SurfaceGaborNoise. `tangent` of any length but 0, laid
   // into the tangent plane; either sign. Throws std::invalid_argument as SurfacePoints::validate does, and
@@ -57,6 +59,8 @@ class SurfaceSpectrumNoise {
   double variance_ = 0.0;
   double impulses_ = 0.0;
   double excess_kurtosis_ = 0.0;
+  std::vector<BandShare> shares_;
+  std::vector<double> densities_;  // of the bands' strata
   std::vector<Band> bands_;
 };
 

@@ -87,7 +87,6 @@ VaryingGaborNoise<Dim>::VaryingGaborNoise(const VaryingGaborOptions& options)
   settings.unit = options.unit;
   if (options.evolution.moves()) settings.factor = TurningFactor(options.evolution);
   settings.count = {layout.density * std::pow(scale, Dim), fixed};
-  settings.parts = parts_for_points(scale, choice.radius);
   varying_ = std::make_shared<PointConvolution<Dim>>(settings);
   varying_excess_kurtosis_ = varying_->excess_kurtosis(scale, moments, choice.weights, *choice.averages);
   if (layout.count.is_fixed) {
@@ -96,7 +95,6 @@ VaryingGaborNoise<Dim>::VaryingGaborNoise(const VaryingGaborOptions& options)
   }
   excess_kurtosis_ = noise_excess_kurtosis(layout.density, moments, choice.weights);
   settings.side = layout.side();
-  settings.parts = parts_for_points(settings.side, choice.radius);
   settings.count = layout.count;
   stationary_ = std::make_shared<PointConvolution<Dim>>(settings);
 }

@@ -71,17 +71,19 @@ class LatticePoints {
   double layer() const { return 1.0 / GradientKernel<2>::kRadius; }
   int span() const { return 1; }
 
-  void append(const Index<3>& anchor, const Index<3>& cell, const ImpulseReach<3>&,
+  void append(const Index<3>& anchor, const Index<3>& first, const Index<3>& last, const ImpulseReach<3>&,
               ImpulseList& points) const {
-    Vec<3> gradient = lattice_.gradients()[lattice_.gradient_index(anchor + cell)];
-    if (turning_) gradient = turning_->turned(gradient, anchor + cell);
-    const std::size_t end = points.size();
-    points.reserve(end + 1);
-    for (int axis = 0; axis < 3; ++axis) {
-      points.position(axis)[end] = static_cast<float>(cell[axis]);
-      points.attribute(kGradientX + axis)[end] = static_cast<float>(scale_ * gradient[axis]);
+    for (Index<3> cell = first; cell[2] <= last[2]; ++cell[2]) {
+      Vec<3> gradient = lattice_.gradients()[lattice_.gradient_index(anchor + cell)];
+      if (turning_) gradient = turning_->turned(gradient, anchor + cell);
+      const std::size_t end = points.size();
+      points.reserve(end + 1);
+      for (int axis = 0; axis < 3; ++axis) {
+        points.position(axis)[end] = static_cast<float>(cell[axis]);
+        points.attribute(kGradientX + axis)[end] = static_cast<float>(scale_ * gradient[axis]);
+      }
+      points.set_size(end + 1);
     }
-    points.set_size(end + 1);
   }
 
   void sum(const PointCluster& cluster, const ImpulseList& points, ClusterSums& sums) const {

@@ -87,7 +87,7 @@ class PointConvolution<Dim>::Evaluation {
              const Samples<Dim>& samples)
       : noise_(noise), points_(points), prepare_(prepare), samples_(samples), extent_(noise.settings_.layer) {
     const Settings& settings = noise.settings_;
-    extent_.span = ImpulseCells<Dim>::span(*noise.process_, settings.parts);
+    extent_.span = static_cast<float>(noise.process_->span());
     kernel_.dimensions = Dim;
     kernel_.layer = settings.layer > 0.0;
     kernel_.oriented = settings.waves == GaborWaves::oriented;
@@ -107,7 +107,7 @@ class PointConvolution<Dim>::Evaluation {
   // A grid and the points of the batch that use it (of a hierarchy the next coarser one too), those whose
   // polynomials are in powers apart from the others.
   struct Level {
-    std::optional<ImpulseCells<Dim>> cells;
+    std::optional<ImpulseProcess<Dim>> process;
     std::array<std::vector<Located>, 2> points;
   };
 
@@ -129,9 +129,8 @@ class PointConvolution<Dim>::Evaluation {
         auto& points = level.points[power ? 1 : 0];
         if (points.empty()) continue;
         level_ = &level;
-        const double size = level.cells->axis().size();
-        const double coarser = 2.0 * size / noise_.settings_.parts;  // strata
-        coarse_cells_ = extent_.fade ? &*this->level(l + 1, coarser).cells : nullptr;
+        const double size = cell_of(level);
+        coarse_ = extent_.fade ? &*this->level(l + 1, 2.0 * size).process : nullptr;
         power_ = power;
         tiles_.add(points, size, sums.samples());
         points.clear();
@@ -142,11 +141,10 @@ class PointConvolution<Dim>::Evaluation {
 
   Level& level(int l, double size) {
     Level& found = levels_[l];
-    if (!found.cells) {
-      found.cells.emplace(noise_.grid(l, size), noise_.settings_.parts, noise_.settings_.factor);
-    }
+    if (!found.process) found.process = noise_.grid(l, size);
     return found;
   }
+  static double cell_of(const Level& level) { return level.process->axes()[0].size(); }
 
   void add_to_level(std::uint32_t point) {
     // Most often the level is that of the point before.
@@ -159,16 +157,18 @@ class PointConvolution<Dim>::Evaluation {
       fine_ = &level(l, size_);
     }
     Located located;
-    const double size = fine_->cells->axis().size();
+    const double size = cell_of(*fine_);
+    located.density = 1.0f;
     for (int axis = 0; axis < Dim; ++axis) {
       const auto a = static_cast<std::size_t>(axis);
-      const CellPosition position = locate_point(fine_->cells->axis(), positions_[a][point], batch_[point]);
+      const CellPosition position =
+          locate_point(fine_->process->axes()[a], positions_[a][point], batch_[point]);
       located.cell[axis] = position.cell;
       located.fraction[a] = position.fraction;
+      located.density *= static_cast<float>(scale / size);
     }
     located.radius = static_cast<float>(prepared_[point].radius / size);
     located.height = located.radius * extent_.layer * static_cast<float>(prepared_[point].flatness);
-    located.density = static_cast<float>(std::pow(noise_.settings_.parts * scale / size, Dim));
     located.weight = static_cast<float>(prepared_[point].amplitude);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       located.normal[axis] = static_cast<float>(prepared_[point].normal[axis]);
@@ -180,23 +180,26 @@ class PointConvolution<Dim>::Evaluation {
   // The impulses that the points of a tile need, from one grid or, of a hierarchy, from two: cell
   // by cell in lexicographic order, the finer grid first. Positions and turns in cells of the finer grid.
   void gather(const PointTile<Dim>& tile, const PointCull& cull, ImpulseList& impulses) {
-    const auto gather_from = [&](const ImpulseCells<Dim>& cells, const Index<Dim>& anchor,
+    const auto gather_from = [&](const ImpulseProcess<Dim>& process, const Index<Dim>& anchor,
                                  const PointCull& of_cells, const Scale& scale) {
       const ImpulseReach<Dim> reach = reach_of(anchor, of_cells, scale);
-      for_each_reaching_cell<Dim>(of_cells, [&](const Index<Dim>& cell) {
-        append(cells, anchor + cell, cell, reach, scale, impulses);
+      for_each_reaching_row<Dim>(of_cells, [&](const Index<Dim>& first, const Index<Dim>& last) {
+        process.generate(anchor + first, anchor + last, reach,
+                         [&](const Index<Dim>& stratum, const Impulse<Dim>& impulse) {
+                           append(impulse, stratum - anchor, scale, impulses);
+                         });
       });
     };
     const Index<Dim>& anchor = tile.anchor;
     Scale scale;
-    gather_from(*level_->cells, anchor, cull, scale);
-    if (coarse_cells_ == nullptr) return;
+    gather_from(*level_->process, anchor, cull, scale);
+    if (coarse_ == nullptr) return;
     for (int axis = 0; axis < Dim; ++axis) {
       scale.offset[role_of_axis<Dim>(axis)] = static_cast<float>(anchor[axis] & 1);
     }
     scale.size = 2.0f;
     scale.turn = 1.0f / static_cast<float>(1 << Dim);
-    gather_from(*coarse_cells_, anchor >> std::int64_t{1}, coarsened(cull, scale.offset), scale);
+    gather_from(*coarse_, anchor >> std::int64_t{1}, coarsened(cull, scale.offset), scale);
   }
 
   static constexpr float kLowest = 1.0f / static_cast<float>(1 << Dim);  // turn
@@ -212,7 +215,7 @@ class PointConvolution<Dim>::Evaluation {
 
   // Where impulses are in reach, in strata, and which shares are in turn.
   ImpulseReach<Dim> reach_of(const Index<Dim>& anchor, const PointCull& cull, const Scale& scale) const {
-    ImpulseReach<Dim> reach = solidnoise::reach_of<Dim>(anchor, cull, noise_.settings_.parts);
+    ImpulseReach<Dim> reach = solidnoise::reach_of<Dim>(anchor, cull);
     const auto share_of_turn = [&](float turn) {
       const double share = (static_cast<double>(turn / scale.turn) - kLowest) / (1.0 - kLowest);
       return static_cast<std::uint64_t>(std::clamp(share, 0.0, 1.0) * static_cast<double>(kShareMask));
@@ -222,21 +225,24 @@ class PointConvolution<Dim>::Evaluation {
     return reach;
   }
 
-  // Appends the impulses of a cell, which is `cell` from the tile's anchor.
-  static void append(const ImpulseCells<Dim>& cells, const Index<Dim>& at, const Index<Dim>& cell,
-                     const ImpulseReach<Dim>& reach, const Scale& scale, ImpulseList& impulses) {
-    cells.generate(at, reach, [&](const typename ImpulseCells<Dim>::Item& item) {
-      const std::size_t end = impulses.size();
-      impulses.reserve(end + 1);
-      for (int axis = 0; axis < Dim; ++axis) {
-        const Role role = role_of_axis<Dim>(axis);
-        const float corner = static_cast<float>(cell[axis]) * scale.size - scale.offset[role];
-        impulses.position(role)[end] = corner + scale.size * item.position[static_cast<std::size_t>(axis)];
-      }
-      impulses.attribute(kWeight)[end] = item.weight;
-      impulses.attribute(kTurn)[end] = scale.turn * (kLowest + (1.0f - kLowest) * item.share);
-      impulses.set_size(end + 1);
-    });
+  // Appends an impulse of a stratum, which is `cell` from the tile's anchor.
+  void append(const Impulse<Dim>& impulse, const Index<Dim>& cell, const Scale& scale,
+              ImpulseList& impulses) const {
+    const std::size_t end = impulses.size();
+    impulses.reserve(end + 1);
+    for (int axis = 0; axis < Dim; ++axis) {
+      const Role role = role_of_axis<Dim>(axis);
+      const float corner = static_cast<float>(cell[axis]) * scale.size - scale.offset[role];
+      const float place = static_cast<float>(impulse.position[static_cast<std::size_t>(axis)]) /
+                          static_cast<float>(CellAxis::kQuantaPerCell);
+      impulses.position(role)[end] = corner + scale.size * place;
+    }
+    float weight = impulse.mark >> 63 ? 1.0f : -1.0f;
+    if (noise_.settings_.factor) weight *= static_cast<float>(noise_.settings_.factor(impulse.mark));
+    impulses.attribute(kWeight)[end] = weight;
+    const auto share = static_cast<float>(share_of(impulse.mark));
+    impulses.attribute(kTurn)[end] = scale.turn * (kLowest + (1.0f - kLowest) * share);
+    impulses.set_size(end + 1);
   }
 
   void sum(std::span<const Located> points, PointCluster& cluster, ImpulseList& impulses, ClusterSums& sums) {
@@ -247,7 +253,7 @@ class PointConvolution<Dim>::Evaluation {
       const auto& wave = prepared_[points[std::min(lane, points.size() - 1)].point].wave;
       for (int axis = 0; axis < Dim; ++axis) {
         cluster.wave[role_of_axis<Dim>(axis)][lane] =
-            static_cast<float>(wave[static_cast<std::size_t>(axis)] * level_->cells->axis().size());
+            static_cast<float>(wave[static_cast<std::size_t>(axis)] * cell_of(*level_));
       }
     }
     sum_impulses(kernel_, cluster, polynomials, impulses, sums);
@@ -265,9 +271,9 @@ class PointConvolution<Dim>::Evaluation {
   std::span<const std::size_t> batch_;
   std::vector<KernelPoint<Dim>> prepared_;
   std::array<std::vector<double>, Dim> positions_;
-  Level* level_ = nullptr;                           // whose points are evaluated
-  const ImpulseCells<Dim>* coarse_cells_ = nullptr;  // that the same points use too
-  bool power_ = false;                               // whether their polynomials are in powers
+  Level* level_ = nullptr;                       // whose points are evaluated
+  const ImpulseProcess<Dim>* coarse_ = nullptr;  // that the same points use too
+  bool power_ = false;                           // whether their polynomials are in powers
   LanePolynomials polynomials_;
   TiledSum<Dim, Evaluation> tiles_{*this, extent_, 2};
   friend TiledSum<Dim, Evaluation>;

@@ -13,7 +13,6 @@
 #include "solidnoise/noise/kernel/cube_averages.h"
 #include "solidnoise/noise/kernel/impulse_statistics.h"
 #include "solidnoise/noise/kernel/kernel_family.h"
-#include "solidnoise/noise/point/impulse_cells.h"
 
 namespace solidnoise {
 
@@ -62,10 +61,8 @@ class PointConvolution {
     // larger in all of space has the same values.
     double unit = 1.0;
     std::uint64_t seed = 0;
-    // Strata along an axis of what is looked into together: for speed alone.
-    int parts = 1;
-    // Of mean square 1: what the weight of an impulse is multiplied by.
-    typename ImpulseCells<Dim>::Factor factor{};
+    // Of mean square 1: what the weight of an impulse is multiplied by; empty: 1.
+    std::function<double(std::uint64_t mark)> factor{};
   };
   explicit PointConvolution(const Settings& settings);
 
@@ -95,12 +92,6 @@ class PointConvolution {
   double power_ = 0.0;
   std::optional<ImpulseProcess<Dim>> process_;  // of all grids, but for their cells and keys
 };
-
-// Settings::parts for strata of this side under kernels of this radius: cells that are much smaller than the
-// kernel are many to look into.
-inline int parts_for_points(double side, double radius) {
-  return side < radius ? 2 : 1;
-}
 
 // The window of a layer, as a function of the offset along the normal in half thicknesses, and the integrals
 // of its powers: h(u) = (1 - u^2)^2. Cheap, and value and slope are continuous at |u| = 1. (Kensler et al.

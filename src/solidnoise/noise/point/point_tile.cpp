@@ -84,6 +84,7 @@ PointTile<Dim>::PointTile(std::span<LocatedPoint<Dim>>& rest) : anchor(rest.fron
   };
   Index<Dim> lower = anchor;
   Index<Dim> upper = anchor;
+  float reach = 0.0f;
   const float single = cells_around(anchor, anchor);
   float all = single;
   std::size_t count = 0;
@@ -93,14 +94,17 @@ PointTile<Dim>::PointTile(std::span<LocatedPoint<Dim>>& rest) : anchor(rest.fron
     const Index<Dim> wider_upper = glm::max(upper, point.cell);
     if (wider_lower != lower || wider_upper != upper) {
       bool near = true;
-      for (int axis = 0; axis < Dim; ++axis)
-        near = near && wider_upper[axis] - wider_lower[axis] < kTileCells<Dim>;
+      for (int axis = 0; axis < Dim; ++axis) {
+        const auto extent = static_cast<float>(wider_upper[axis] - wider_lower[axis]);
+        near = near && extent + 1.0f + std::max(reach, point.radius) < kExactCells;
+      }
       const float wider = near ? cells_around(wider_lower, wider_upper) : HUGE_VALF;
       if (wider > all + single) break;
       lower = wider_lower;
       upper = wider_upper;
       all = wider;
     }
+    reach = std::max(reach, point.radius);
     for (int axis = 0; axis < Dim; ++axis) {
       const auto a = static_cast<std::size_t>(axis);
       point.at[a] = static_cast<float>(point.cell[axis] - anchor[axis]) + point.fraction[a];

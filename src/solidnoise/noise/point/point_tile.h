@@ -38,12 +38,11 @@ inline CellPosition locate_point(const CellAxis& axis, double coordinate, std::s
 
 // A tile is a run of points that are near each other, for which impulses are gathered together, as long as
 // there are fewer cells around all of them than around each.
-inline constexpr std::size_t kTilePoints = 512;
+inline constexpr std::size_t kTilePoints = 2048;
 inline constexpr std::size_t kPatchPoints = 64;  // of a tile, for a first culling
-// Most cells along an axis that the points of a tile lie in: all impulses in reach are then less than 8 cells
-// from the anchor, where positions in a half of a cell's quanta are still exact.
-template <int Dim>
-inline constexpr std::int64_t kTileCells = Dim == 4 ? 3 : 5;
+// Cells from the anchor in which positions in a cell's quanta are exact: points and the impulses in their
+// reach are nearer, where kernels are not so large that this is no tile at all.
+inline constexpr float kExactCells = 16.0f;
 
 // Takes a tile from the front of `points`: relates its points to a cell near them, its anchor. Differences
 // between positions relative to the anchor are exact.
@@ -77,24 +76,23 @@ PointCull joined(const PointCull& a, const PointCull& b);
 // corner in that cell, in cells of the smaller size, 0 or 1 per role. Turns are not changed.
 PointCull coarsened(const PointCull& cull, const std::array<float, kRoles>& offset);
 
-// A cull as a process takes it, `parts` of whose strata along an axis are a cell.
+// A cull as a process takes it.
 template <int Dim>
-ImpulseReach<Dim> reach_of(const Index<Dim>& anchor, const PointCull& cull, int parts = 1) {
-  const Index<Dim> stratum = anchor * std::int64_t{parts};
-  ImpulseReach<Dim> reach{stratum, stratum};
+ImpulseReach<Dim> reach_of(const Index<Dim>& anchor, const PointCull& cull) {
+  ImpulseReach<Dim> reach{anchor, anchor};
   for (int axis = 0; axis < Dim; ++axis) {
     const auto a = static_cast<std::size_t>(axis);
     const Role role = role_of_axis<Dim>(axis);
-    reach.lower[a] = static_cast<float>(parts) * cull.lower[role];
-    reach.upper[a] = static_cast<float>(parts) * cull.upper[role];
-    reach.scale[a] = 1.0f / (static_cast<float>(parts) * cull.reach);
+    reach.lower[a] = cull.lower[role];
+    reach.upper[a] = cull.upper[role];
+    reach.scale[a] = 1.0f / cull.reach;
   }
   return reach;
 }
 
 // The strata along one role that may hold impulses of interest.
 struct CellRange {
-  static constexpr int kMost = 40;
+  static constexpr int kMost = 128;
 
   int first = 0;
   int count = 0;
@@ -107,10 +105,10 @@ struct CellRange {
   std::pair<int, int> between(float lower, float upper) const;
 };
 
-// Calls visit(stratum) for each stratum that may hold impulses that are not culled, relative to the anchor,
-// in lexicographic order.
+// Calls visit(first, last) for the strata, side by side along the last axis, that may hold impulses that are
+// not culled, relative to the anchor, in lexicographic order.
 template <int Dim, typename Visit>
-void for_each_reaching_cell(const PointCull& cull, const Visit& visit) {
+void for_each_reaching_row(const PointCull& cull, const Visit& visit) {
   const CellRange last(cull, role_of_axis<Dim>(Dim - 1));
   const float most = cull.reach * cull.reach * 1.0001f;
   const float half =
@@ -120,12 +118,15 @@ void for_each_reaching_cell(const PointCull& cull, const Visit& visit) {
   const float above = cull.above + half;
   Index<Dim> cell;
   const auto visit_row = [&](float square, float along) {
-    const auto [from, to] = last.between(below - along, above - along);
-    for (int i = from; i <= to; ++i) {
-      if (square + last.square[static_cast<std::size_t>(i)] > most) continue;
-      cell[Dim - 1] = last.first + i;
-      visit(cell);
-    }
+    auto [from, to] = last.between(below - along, above - along);
+    const auto beyond = [&](int i) { return square + last.square[static_cast<std::size_t>(i)] > most; };
+    while (from <= to && beyond(from)) ++from;
+    while (from <= to && beyond(to)) --to;
+    if (from > to) return;
+    Index<Dim> end = cell;
+    cell[Dim - 1] = last.first + from;
+    end[Dim - 1] = last.first + to;
+    visit(cell, end);
   };
   const auto visit_axis = [&]<int kAxis>(const auto& self, float square, float along) {
     if constexpr (kAxis == Dim - 1) {

@@ -60,8 +60,9 @@ class SurfaceSum {
 
   void gather(const PointTile<3>& tile, const PointCull& cull, ImpulseList& impulses) const {
     const ImpulseReach<3> reach = reach_of<3>(tile.anchor, cull);
-    for_each_reaching_cell<3>(
-        cull, [&](const Index<3>& cell) { source_.append(tile.anchor, cell, reach, impulses); });
+    for_each_reaching_row<3>(cull, [&](const Index<3>& first, const Index<3>& last) {
+      source_.append(tile.anchor, first, last, reach, impulses);
+    });
   }
 
   void sum(std::span<const LocatedPoint<3>> points, PointCluster& cluster, const ImpulseList& impulses,
@@ -86,9 +87,9 @@ class SurfaceSum {
 //   float radius() const;          of the kernel along the surface, in cells
 //   double layer() const;          half the layer's thickness, in radii
 //   int span() const;              cells along an axis that the impulses of a stratum may lie in
-//   void append(anchor, stratum, const ImpulseReach<3>&, ImpulseList&) const;  the impulses of a stratum
-//   relative to the anchor; those that are out of reach may be left out
-//   void sum(const PointCluster&, const ImpulseList&, ClusterSums&) const;
+//   void append(anchor, first, last, const ImpulseReach<3>&, ImpulseList&) const;  the impulses of strata
+//   side by side along z, relative to the anchor; those that are out of reach may be left out void sum(const
+//   PointCluster&, const ImpulseList&, ClusterSums&) const;
 // `tangent` is all empty for kernels that need none. A value depends on its point only. The gradient is the
 // part along the surface of the derivative by the position, while normal and tangent stay as they are.
 template <typename Source>
