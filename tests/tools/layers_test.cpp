@@ -95,7 +95,7 @@ TEST(Layers, WhatHasNoEffectIsRefused) {
 TEST(Layers, AreDescribedAndWarnOfTheirOwnPeriods) {
   const TemporaryFolder folder;
   std::string tree = kTree;
-  tree.replace(tree.find("\"frequency\": 2}"), 14, "\"frequency\": 2, \"period\": [1.4444, 0, 0, 0]");
+  tree.replace(tree.find("\"frequency\": 2}"), 14, "\"frequency\": 2, \"period\": [1.5444, 0, 0, 0]");
   folder.write("tree.json", tree);
   const ToolResult described =
       run_vdbnoise({"--recipe", "tree.json", "--describe"}, {.folder = folder.path()});
@@ -106,7 +106,7 @@ TEST(Layers, AreDescribedAndWarnOfTheirOwnPeriods) {
   const ToolResult made =
       run_vdbnoise({"--recipe", "tree.json", "--out", "tree.vdb"}, {.folder = folder.path()});
   EXPECT_EQ(made.status, 0) << made.err;
-  EXPECT_NE(made.err.find("the period is 1.4444 along x"), std::string::npos) << made.err;
+  EXPECT_NE(made.err.find("the period is 1.5444 along x"), std::string::npos) << made.err;
 }
 
 }  // namespace
