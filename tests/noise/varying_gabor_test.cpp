@@ -172,6 +172,21 @@ TEST(VaryingGaborNoise, APointDoesNotDependOnTheOthersTheirOrderOrTheThread) {
   });
 }
 
+// Kernels of narrow bands reach over so many cells that impulses are far from most places to count from.
+TEST(VaryingGaborNoise, APointOfNarrowBandsDoesNotDependOnTheOthersEither) {
+  for_each_kind([]<int Dim>(GaborWaves waves) {
+    VaryingGaborOptions options = some_options<Dim>(waves);
+    options.bandwidth = 0.3;
+    const VaryingGaborNoise<Dim> noise(options);
+    Scattered<Dim> scattered = scattered_points<Dim>(600, 8.0);
+    scattered.bandwidth.clear();
+    const std::vector<float> expected = values_of<Dim>(noise, scattered);
+    for (std::size_t i = 0; i < scattered.size(); i += 61) {
+      EXPECT_EQ(values_of<Dim>(noise, scattered.picked(std::vector<std::size_t>{i}))[0], expected[i]) << i;
+    }
+  });
+}
+
 TEST(VaryingGaborNoise, MayBeSharedByThreadsFromTheFirstPointOn) {
   // Kernels are tabulated when they are first asked for: here by several threads at once.
   const Scattered<3> scattered = scattered_points<3>(2000, 3.0);

@@ -23,8 +23,7 @@ inline constexpr int kAxisTaper = 3;
 class CompactKernel {
  public:
   // `chebyshev` are the coefficients of t^(k - 2) P in Chebyshev polynomials of u = 2 v, from degree 0; at
-  // least k - 1.
-  // `relative_error` is what relative_error() returns.
+  // least k - 1. `relative_error` is what relative_error() returns.
   CompactKernel(int dimensions, double radius, std::vector<double> chebyshev, double relative_error,
                 int taper = kRadialTaper);
 
@@ -75,7 +74,7 @@ class CompactKernel {
   double radius_;
   int taper_;
   std::vector<double> chebyshev_;
-  std::vector<double> slope_;  // d(t P)/du, in Chebyshev polynomials of u
+  std::vector<double> slope_;  // of that by u, in Chebyshev polynomials of u
   std::vector<double> power_;
   Shells shells_;
   double energy_ = 0.0;

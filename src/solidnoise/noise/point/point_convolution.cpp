@@ -177,8 +177,9 @@ class PointConvolution<Dim>::Evaluation {
     fine_->points[prepared_[point].kernel.power() ? 1 : 0].push_back(located);
   }
 
-  // The impulses that the points of a tile need, from one grid or, of a hierarchy, from two: cell
-  // by cell in lexicographic order, the finer grid first. Positions and turns in cells of the finer grid.
+  // The impulses that the points of a tile need, from one grid or, of a hierarchy, from two:
+  // stratum by stratum in lexicographic order, the finer grid first. Positions and turns in cells of the
+  // finer grid.
   void gather(const PointTile<Dim>& tile, const PointCull& cull, ImpulseList& impulses) {
     const auto gather_from = [&](const ImpulseProcess<Dim>& process, const Index<Dim>& anchor,
                                  const PointCull& of_cells, const Scale& scale) {
