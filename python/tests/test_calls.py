@@ -94,16 +94,16 @@ def test_interruption_ends_the_fit_of_a_solid_and_curvature() -> None:
 
 
 def test_curvature_the_fit_of_a_solid_and_textures_tell_their_progress() -> None:
-    x, y = np.meshgrid(np.arange(100.0), np.arange(100.0))
+    x, y = np.meshgrid(np.arange(250.0), np.arange(250.0))
     vertices = np.stack([x.ravel(), y.ravel(), np.sin(0.1 * x.ravel())], axis=-1)
-    corner = (np.arange(99)[:, None] * 100 + np.arange(99)).ravel()
-    faces = np.stack([corner, corner + 1, corner + 101, corner + 100], axis=-1)
+    corner = (np.arange(249)[:, None] * 250 + np.arange(249)).ravel()
+    faces = np.stack([corner, corner + 1, corner + 251, corner + 250], axis=-1)
 
     def bend(told: Callable[[float], object]) -> object:
         return solidnoise.curvature(vertices, faces, smooth=1000, progress=told)
 
     def learn(told: Callable[[float], object]) -> object:
-        return solidnoise.fit(np.random.default_rng(1).random((256, 256)), solid=True, progress=told)
+        return solidnoise.fit(np.random.default_rng(1).random((512, 512, 3)), solid=True, progress=told)
 
     def draw(told: Callable[[float], object]) -> object:
         return solidnoise.fit(np.random.default_rng(1).random((64, 64))).texture((4096, 4096), progress=told)
