@@ -205,7 +205,7 @@ TEST(CompactKernel, SpectrumIsCloseToTheKernelsAndHasItsEnergy) {
       return std::pow(compact.spectrum(f) - kernel.spectrum(f), 2) * 4.0 * kPi * f * f;
     };
     // Parseval: the spectrum's relative error is the kernel's, less what lies beyond 40 F0. The fitted kernel
-    // is t^4 at the radius, so its spectrum falls as f^-6 and the rest as the seventh power of the limit.
+    // is t^4 at the radius, so its spectrum falls as f^-6 and the rest as the ninth power of the limit.
     const double measured = std::sqrt(integrate(difference, 0.0, 40.0, 80) / kernel.energy());
     EXPECT_NEAR(measured / error, 1.0, 1e-3);
   }

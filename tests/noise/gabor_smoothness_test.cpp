@@ -12,16 +12,7 @@
 namespace solidnoise::gabor_smoothness_test {
 namespace {
 
-template <int Dim>
-const CompactKernel& profile(const GaborNoise<Dim>& noise) {
-  return noise.compact_kernel();
-}
-template <int Dim>
-const CompactKernel& profile(const OrientedGaborNoise<Dim>& noise) {
-  return noise.envelope();
-}
-
-// The kernel's polynomial at the end of the support: s radii from there, the kernel is (2 s)^3 times that.
+// The kernel's polynomial at the end of the support: s radii from there, the kernel is (2 s)^k times that.
 double end_of(const CompactKernel& kernel) {
   constexpr double kNear = 1e-4;
   return kernel.value(kernel.radius() * (1.0 - kNear)) / std::pow(2.0 * kNear, kernel.taper());

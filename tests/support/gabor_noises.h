@@ -44,6 +44,16 @@ double balanced_side_in_radii(const VaryingGaborNoise<Dim>& noise) {
   return strata_of<Dim>(options).balanced_side() / noise.radius(options.frequency, options.bandwidth);
 }
 
+// The compact kernel, of one axis where it is a product.
+template <int Dim>
+const CompactKernel& profile(const GaborNoise<Dim>& noise) {
+  return noise.compact_kernel();
+}
+template <int Dim>
+const CompactKernel& profile(const OrientedGaborNoise<Dim>& noise) {
+  return noise.envelope();
+}
+
 // Runs a check with the isotropic Gabor noise and with oriented ones of directions all around, in a cone and
 // along one axis. Frequency 1, 20 impulses per kernel.
 template <int Dim, typename Check>
