@@ -1,64 +1,12 @@
-"""What the page of "Impulses in strata" shows, of no paper: the closed forms of src/solidnoise/noise/kernel/impulse_strata.h again, and the library
-against them over many seeds. Kernels in 1 to 4 dimensions, a wave a unit, one octave."""
-
-import math
+"""What the page of "Impulses in strata" shows, of no paper: the closed forms of strata, and the library against them over many seeds."""
 
 import numpy as np
-import solidnoise
-from scipy import optimize
 
 from papers.data import columns, mean_of
-from papers.gabor import Isotropic, Oriented, a_of, mean_cosine, nodes
+from papers.gabor import a_of
 from papers.impulses import sparse_sum
-
-KERNELS, MAKERS = (Isotropic, Oriented), (solidnoise.gabor, solidnoise.gabor_oriented)
-BATCHES, SEEDS = 20, 400
-
-
-def kernel_of(n, kind):
-    """With weights of 1 or -1, where it has weights."""
-    return KERNELS[kind](n, 1.0, a_of(1.0))
-
-
-def mean_square(kernel, r):
-    return kernel.value(r) ** 2 if isinstance(kernel, Isotropic) else kernel.mean_square(r)
-
-
-def library(n, kind, seed=0, poisson=False, **options):
-    """The default, or the Poisson process of as many impulses."""
-    noise = MAKERS[kind](dims=n, frequency=1.0, seed=seed, **options)
-    if not poisson:
-        return noise
-    return MAKERS[kind](dims=n, frequency=1.0, seed=seed, impulses=noise.description["impulses_per_kernel"], impulses_process="poisson", **options)
-
-
-class Overlap:
-    """The integral of (h * M)^2, h the uniform density of a cube: that of the cube's autocorrelation, triangles, times M's, which is radial, as is its
-    transform."""
-
-    def __init__(self, n, kind):
-        self.n, self.kernel = n, kernel_of(n, kind)
-        (r, weights), (f, of_f) = nodes(n, 0, 4 / self.kernel.a), nodes(n, 0, 8.0)
-        waves = mean_cosine(n, 2 * np.pi * np.multiply.outer(f, r))
-        transform = waves @ (weights * mean_square(self.kernel, r))
-        self.r = np.linspace(0, 8, 2000)
-        self.correlation = mean_cosine(n, 2 * np.pi * np.multiply.outer(self.r, f)) @ (of_f * transform**2)
-
-    def __call__(self, side):
-        x, weights = np.polynomial.legendre.leggauss(20)
-        x, weights = (x + 1) / 2, weights * (1 - (x + 1) / 2)  # both halves of the triangle
-        distance = side * np.sqrt(sum(axis**2 for axis in np.meshgrid(*[x] * self.n)))
-        return (np.prod(np.meshgrid(*[weights] * self.n), 0) * np.interp(distance, self.r, self.correlation, right=0)).sum()
-
-    def share(self, side):
-        """The fourth cumulant over that of a Poisson process."""
-        return 1 - 3 * self(side) / self.kernel.fourth
-
-    def cubes(self, density):
-        """Their side, and how many impulses each has: as near to where the fourth cumulant is 0 as whole numbers allow."""
-        balanced = optimize.brentq(self.share, 0.05, 3)
-        count = max(1, round(density * balanced**self.n))
-        return (count / density) ** (1 / self.n), count
+from papers.strata import Overlap, kernel_of, library, mean_square
+from papers.strata_ensembles import BATCHES, elsewhere, ensembles, spectra
 
 
 def sides():
@@ -68,33 +16,6 @@ def sides():
             overlap = Overlap(n, kind)
             table[f"{name}{n}"] = np.array([overlap.share(side / a_of(1.0)) for side in table["side"]])
     return {"strata_sides": table}
-
-
-def measure_ensemble(n, kind, poisson, seeds=SEEDS):
-    """Mean, variance, excess kurtosis and shares beyond 3 and 4 of values at 4096 places of each seed, 1.1 radii apart; and their errors."""
-    step = 1.1 * library(n, kind).description["kernel"]["radius"]
-    side = round(4096 ** (1 / n))
-    batches = []
-    for batch in range(BATCHES):
-        values = np.stack([library(n, kind, seed, poisson).lattice(0, step, [side] * n) for seed in range(batch, seeds, BATCHES)]).astype(float)
-        central = values - values.mean()
-        batches.append([values.mean(), values.var(), np.mean(central**4) / values.var() ** 2 - 3,
-                        np.mean(np.abs(values) > 3), np.mean(np.abs(values) > 4)])
-    return mean_of(batches)
-
-
-def ensembles():
-    rows = []
-    for n in range(1, 5):
-        for kind in (0, 1):
-            for poisson in (False, True):
-                noise = library(n, kind, poisson=poisson)
-                about = noise.description
-                side = math.nan if poisson else Overlap(n, kind).cubes(about["impulse_density"])[0] * a_of(1.0)
-                found = np.ravel(np.transpose(measure_ensemble(n, kind, poisson, SEEDS // 4 if n == 4 else SEEDS)))
-                rows.append([n, kind, poisson, about["impulses_per_kernel"], side, noise.excess_kurtosis, *found])
-    names = [name + error for name in ("mean", "variance", "kurtosis", "beyond_3", "beyond_4") for error in ("", "_error")]
-    return {"strata_ensembles": columns(["n", "kind", "poisson", "impulses", "side", "closed", *names], rows)}
 
 
 def closed_at_place(kind, density, side, place):
@@ -184,4 +105,4 @@ def drafts():
     return {"strata_drafts": columns(("n", "kind", "error", "difference", "correlation"), rows)}
 
 
-ITEMS = {"strata_sides": sides, "strata_ensembles": ensembles, "strata_places": places, "strata_windows": windows, "strata_drafts": drafts}
+ITEMS = {"strata_sides": sides, "strata_ensembles": ensembles, "strata_elsewhere": elsewhere, "strata_spectra": spectra, "strata_places": places, "strata_windows": windows, "strata_drafts": drafts}

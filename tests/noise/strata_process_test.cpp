@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <set>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -23,6 +24,13 @@ ImpulseProcess<Dim> make_strata(int count, std::uint64_t seed, std::int64_t peri
   std::array<CellAxis, Dim> axes;
   for (CellAxis& axis : axes) axis = CellAxis(1.0, period);
   return {axes, {static_cast<double>(count), true}, derive_seed(seed, 1)};
+}
+
+template <int Dim>
+ImpulseProcess<Dim> make_orthants(std::uint64_t seed, std::int64_t period = 0) {
+  std::array<CellAxis, Dim> axes;
+  for (CellAxis& axis : axes) axis = CellAxis(1.0, period);
+  return {axes, {static_cast<double>(1 << Dim), true, true}, derive_seed(seed, 1)};
 }
 
 TEST(Strata, HoldTheirNumberOfImpulsesInACubeThatIsShiftedByUpToACell) {
@@ -130,40 +138,96 @@ TEST(Strata, ABlockHasThoseOfItsCells) {
 }
 
 // Of all impulses those in a ball around a box, and of them the first third of the shares; in the same order.
+template <int Dim>
+void expect_what_is_in_reach(const ImpulseProcess<Dim>& process) {
+  constexpr double kRadius = 1.7;
+  ImpulseReach<Dim> reach{Index<Dim>(-2), Index<Dim>(3)};
+  reach.lower.fill(2.3f);
+  reach.upper.fill(3.1f);
+  reach.scale.fill(1.0f / kRadius);
+  reach.most_share = kShareMask / 3;
+  std::vector<std::uint64_t> found;
+  process.generate(reach.first - Index<Dim>(1), reach.last, reach,
+                   [&](const Index<Dim>&, const Impulse<Dim>& impulse) { found.push_back(impulse.mark); });
+  std::vector<std::uint64_t> expected;
+  std::size_t near_the_edge = 0;
+  Index<Dim> stratum(-3);
+  do {
+    process.generate(stratum, [&](const Impulse<Dim>& impulse) {
+      double square = 0.0;
+      for (int axis = 0; axis < Dim; ++axis) {
+        const double at = static_cast<double>(stratum[axis]) + 2.0 +
+                          static_cast<double>(impulse.position[axis]) * 0x1.0p-20;
+        square += std::pow(std::max({2.3 - at, at - 3.1, 0.0}) / kRadius, 2);
+      }
+      if ((impulse.mark & kShareMask) > reach.most_share) return;
+      near_the_edge += square > 1.0 && square < 1.004 ? 1 : 0;  // may be kept
+      if (square <= 1.0) expected.push_back(impulse.mark);
+    });
+  } while (next_cell<Dim>(stratum, Index<Dim>(-3), Index<Dim>(3)));
+  EXPECT_GT(expected.size(), 0u);
+  EXPECT_LE(found.size(), expected.size() + near_the_edge);
+  EXPECT_TRUE(std::includes(
+      found.begin(), found.end(), expected.begin(), expected.end(), [&](std::uint64_t a, std::uint64_t b) {
+        return std::find(found.begin(), found.end(), a) < std::find(found.begin(), found.end(), b);
+      }));
+}
+
 TEST(Strata, WhatIsOutOfReachIsLeftOut) {
   for_each_dimension([]<int Dim>() {
-    const auto process = make_strata<Dim>(3, 11, 9);
-    constexpr double kRadius = 1.7;
-    ImpulseReach<Dim> reach{Index<Dim>(-2), Index<Dim>(3)};
-    reach.lower.fill(2.3f);
-    reach.upper.fill(3.1f);
-    reach.scale.fill(1.0f / kRadius);
-    reach.most_share = kShareMask / 3;
-    std::vector<std::uint64_t> found;
-    process.generate(reach.first - Index<Dim>(1), reach.last, reach,
-                     [&](const Index<Dim>&, const Impulse<Dim>& impulse) { found.push_back(impulse.mark); });
-    std::vector<std::uint64_t> expected;
-    std::size_t near_the_edge = 0;
-    Index<Dim> stratum(-3);
-    do {
-      process.generate(stratum, [&](const Impulse<Dim>& impulse) {
-        double square = 0.0;
-        for (int axis = 0; axis < Dim; ++axis) {
-          const double at = static_cast<double>(stratum[axis]) + 2.0 +
-                            static_cast<double>(impulse.position[axis]) * 0x1.0p-20;
-          square += std::pow(std::max({2.3 - at, at - 3.1, 0.0}) / kRadius, 2);
-        }
-        if ((impulse.mark & kShareMask) > reach.most_share) return;
-        near_the_edge += square > 1.0 && square < 1.004 ? 1 : 0;  // may be kept
-        if (square <= 1.0) expected.push_back(impulse.mark);
+    expect_what_is_in_reach(make_strata<Dim>(3, 11, 9));
+    expect_what_is_in_reach(make_orthants<Dim>(11, 9));
+  });
+}
+
+// The impulses' orthants, in the order of their shares. The lower half of their places along an axis are in
+// the lower half of the stratum.
+template <int Dim>
+std::vector<std::size_t> orthants_by_share(std::vector<Impulse<Dim>> impulses) {
+  std::sort(impulses.begin(), impulses.end(),
+            [](const auto& a, const auto& b) { return (a.mark & kShareMask) < (b.mark & kShareMask); });
+  std::vector<std::size_t> orthants(impulses.size(), 0);
+  for (std::size_t axis = 0; axis < Dim; ++axis) {
+    for (std::size_t i = 0; i < impulses.size(); ++i) {
+      const auto lower = std::count_if(impulses.begin(), impulses.end(), [&](const auto& other) {
+        return other.position[axis] < impulses[i].position[axis];
       });
-    } while (next_cell<Dim>(stratum, Index<Dim>(-3), Index<Dim>(3)));
-    EXPECT_GT(expected.size(), 0u);
-    EXPECT_LE(found.size(), expected.size() + near_the_edge);
-    EXPECT_TRUE(std::includes(
-        found.begin(), found.end(), expected.begin(), expected.end(), [&](std::uint64_t a, std::uint64_t b) {
-          return std::find(found.begin(), found.end(), a) < std::find(found.begin(), found.end(), b);
-        }));
+      if (static_cast<std::size_t>(lower) >= impulses.size() / 2) orthants[i] |= std::size_t{1} << axis;
+    }
+  }
+  return orthants;
+}
+
+// One in each, within half a stratum, and any two parts of the shares in any two orthants alike.
+TEST(Strata, OrthantsHaveAnImpulseEachOfAnyPartOfTheShares) {
+  for_each_dimension([]<int Dim>() {
+    constexpr std::size_t kCount = std::size_t{1} << Dim;
+    const auto process = make_orthants<Dim>(5);
+    std::vector<double> pairs(kCount * kCount, 0.0);  // of the first and the last part
+    constexpr int kStrata = 8000;
+    for (int number = 0; number < kStrata; ++number) {
+      const auto impulses = impulses_of(process, Index<Dim>(3 * number));
+      ASSERT_EQ(impulses.size(), kCount);
+      const std::vector<std::size_t> orthants = orthants_by_share<Dim>(impulses);
+      ASSERT_EQ(std::set<std::size_t>(orthants.begin(), orthants.end()).size(), kCount);
+      pairs[orthants.front() * kCount + orthants.back()] += 1.0;
+      for (std::size_t axis = 0; axis < Dim; ++axis) {
+        std::vector<std::int32_t> places;
+        for (const auto& impulse : impulses) places.push_back(impulse.position[axis]);
+        std::sort(places.begin(), places.end());
+        ASSERT_LT(places[kCount / 2 - 1] - places.front(), CellAxis::kQuantaPerCell / 2);
+        ASSERT_LT(places.back() - places[kCount / 2], CellAxis::kQuantaPerCell / 2);
+      }
+    }
+    std::vector<double> found;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      if (i / kCount == i % kCount) {
+        EXPECT_EQ(pairs[i], 0.0);
+      } else {
+        found.push_back(pairs[i]);
+      }
+    }
+    expect_chi_square(found, std::vector<double>(found.size(), kStrata / static_cast<double>(found.size())));
   });
 }
 

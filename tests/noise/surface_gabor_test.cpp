@@ -13,6 +13,7 @@
 #include "solidnoise/noise/gabor/surface_gabor_noise.h"
 #include "solidnoise/noise/kernel/gabor_parameters.h"
 #include "solidnoise/noise/kernel/impulse_strata.h"
+#include "solidnoise/noise/point/scale_layout.h"
 #include "support/message_of.h"
 #include "support/scattered.h"
 #include "support/simd_targets.h"
@@ -106,9 +107,11 @@ TEST(SurfaceGaborNoise, AgreesWithTheReferenceForEveryInstructionSet) {
       const StrataChoice choice = strata_of(options, nominal);
       const double support = 2.0 * std::numbers::pi * layer * std::pow(nominal, 3);
       const Strata strata = choice.of_density(kImpulses / support);
+      const ScaleLayout scales = scale_layout(choice, kImpulses / support, options.impulses_process);
       const reference::VaryingGaborProcedure<3> varying({.impulses = noise.impulses_per_kernel(),
                                                          .nominal = family.nominal_share(),
-                                                         .strata = choice.balanced_side() / noise.radius(),
+                                                         .scale = scales.scale / noise.radius(),
+                                                         .count = scales.count,
                                                          .layer = layer,
                                                          .seed = 11});
       const reference::VaryingGaborProcedure<3> stationary({.impulses = static_cast<double>(strata.count),

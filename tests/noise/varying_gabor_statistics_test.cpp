@@ -96,44 +96,46 @@ TEST(VaryingGaborStatistics, VarianceIsOneUnderAnyFieldOfParameters) {
   expect_unit_variance_under_varying_parameters<4>(16000);
 }
 
-struct AtScale {
-  std::vector<float> values;
-  double varying_kurtosis;  // the mean over scales
-};
-
-// Values of the same law: all at one place in the range of a level, whose cells the balanced cubes of the
-// kernel are (1 + alpha) times as large as.
+// Values of the same law: all at one place in the range of a level, that of a kernel whose scale is as many
+// times the cells' side.
 template <int Dim>
-AtScale values_at(double alpha, std::size_t count, GaborWaves waves) {
-  const auto noise = make<Dim>(waves, 0.0);
-  const double frequency = balanced_side_in_radii(noise) * noise.radius(1.0, 1.0) / (1.0 + alpha);
+std::vector<float> values_at(const VaryingGaborNoise<Dim>& noise, double scale, std::size_t count) {
+  const double frequency = scale_in_radii(noise) * noise.radius(1.0, 1.0) / scale;
   auto points = independent_points<Dim>(count, 2.1 * noise.radius(frequency, 1.0));
   points.frequency.assign(count, static_cast<float>(frequency));
-  return {evaluate<Dim>(noise, points), noise.varying_excess_kurtosis()};
+  return evaluate<Dim>(noise, points);
 }
 
 // Over the places in cells, that is: points of a lattice that cells are no multiples of. A Poisson process of
-// as many impulses has 0.4 to 0.6.
-template <int Dim>
-void expect_kurtosis_of_strata(GaborWaves waves) {
+// as many impulses has 0.2 to 0.3.
+void expect_gaussian_values(GaborWaves waves) {
+  constexpr std::size_t kCount = 120000;
+  const auto noise = make<3>(waves, 0.0);
   double mean = 0.0;
-  double varying = 0.0;
-  for (const double alpha : {0.09, 0.3, 0.54, 0.83}) {  // middles of quarters of an octave
-    const auto [values, expected] = values_at<Dim>(alpha, 60000, waves);
+  double beyond_3 = 0.0;
+  double beyond_4 = 0.0;
+  for (const double scale : {1.09, 1.3, 1.54, 1.83}) {  // middles of quarters of an octave
+    const std::vector<float> values = values_at<3>(noise, scale, kCount);
     const Estimate fourth = estimate_mean(values, [](double x) { return std::pow(x, 4); });
-    EXPECT_NEAR(fourth.mean, 3.0, 0.12 + 4.0 * fourth.error) << Dim << "D at " << alpha;
+    EXPECT_NEAR(fourth.mean, 3.0, 0.07 + 4.0 * fourth.error) << scale;
     mean += 0.25 * (fourth.mean - 3.0);
-    varying = expected;
+    for (const float value : values) {
+      beyond_3 += std::abs(value) > 3.0f ? 0.25 / kCount : 0.0;
+      beyond_4 += std::abs(value) > 4.0f ? 0.25 / kCount : 0.0;
+    }
   }
-  // Standard errors of fourth powers are sqrt(96 / 60000) = 0.04, of the mean of four half of that; 4 of
-  // them.
-  EXPECT_NEAR(mean, varying, 0.08) << Dim << "D";
-  EXPECT_LT(std::abs(varying), 0.1) << Dim << "D";
+  // Standard errors of fourth powers are sqrt(96 / 120000) = 0.028, of the mean of four half of that; 4 of
+  // them. Of shares of 480000 values beyond 3 and 4 standard deviations they are 0.03 and 0.18 of them.
+  EXPECT_NEAR(mean, noise.varying_excess_kurtosis(), 0.056);
+  EXPECT_NEAR(beyond_3 / std::erfc(3.0 / std::numbers::sqrt2), 1.0, 0.1 + 0.12);
+  EXPECT_NEAR(beyond_4 / std::erfc(4.0 / std::numbers::sqrt2), 1.0, 0.4 + 0.72);
 }
 
-TEST(VaryingGaborStatistics, StrataTakeTheExcessKurtosisAwayAtEveryScale) {
+TEST(VaryingGaborStatistics, StrataLookGaussianAtEveryScale) {
   for (const GaborWaves waves : {GaborWaves::isotropic, GaborWaves::oriented}) {
-    expect_kurtosis_of_strata<3>(waves);
+    expect_gaussian_values(waves);
+    EXPECT_LT(std::abs(make<3>(waves, 0.0).varying_excess_kurtosis()), 0.02);
+    EXPECT_LT(std::abs(make<4>(waves, 0.0).varying_excess_kurtosis()), 0.02);
   }
 }
 

@@ -90,7 +90,8 @@ TEST(VaryingGaborNoise, AgreesWithTheReferenceForEveryInstructionSet) {
     const KernelFamily family(Dim, waves, 1.0, 0.02);
     const reference::VaryingGaborProcedure<Dim> procedure({.impulses = noise.impulses_per_kernel(),
                                                            .nominal = family.nominal_share(),
-                                                           .strata = balanced_side_in_radii(noise),
+                                                           .scale = scale_in_radii(noise),
+                                                           .count = scales_of(noise).count,
                                                            .seed = 7});
     std::vector<double> expected;
     for (std::size_t i = 0; i < scattered.size(); ++i) {
@@ -138,7 +139,8 @@ TEST(VaryingGaborNoise, NarrowAndWideBandsAgreeWithTheReference) {
     const KernelFamily family(3, GaborWaves::isotropic, 1.0, 0.02);
     const reference::VaryingGaborProcedure<3> procedure({.impulses = noise.impulses_per_kernel(),
                                                          .nominal = family.nominal_share(),
-                                                         .strata = balanced_side_in_radii(noise),
+                                                         .scale = scale_in_radii(noise),
+                                                         .count = scales_of(noise).count,
                                                          .seed = 7});
     const std::vector<float> values = values_of<3>(noise, scattered);
     for (std::size_t i = 0; i < values.size(); ++i) {

@@ -3,7 +3,9 @@
 import numpy as np
 import pytest
 from papers.data import mean_of
-from papers.impulses_in_strata import Overlap, closed_at_place, fourth_moments, library, measure_ensemble, measure_windows
+from papers.impulses_in_strata import closed_at_place, fourth_moments, measure_windows
+from papers.strata import Overlap, library
+from papers.strata_ensembles import measure_elsewhere, measure_ensemble, measure_spectra
 
 
 def test_estimates_have_the_error_of_their_mean():
@@ -34,6 +36,22 @@ def test_ensembles_have_the_moments_of_the_closed_form():
         assert abs(values[1] - 1) < 5 * errors[1]
         assert abs(values[2] - closed) < 5 * errors[2] + more
     assert poisson[0][4] > 3 * strata[0][4]
+
+
+@pytest.mark.parametrize("name", ["surface, varying", "oriented, varying", "solid, varying", "by example, 2D"])
+def test_noises_on_surfaces_and_by_example_are_as_near_to_gaussian(name):
+    """Of 40 seeds: five standard errors."""
+    values, errors = measure_elsewhere(name, 40)
+    assert abs(values[1] - 1) < 5 * errors[1] and errors[1] < 0.01
+    assert abs(values[2]) < 0.02 + 5 * errors[2] and errors[2] < 0.02
+    assert abs(values[3] / 0.0027 - 1) < 0.1 + 5 * errors[3] / 0.0027
+
+
+@pytest.mark.parametrize("kind", [0, 1])
+def test_spectra_are_those_of_the_poisson_process(kind):
+    """Of 40 seeds, seven bands: exceeded once in 10000."""
+    values, errors = measure_spectra(2, kind, 40)
+    assert (np.abs(values - 1) < 5.2 * errors).all() and (errors < 0.04).all()
 
 
 def test_windows_are_more_alike_than_those_of_a_poisson_process():

@@ -18,7 +18,8 @@ template <int Dim>
 struct VaryingSetting {
   double impulses = 20.0;  // N, or of one grid those of a cell
   double nominal = 1.0;    // the radius that N and a layer's thickness are measured by, in radii
-  double strata = 0.0;     // the side of cells of a fixed number of impulses, in radii; 0: a Poisson process
+  double scale = 0.0;      // that tells the level of grids in strata, in radii; 0: a Poisson process
+  ImpulseCount count{};    // of the cells of these
   double layer = 0.0;      // half thickness of a surface's layer, in nominal radii; 0: the kernel is a ball
   double side = 0.0;       // of the cells of one grid in strata, in world units; 0: a hierarchy of grids
   std::uint64_t seed = 0;
@@ -66,11 +67,11 @@ class VaryingGaborProcedure {
     const double ball = std::array{0.0, 2.0, std::numbers::pi, 4.0 * std::numbers::pi / 3.0,
                                    std::numbers::pi * std::numbers::pi / 2.0}[Dim];
     const double support = setting.layer > 0.0 ? 2.0 * std::numbers::pi * setting.layer : ball;
-    scale_ = setting.strata > 0.0 ? setting.strata : setting.nominal;
+    scale_ = setting.scale > 0.0 ? setting.scale : setting.nominal;
     density_ = setting.impulses / support * std::pow(scale_ / setting.nominal, Dim);
     second_ = fade_moment<Dim>(2);
     density_ *= fade_moment<Dim>(4) / (second_ * second_);
-    if (setting.strata > 0.0) density_ = std::ceil(density_ * kMade) / kMade;
+    if (setting.scale > 0.0) density_ = setting.count.mean / kMade;
   }
 
   // Of unit variance.
@@ -105,7 +106,8 @@ class VaryingGaborProcedure {
     // Keys: stream 1 of the seed, and of that one stream per level from 2^20 on.
     const std::uint64_t key =
         derive_seed(derive_seed(setting_.seed, 1), (1u << 20) + static_cast<std::uint64_t>(level));
-    return ImpulseProcess<Dim>(axes, {mean, setting_.strata > 0.0 || setting_.side > 0.0}, key);
+    if (setting_.scale > 0.0) return ImpulseProcess<Dim>(axes, setting_.count, key);
+    return ImpulseProcess<Dim>(axes, {mean, setting_.side > 0.0}, key);
   }
 
   double sum_of_grid(const VaryingPoint<Dim>& point, const ImpulseProcess<Dim>& process, double reach) const {

@@ -16,6 +16,7 @@
 #include "solidnoise/noise/gabor/varying_gabor_noise.h"
 #include "solidnoise/noise/kernel/gabor_parameters.h"
 #include "solidnoise/noise/kernel/impulse_strata.h"
+#include "solidnoise/noise/point/scale_layout.h"
 
 namespace solidnoise {
 
@@ -37,11 +38,17 @@ StrataChoice strata_of(const VaryingGaborOptions& options) {
              : strata_choice(IsotropicGaborKernel<Dim>::with_unit_peak(options.frequency, a), {});
 }
 
-// The side of balanced cubes of impulses, in radii of the kernel.
+// Where the impulses are if the frequency varies, and the scale in radii of the kernel.
 template <int Dim>
-double balanced_side_in_radii(const VaryingGaborNoise<Dim>& noise) {
+ScaleLayout scales_of(const VaryingGaborNoise<Dim>& noise) {
   const auto& options = noise.options();
-  return strata_of<Dim>(options).balanced_side() / noise.radius(options.frequency, options.bandwidth);
+  const StrataChoice choice = strata_of<Dim>(options);
+  return scale_layout(choice, impulse_density(Dim, options.impulses, choice.radius),
+                      options.impulses_process);
+}
+template <int Dim>
+double scale_in_radii(const VaryingGaborNoise<Dim>& noise) {
+  return scales_of(noise).scale / noise.radius(noise.options().frequency, noise.options().bandwidth);
 }
 
 // The compact kernel, of one axis where it is a product.

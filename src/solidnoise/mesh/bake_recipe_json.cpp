@@ -93,13 +93,13 @@ Json describe_kernel(const SurfaceNoiseRecipe& recipe, const VertexParameters& p
   options.layer = recipe.layer;
   if (recipe.kind == SurfaceNoiseKind::oriented) options.waves = GaborWaves::oriented;
   const SurfaceGaborNoise noise(with_truncation_share(options));
-  return {{"frequency", options.frequency},
-          {"radius", noise.radius()},
-          {"impulses_per_kernel", noise.impulses_per_kernel()},
-          {"excess_kurtosis", parameters.frequency.varies() || parameters.bandwidth.varies()
-                                  ? noise.varying_excess_kurtosis()
-                                  : noise.excess_kurtosis()},
-          {"kurtosis_given_place", noise.kurtosis_given_place()}};
+  const bool varies = parameters.frequency.varies() || parameters.bandwidth.varies();
+  return {
+      {"frequency", options.frequency},
+      {"radius", noise.radius()},
+      {"impulses_per_kernel", varies ? noise.varying_impulses_per_kernel() : noise.impulses_per_kernel()},
+      {"excess_kurtosis", varies ? noise.varying_excess_kurtosis() : noise.excess_kurtosis()},
+      {"kurtosis_given_place", varies ? noise.varying_kurtosis_given_place() : noise.kurtosis_given_place()}};
 }
 
 Json describe_steering(const SteeringWeights& steering) {

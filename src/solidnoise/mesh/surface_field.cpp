@@ -337,7 +337,10 @@ double impulses_at_point(const SurfaceNoiseRecipe& recipe, const SurfaceKernel& 
     for (const auto& part : parts) impulses += part.noise->waves().impulses;
     return impulses;
   }
-  const auto of_octave = [](const auto& noise, const KernelFields&) {
+  const auto of_octave = [](const auto& noise, const KernelFields& fields) {
+    if constexpr (requires { noise.varying_impulses_per_kernel(); }) {
+      if (fields.frequency || fields.bandwidth) return noise.varying_impulses_per_kernel();
+    }
     if constexpr (requires { noise.impulses_per_kernel(); }) return noise.impulses_per_kernel();
     return 0.0;
   };

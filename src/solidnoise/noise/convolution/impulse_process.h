@@ -33,8 +33,9 @@ inline double share_of(std::uint64_t mark) {
 
 // How many impulses there are in a cell.
 struct ImpulseCount {
-  double mean = 1.0;      // > 0; whole if it is fixed
-  bool is_fixed = false;  // the same in every stratum; else Poisson distributed
+  double mean = 1.0;         // > 0; whole if it is fixed
+  bool is_fixed = false;     // the same in every stratum; else Poisson distributed
+  bool in_orthants = false;  // fixed, 2^Dim: strata cut in halves along each axis, one impulse in each piece
 };
 
 // Where the impulses are that reach some samples: within a kernel's support around the samples' box. Lengths
@@ -79,9 +80,9 @@ struct ImpulseReach {
 };
 
 // A marked point process in Dim dimensions, cell by cell: strata, which hold a fixed number of impulses each,
-// or a Poisson process. Positions are independent and uniform, and a cell's impulses are a function of its
-// coordinates and the key alone (Lagae et al. 2009, section 4; we use an exact Poisson count and a hash that
-// does not repeat).
+// or a Poisson process. Positions are independent and uniform, in the cell or in its orthants, and a cell's
+// impulses are a function of its coordinates and the key alone (Lagae et al. 2009, section 4; we use an exact
+// Poisson count and a hash that does not repeat).
 //
 // Strata are as large as cells but not where cells are: along the first axis all are shifted by one random
 // number, along the second by one for each plane of strata, along the third by one for each row, and so on.
@@ -118,7 +119,7 @@ class ImpulseProcess {
     }
     const Draws draws(*this, hash);
     for (int i = 0; i < draws.count; ++i) {
-      sink(Impulse<Dim>{Draws::position(draws.key_at(i, 0), shift), draws.mark(i)});
+      sink(Impulse<Dim>{position(draws.key_at(i, 0), draws.orthant(i), shift), draws.mark(i)});
     }
   }
 
@@ -157,30 +158,60 @@ class ImpulseProcess {
     return count_.is_fixed ? static_cast<std::int32_t>(hash >> (64 - CellAxis::kFractionBits)) : 0;
   }
 
-  // The random numbers of the stratum with this hash: of a Poisson process the count; then for each impulse
-  // its position, two axes to a number, and its mark.
+  // `key` is that of the impulse, Draws::key_at(i, 0); bit k of its orthant is the half along axis k.
+  std::array<std::int32_t, Dim> position(std::uint64_t key, std::uint32_t orthant,
+                                         const std::array<std::int32_t, Dim>& shift) const {
+    const int bits = CellAxis::kFractionBits - (count_.in_orthants ? 1 : 0);  // of a place in its half
+    RandomStream stream(key);
+    std::array<std::int32_t, Dim> result;
+    const auto place = [&](int axis, std::uint64_t uniform) {  // of 32 bits
+      const std::uint32_t upper = orthant >> axis & 1u;
+      result[axis] = shift[axis] + static_cast<std::int32_t>(uniform >> (32 - bits)) +
+                     static_cast<std::int32_t>(upper << (CellAxis::kFractionBits - 1));
+    };
+    for (int axis = 0; axis < Dim; axis += 2) {
+      const std::uint64_t pair = stream.next();
+      place(axis, pair >> 32);
+      if (axis + 1 < Dim) place(axis + 1, pair & 0xffffffffULL);
+    }
+    return result;
+  }
+
+  // The random numbers of the stratum with this hash: of a Poisson process the count, of orthants how they
+  // are taken; then for each impulse its position, two axes to a number, and its mark.
   struct Draws {
     Draws(const ImpulseProcess& process, std::uint64_t hash)
         : key(hash), count(static_cast<int>(process.count_.mean)), in_parts(process.count_.is_fixed) {
-      if (in_parts) return;
-      count = process.draw_count(RandomStream(key).next());
+      if (in_parts && !process.count_.in_orthants) return;
+      const std::uint64_t first = RandomStream(key).next();
       key += kGoldenGamma;
+      if (in_parts) {
+        draw_orthants(first);
+      } else {
+        count = process.draw_count(first);
+      }
     }
 
-    // `key` is that of the impulse, key_at(i, 0).
-    static std::array<std::int32_t, Dim> position(std::uint64_t key,
-                                                  const std::array<std::int32_t, Dim>& shift) {
-      constexpr int kShift = 32 - CellAxis::kFractionBits;
-      RandomStream stream(key);
-      std::array<std::int32_t, Dim> result;
-      for (int axis = 0; axis < Dim; axis += 2) {
-        const std::uint64_t pair = stream.next();
-        result[axis] = shift[axis] + static_cast<std::int32_t>(pair >> (32 + kShift));
-        if (axis + 1 < Dim) {
-          result[axis + 1] = shift[axis + 1] + static_cast<std::int32_t>((pair & 0xffffffffULL) >> kShift);
-        }
+    // That impulse i, whose share is in part i, lies in: a i + b in the field of 2^Dim elements, a not 0 and
+    // b random, so that two impulses lie in any two different orthants with the same probability.
+    std::uint32_t orthant(int i) const {
+      std::uint32_t result = first_orthant;
+      for (int bit = 0; bit < Dim; ++bit) {
+        if (i >> bit & 1) result ^= times[static_cast<std::size_t>(bit)];
       }
       return result;
+    }
+
+    void draw_orthants(std::uint64_t random) {
+      constexpr std::array<std::uint32_t, 5> kModulus{0, 3, 7, 11, 19};  // irreducible, a bit a power
+      constexpr std::uint32_t kAll = (1u << Dim) - 1;
+      first_orthant = static_cast<std::uint32_t>(random) & kAll;
+      std::uint32_t power = 1 + static_cast<std::uint32_t>((random >> 32) * kAll >> 32);  // a times x^bit
+      for (std::uint32_t& product : times) {
+        product = power;
+        power <<= 1;
+        if (power > kAll) power ^= kModulus[Dim];
+      }
     }
 
     // With the share in the impulse's part.
@@ -209,6 +240,8 @@ class ImpulseProcess {
     std::uint64_t key;
     int count;
     bool in_parts;
+    std::uint32_t first_orthant = 0;
+    std::array<std::uint32_t, Dim> times{};
   };
 
   // Strata side by side along the last axis. What is looked at is not known in advance, and branches would be
@@ -238,7 +271,7 @@ class ImpulseProcess {
         for (int i = begin; i < end; ++i) {
           const std::uint64_t mark = draws.mark(i);
           const std::uint64_t share = mark & kShareMask;
-          candidates.add(at, draws.key_at(i, 0), mark,
+          candidates.add(at, draws.key_at(i, 0), draws.orthant(i), mark,
                          (share >= reach.least_share) & (share <= reach.most_share));
           if (candidates.count == Candidates::kMost) take(candidates, sink);
         }
@@ -253,12 +286,15 @@ class ImpulseProcess {
       std::array<std::int64_t, kMost> at;  // along the last axis
       std::array<std::uint64_t, kMost> mark;
       std::array<std::uint64_t, kMost> key;  // of its position
+      std::array<std::uint32_t, kMost> orthant;
 
-      void add(std::int64_t place, std::uint64_t its_key, std::uint64_t its_mark, bool wanted) {
+      void add(std::int64_t place, std::uint64_t its_key, std::uint32_t its_orthant, std::uint64_t its_mark,
+               bool wanted) {
         const auto end = static_cast<std::size_t>(count);
         at[end] = place;
         mark[end] = its_mark;
         key[end] = its_key;
+        orthant[end] = its_orthant;
         count += wanted ? 1 : 0;
       }
     };
@@ -269,7 +305,7 @@ class ImpulseProcess {
       std::array<std::size_t, Candidates::kMost> taken;
       std::size_t count = 0;
       for (std::size_t i = 0; i < static_cast<std::size_t>(candidates.count); ++i) {
-        positions[i] = Draws::position(candidates.key[i], shift);
+        positions[i] = process.position(candidates.key[i], candidates.orthant[i], shift);
         stratum[Dim - 1] = candidates.at[i];
         float square = 0.0f;
         for (int axis = 0; axis < Dim; ++axis) {

@@ -63,28 +63,28 @@ SurfaceGaborNoise::SurfaceGaborNoise(const SurfaceGaborOptions& options)
   const double nominal = family_->nominal_share() * r;
   choice_ = surface_choice(options, options.layer * nominal);
   if (options.evolution.moves()) choice_.weights = turning({});
-  const double support = 2.0 * std::numbers::pi * options.layer * std::pow(nominal, 3);
+  support_ = 2.0 * std::numbers::pi * options.layer * std::pow(nominal, 3);
   // Of the kernels as they are evaluated, and their window.
   const KernelMoments plane = family_->moments(kernel_);
   KernelMoments moments{plane.second * r * r * layer_window_moment(2) * options.layer * nominal,
                         plane.fourth * r * r * layer_window_moment(4) * options.layer * nominal};
-  const double wanted = options.impulses / support;
+  const double wanted = options.impulses / support_;
   const auto layout = make_layout<3>(choice_, wanted, options.impulses_process, r, Vec<4>(0.0));
-  impulses_ = layout.density * support;
+  impulses_ = layout.density * support_;
   const bool fixed = layout.count.is_fixed;
   density_ = layout.density;
   if (fixed) side_ = layout.side();
-  const double scale = fixed ? choice_.balanced_side() : nominal;
-  scale_in_radii_ = scale / r;
+  scales_ = scale_layout(choice_, wanted, options.impulses_process);
+  scale_in_radii_ = scales_.scale / r;
 
   PointConvolution<3>::Settings settings{.waves = options.waves,
                                          .layer = options.layer * family_->nominal_share(),
-                                         .count = {layout.density * std::pow(scale, 3), fixed},
+                                         .count = scales_.count,
                                          .unit = options.unit,
                                          .seed = options.seed};
   if (options.evolution.moves()) settings.factor = TurningFactor(options.evolution);
   varying_ = std::make_shared<PointConvolution<3>>(settings);
-  varying_excess_kurtosis_ = varying_->excess_kurtosis(scale, moments, choice_.weights, *choice_.averages);
+  varying_excess_kurtosis_ = scales_.excess_kurtosis(choice_, moments);
   if (fixed) {
     moments.overlap =
         choice_.averages->overlap(layout.side()) * std::pow(moments.second / choice_.moments.second, 2);

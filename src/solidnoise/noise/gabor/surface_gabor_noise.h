@@ -13,6 +13,7 @@
 #include "solidnoise/noise/noise.h"
 #include "solidnoise/noise/point/point_convolution.h"
 #include "solidnoise/noise/point/point_parameters.h"
+#include "solidnoise/noise/point/scale_layout.h"
 
 namespace solidnoise {
 
@@ -99,8 +100,11 @@ class SurfaceGaborNoise {
   double excess_kurtosis() const { return excess_kurtosis_; }
   // How far that may be from its mean at a place in the planes of strata; 0 of a Poisson process.
   double kurtosis_given_place() const;
-  // The excess kurtosis where frequency or bandwidth vary, the mean over frequencies (PointConvolution).
+  // The three where frequency or bandwidth vary: impulses that count (ScaleLayout), the mean over
+  // frequencies, and the most of all.
+  double varying_impulses_per_kernel() const { return support_ * scales_.effective_density(); }
   double varying_excess_kurtosis() const { return varying_excess_kurtosis_; }
+  double varying_kurtosis_given_place() const { return scales_.kurtosis_given_place(choice_); }
   // The frequencies that hold all but a thousandth of the variance, without a filter.
   Noise<2>::Band band() const;
 
@@ -110,12 +114,14 @@ class SurfaceGaborNoise {
   KernelFamily::Member kernel_;                     // of the options, without a filter
   std::optional<KernelFamily::Filtered> filtered_;  // with one
   double impulses_ = 0.0;
+  double support_ = 0.0;  // the volume in which they are counted, world units^3
   double excess_kurtosis_ = 0.0;
   StrataChoice choice_;
   double density_ = 0.0;
   double side_ = 0.0;  // of strata; 0: there are none
   double varying_excess_kurtosis_ = 0.0;
-  double scale_in_radii_ = 1.0;  // that impulses of the hierarchy follow
+  ScaleLayout scales_;           // of impulses in a hierarchy of grids
+  double scale_in_radii_ = 1.0;  // that these follow
   std::shared_ptr<const PointConvolution<3>> stationary_;
   std::shared_ptr<const PointConvolution<3>> varying_;
 };

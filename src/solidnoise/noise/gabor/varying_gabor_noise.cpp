@@ -10,6 +10,7 @@
 #include "solidnoise/noise/kernel/impulse_statistics.h"
 #include "solidnoise/noise/kernel/impulse_strata.h"
 #include "solidnoise/noise/noise.h"
+#include "solidnoise/noise/point/scale_layout.h"
 
 namespace solidnoise {
 
@@ -70,25 +71,23 @@ VaryingGaborNoise<Dim>::VaryingGaborNoise(const VaryingGaborOptions& options)
   const double r = radius(options.frequency, options.bandwidth);
   StrataChoice choice = varying_choice<Dim>(options);
   if (options.evolution.moves()) choice.weights = turning({});
-  const ImpulseLayout<Dim> layout =
-      make_layout<Dim>(choice, impulse_density(Dim, options.impulses, choice.radius),
-                       options.impulses_process, r, Vec<4>(0.0));
+  const double wanted = impulse_density(Dim, options.impulses, choice.radius);
+  const auto layout = make_layout<Dim>(choice, wanted, options.impulses_process, r, Vec<4>(0.0));
   impulses_ = impulses_in_ball(Dim, layout.density, choice.radius);
   KernelMoments moments = family_->moments(kernel_);
   moments.second *= std::pow(r, Dim);
   moments.fourth *= std::pow(r, Dim);
-  const bool fixed = layout.count.is_fixed;
-  const double scale = fixed ? choice.balanced_side() : choice.radius;
-  scale_in_radii_ = scale / r;
+  const ScaleLayout scales = scale_layout(choice, wanted, options.impulses_process);
+  scale_in_radii_ = scales.scale / r;
 
   typename PointConvolution<Dim>::Settings settings;
   settings.waves = options.waves;
   settings.seed = options.seed;
   settings.unit = options.unit;
   if (options.evolution.moves()) settings.factor = TurningFactor(options.evolution);
-  settings.count = {layout.density * std::pow(scale, Dim), fixed};
+  settings.count = scales.count;
   varying_ = std::make_shared<PointConvolution<Dim>>(settings);
-  varying_excess_kurtosis_ = varying_->excess_kurtosis(scale, moments, choice.weights, *choice.averages);
+  varying_excess_kurtosis_ = scales.excess_kurtosis(choice, moments);
   if (layout.count.is_fixed) {
     moments.overlap =
         choice.averages->overlap(layout.side()) * std::pow(moments.second / choice.moments.second, 2);

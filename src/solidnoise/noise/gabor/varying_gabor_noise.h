@@ -79,7 +79,7 @@ class VaryingGaborNoise {
 
   // E[value^4] / E[value^2]^2 - 3 of the noise with the parameters of the options.
   double excess_kurtosis() const { return excess_kurtosis_; }
-  // The excess kurtosis where frequency or bandwidth vary, the mean over frequencies (PointConvolution).
+  // The excess kurtosis where frequency or bandwidth vary, the mean over frequencies (ScaleLayout).
   double varying_excess_kurtosis() const { return varying_excess_kurtosis_; }
 
  private:

@@ -83,44 +83,48 @@ double kurtosis_given_place(double density, const KernelMoments& kernel, const C
   return 3.0 * sum / (density * kernel.second * kernel.second);
 }
 
-double StrataChoice::balanced_side() const {
-  if (known_side > 0.0) return known_side;
-  const auto excess = [&](double side) {
-    return weights.fourth * moments.fourth - 3.0 * weights.second * weights.second * averages->overlap(side);
-  };
-  // The rule of false position (Illinois): the overlap is smooth, and a thousandth is enough.
-  double lower = 0.02 * radius;
-  double upper = 4.0 * radius;
-  double at_lower = excess(lower);
-  double at_upper = excess(upper);
-  if (at_lower > 0.0) return lower;
-  while (upper - lower > 1e-3 * upper) {
-    const double side = std::clamp(lower - at_lower * (upper - lower) / (at_upper - at_lower),
-                                   0.98 * lower + 0.02 * upper, 0.02 * lower + 0.98 * upper);
-    const double found = excess(side);
+double balanced_side(const std::function<double(double side)>& cumulant, double least, double most) {
+  // The rule of false position (Illinois): cumulants are smooth.
+  double at_least = cumulant(least);
+  double at_most = cumulant(most);
+  if (at_least > 0.0) return least;
+  while (most - least > 1e-3 * most) {
+    const double side = std::clamp(least - at_least * (most - least) / (at_most - at_least),
+                                   0.98 * least + 0.02 * most, 0.02 * least + 0.98 * most);
+    const double found = cumulant(side);
     if (found > 0.0) {
-      upper = side;
-      at_upper = found;
-      at_lower *= 0.5;
+      most = side;
+      at_most = found;
+      at_least *= 0.5;
     } else {
-      lower = side;
-      at_lower = found;
-      at_upper *= 0.5;
+      least = side;
+      at_least = found;
+      at_most *= 0.5;
     }
   }
-  return 0.5 * (lower + upper);
+  return 0.5 * (least + most);
+}
+
+double StrataChoice::balanced_side() const {
+  if (known_side > 0.0) return known_side;
+  const auto cumulant = [&](double side) {
+    return weights.fourth * moments.fourth - 3.0 * weights.second * weights.second * averages->overlap(side);
+  };
+  return solidnoise::balanced_side(cumulant, 0.02 * radius, 4.0 * radius);
 }
 
 Strata StrataChoice::fewest(double given_place) const {
   const double side = balanced_side();
   const double one_per_cube = std::pow(side, -dimensions);
   const double count = std::ceil(kurtosis_given_place(one_per_cube, moments, *averages, side) / given_place);
-  const double most = kMostOverPoisson * density_for_excess_kurtosis(kDefaultKurtosis, moments, weights);
-  return of_density(std::min(std::max(1.0, count) * one_per_cube, most));
+  return of_density(std::min(std::max(1.0, count) * one_per_cube, most_density()));
+}
+
+double StrataChoice::most_density() const {
+  return kMostOverPoisson * density_for_excess_kurtosis(kDefaultKurtosis, moments, weights);
 }
 
 Strata StrataChoice::of_density(double density) const {
-  constexpr double kMostCubes = 6.0;  // over the radius
   const double side = std::max(balanced_side(), radius / kMostCubes);
   Strata strata;
   strata.count = static_cast<int>(std::clamp(std::round(density * std::pow(side, dimensions)), 1.0, 1e9));

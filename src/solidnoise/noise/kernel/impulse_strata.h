@@ -62,6 +62,10 @@ struct StrataChoice {
 
   static constexpr double kPlaceKurtosis = 0.25;
   static constexpr double kMostOverPoisson = 2.0;
+  static constexpr double kMostCubes = 6.0;  // over the radius
+
+  // The most that there are by default.
+  double most_density() const;
 
   // Where the excess kurtosis is 0, whatever the density.
   double balanced_side() const;
@@ -77,6 +81,10 @@ StrataChoice strata_choice(const RandomPhaseGaborKernel<Dim>& kernel);
 template <typename Kernel>
 StrataChoice layer_strata_choice(const Kernel& in_plane, double half_thickness,
                                  const std::function<double(double)>& window);
+
+// The side of cubes at which a fourth cumulant, which grows with it, is 0, to a thousandth of it; `least` if
+// that is above 0 there. Precondition: `most` is too large.
+double balanced_side(const std::function<double(double side)>& cumulant, double least, double most);
 
 // How far the excess kurtosis at a place in the planes of cubes may be from its mean, a bound: twice the
 // harmonics' sum.

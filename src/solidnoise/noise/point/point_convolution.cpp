@@ -40,35 +40,14 @@ double layer_window_moment(int power) {
 
 template <int Dim>
 PointConvolution<Dim>::PointConvolution(const Settings& settings) : settings_(settings) {
-  ImpulseCount count = settings.count;
-  density_ = power_ = count.mean;
+  power_ = settings.count.mean;
   if (settings.side > 0.0) {
     power_ /= std::pow(settings.side, Dim);
   } else {
     const ScaleFade fade(Dim);
-    const double made = 1.0 - fade.lowest;  // of all turns
-    count.mean *= fade.impulses_per_effective_one * made;
-    if (count.is_fixed) count.mean = std::ceil(count.mean);
-    density_ = count.mean / made;
-    power_ = density_ * fade.second_moment;
+    power_ *= fade.second_moment / (1.0 - fade.lowest);
   }
-  process_.emplace(std::array<CellAxis, Dim>{}, count, 0);
-}
-
-template <int Dim>
-double PointConvolution<Dim>::excess_kurtosis(double scale, const KernelMoments& moments,
-                                              const WeightMoments& weights,
-                                              const CubeAverages& averages) const {
-  constexpr int kScales = 16;
-  const double density = density_ / std::pow(scale, Dim);
-  const ScaleFade fade(Dim);
-  KernelMoments faded{moments.second * fade.second_moment, moments.fourth * fade.fourth_moment};
-  for (int i = 0; settings_.count.is_fixed && i < kScales; ++i) {
-    const auto of_side = [&](double side) { return averages.overlap(side * scale); };
-    const auto count = static_cast<int>(process_->mean_per_cell());
-    faded.overlap += fade.overlap(count, std::exp2((i + 0.5) / kScales), of_side) / kScales;
-  }
-  return noise_excess_kurtosis(density, faded, weights);
+  process_.emplace(std::array<CellAxis, Dim>{}, settings.count, 0);
 }
 
 template <int Dim>

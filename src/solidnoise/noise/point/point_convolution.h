@@ -10,8 +10,6 @@
 #include "solidnoise/core/field.h"
 #include "solidnoise/core/points.h"
 #include "solidnoise/noise/convolution/impulse_process.h"
-#include "solidnoise/noise/kernel/cube_averages.h"
-#include "solidnoise/noise/kernel/impulse_statistics.h"
 #include "solidnoise/noise/kernel/kernel_family.h"
 
 namespace solidnoise {
@@ -51,12 +49,10 @@ class PointConvolution {
     // Half the thickness of the layer around a surface that impulses are taken from, in kernel radii; 0: no
     // layer, the kernel is a ball. In 3D only.
     double layer = 0.0;
-    // Of one grid, for kernels of one radius (world units): cells' side and impulses in each. Else side 0: a
-    // hierarchy of grids, with `count` impulses on average in a cube whose side is a kernel's scale,
-    // effective (the kurtosis of a Poisson process is that of as many), whose turns are those of ScaleFade.
-    // If that is fixed, cells have a whole number, with turns in as many parts.
+    // Of one grid, for kernels of one radius: cells' side, world units. Else 0: a hierarchy of grids, in which
+    // impulses have the turns of ScaleFade.
     double side = 0.0;
-    ImpulseCount count{};
+    ImpulseCount count{};  // of a cell
     // Of a hierarchy: the sides of its grids are this, world units, times a power of two. What is as much
     // larger in all of space has the same values.
     double unit = 1.0;
@@ -69,11 +65,6 @@ class PointConvolution {
   // Mean square of the sum at amplitude 1, per unit of the integral of the kernel's square over space, in
   // units of world units^Dim of one grid, of the scale^Dim of a hierarchy.
   double power() const { return power_; }
-
-  // Of a hierarchy: the excess kurtosis where kernels of these moments, and weights, have this scale, world
-  // units, and of strata, `averages` being the kernels', the mean over all scales.
-  double excess_kurtosis(double scale, const KernelMoments& moments, const WeightMoments& weights,
-                         const CubeAverages& averages) const;
 
   // Says what the kernels at some points are: those with the numbers `points`, one kernel for each.
   using Prepare =
@@ -88,7 +79,6 @@ class PointConvolution {
   ImpulseProcess<Dim> grid(int level, double cell_size) const;
 
   Settings settings_;
-  double density_ = 0.0;  // of a hierarchy: impulses of all turns per scale^Dim
   double power_ = 0.0;
   std::optional<ImpulseProcess<Dim>> process_;  // of all grids, but for their cells and keys
 };

@@ -27,24 +27,4 @@ double ScaleFade::operator()(double y) const {
   return smooth_step(std::clamp(std::min((y - lowest) / rise, (1.0 - y) / fall), 0.0, 1.0));
 }
 
-double ScaleFade::overlap(int count, double scale, const std::function<double(double)>& of_side) const {
-  constexpr int kSteps = 32;  // of a part
-  double overlap = 0.0;
-  for (const double cell : {1.0, 2.0}) {
-    const double densest = std::pow(scale / cell, dimensions);  // y where u is 1
-    const double part = densest * (1.0 - lowest) / count;
-    double squares = 0.0;
-    for (int i = 0; i < count; ++i) {
-      double mean = 0.0;
-      for (int k = 0; k < kSteps; ++k) {
-        const double y = densest * lowest + part * (i + (k + 0.5) / kSteps);
-        mean += std::pow((*this)(y), 2) / kSteps;
-      }
-      squares += part * mean * mean;
-    }
-    overlap += squares * of_side(cell / scale);
-  }
-  return overlap;
-}
-
 }  // namespace solidnoise

@@ -1,10 +1,8 @@
 #pragma once
 
-#include <functional>
-
 namespace solidnoise {
 
-// How a noise whose kernel radius r changes from place to place gets its impulses. There is a grid for each
+// How a noise whose kernel's scale r, a length of it, changes from place to place gets its impulses. There is a grid for each
 // power of two, with cells of size 2^l and impulses of their own, and a point uses the two grids l and l + 1
 // with 2^l <= r < 2^(l+1) (the hierarchy of grids of Lagae et al. 2011, section V). The variance has to be
 // the same for every r.
@@ -16,8 +14,7 @@ namespace solidnoise {
 // which is 0 outside of 2^-n < y < 1, the range that the two grids have between them. Impulses come and go
 // one by one as r changes, and only as many are evaluated as are needed. The process being one of uniform
 // density in y, variance and spectrum are the same for every r, and of a Poisson process all statistics
-// (Campbell's theorem). In strata, in space and in u, the excess kurtosis is around 0: cells are smaller than
-// balanced ones at one end of a grid's range and larger at the other (overlap()).
+// (Campbell's theorem). In strata, in space and in u, the excess kurtosis is around 0 (ScaleLayout).
 //
 // The paper weights the sums over the two grids instead (eqs. 25 and 26), which are weights of powers: as
 // amplitudes, r = (1 + alpha) 2^l, they leave half of the variance at alpha = 1/3, and their square roots
@@ -26,12 +23,6 @@ struct ScaleFade {
   explicit ScaleFade(int n);
 
   double operator()(double y) const;
-
-  // How strata make impulses that fade less random. Cells of side 1 and 2 have `count` impulses each, one
-  // turn u in each count-th of [0, 1): where kernels' scale is `scale`, 1 to 2, the integral over y of
-  // fade^4, with the mean of fade^2 over a part in place of it, times what cells of that side, in scales,
-  // have of KernelMoments::overlap.
-  double overlap(int count, double scale, const std::function<double(double)>& of_side) const;
 
   int dimensions;
   double lowest;  // 2^-n
