@@ -12,7 +12,7 @@ from papers.strata import Overlap, library
 
 BATCHES, SEEDS = 20, 400
 MOMENTS = [name + error for name in ("mean", "variance", "kurtosis", "beyond_3", "beyond_4") for error in ("", "_error")]
-EXEMPLAR = pathlib.Path(__file__).parents[2] / "docs/exemplars/moss.jpg"
+EXEMPLAR = pathlib.Path(__file__).parents[2] / "examples/exemplars/moss.jpg"
 
 
 def measure_moments(values_of, seeds=SEEDS):
@@ -68,7 +68,7 @@ def measure_elsewhere(name, seeds=SEEDS):
     if kind != "by example":
         return measure_moments(lambda seed: surface_values(seed, kind, form == "varying"), seeds)
     n = int(form[0])
-    model = solidnoise.fit(EXEMPLAR, grey=True)
+    model = solidnoise.fit(EXEMPLAR, grey=True, solid=n == 3)
     # The widest kernels reach over some 40 pixels.
     return measure_moments(lambda seed: solidnoise.spectrum(exemplar=model, dims=n, seed=seed).lattice(0, 45.0, [round(4096 ** (1 / n))] * n), seeds)
 
