@@ -49,8 +49,8 @@ class PointConvolution {
     // Half the thickness of the layer around a surface that impulses are taken from, in kernel radii; 0: no
     // layer, the kernel is a ball. In 3D only.
     double layer = 0.0;
-    // Of one grid, for kernels of one radius: cells' side, world units. Else 0: a hierarchy of grids, in which
-    // impulses have the turns of ScaleFade.
+    // Of one grid, for kernels of one radius: cells' side, world units. Else 0: a hierarchy of grids, in
+    // which impulses have the turns of ScaleFade.
     double side = 0.0;
     ImpulseCount count{};  // of a cell
     // Of a hierarchy: the sides of its grids are this, world units, times a power of two. What is as much

@@ -2,10 +2,10 @@
 
 namespace solidnoise {
 
-// How a noise whose kernel's scale r, a length of it, changes from place to place gets its impulses. There is a grid for each
-// power of two, with cells of size 2^l and impulses of their own, and a point uses the two grids l and l + 1
-// with 2^l <= r < 2^(l+1) (the hierarchy of grids of Lagae et al. 2011, section V). The variance has to be
-// the same for every r.
+// How a noise whose kernel's scale r, a length of it, changes from place to place gets its impulses. There is
+// a grid for each power of two, with cells of size 2^l and impulses of their own, and a point uses the two
+// grids l and l + 1 with 2^l <= r < 2^(l+1) (the hierarchy of grids of Lagae et al. 2011, section V). The
+// variance has to be the same for every r.
 //
 // Each impulse carries the density y at which it has its turn, in units of what r asks for,
 //   y = (r / 2^l)^n (2^-n + (1 - 2^-n) u),   u uniform on [0, 1),
