@@ -105,4 +105,5 @@ def drafts():
     return {"strata_drafts": columns(("n", "kind", "error", "difference", "correlation"), rows)}
 
 
-ITEMS = {"strata_sides": sides, "strata_ensembles": ensembles, "strata_elsewhere": elsewhere, "strata_spectra": spectra, "strata_places": places, "strata_windows": windows, "strata_drafts": drafts}
+ITEMS = {"strata_sides": sides, "strata_ensembles": ensembles, "strata_elsewhere": elsewhere, "strata_spectra": spectra,
+         "strata_places": places, "strata_windows": windows, "strata_drafts": drafts}
