@@ -145,5 +145,32 @@ TEST(RandomPhaseGaborKernel, RefusesParametersThatMakeNoKernel) {
   EXPECT_THROW(RandomPhaseGaborKernel<2>(1.0, 1.0, {1.0, 0.0}).radius_for_error(2.0), std::invalid_argument);
 }
 
+TEST(EvenGaborKernel, MomentsAreTheIntegrals) {
+  const double f0 = 0.8;
+  for (const double a : {0.7, 1.0}) {
+    const EvenGaborKernel<2> kernel(a, f0);
+    const auto value = [&](const Vec<2>& x) {
+      return std::exp(-kPi * a * a * (x.x * x.x + x.y * x.y)) * std::cos(2.0 * kPi * f0 * x.x);
+    };
+    EXPECT_NEAR(plane_integral([&](const Vec<2>& x) { return std::pow(value(x), 2); }), kernel.energy(),
+                1e-9);
+    EXPECT_NEAR(plane_integral([&](const Vec<2>& x) { return std::pow(value(x), 4); }),
+                kernel.fourth_moment(), 1e-9);
+    for (const double f : {0.0, 0.5, 0.9, 1.7}) {
+      constexpr int kTurns = 48;
+      double mean = 0.0;
+      for (int turn = 0; turn < kTurns; ++turn) {
+        const double angle = 2.0 * kPi * turn / kTurns;
+        const auto transform = plane_integral([&](const Vec<2>& x) {
+          const double phase = 2.0 * kPi * f * (std::cos(angle) * x.x + std::sin(angle) * x.y);
+          return std::pow(value(x), 2) * std::polar(1.0, phase);
+        });
+        mean += std::norm(transform) / kTurns;
+      }
+      EXPECT_NEAR(kernel.squared_power(f), mean, 1e-6 * kernel.squared_power(0.0)) << a << ", " << f;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace solidnoise::gabor_kernel_test

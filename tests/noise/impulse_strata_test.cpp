@@ -41,7 +41,7 @@ TEST(CubeAverages, OfWavesAreTheClosedForm) {
 TEST(CubeAverages, OfARadialMeanSquareAreThoseOfTheProduct) {
   const auto square = [](double r) { return std::exp(-2.0 * kPi * r * r); };
   const auto check = [&]<int Dim>() {
-    const RadialAverages radial(Dim, square, 1.6, 3.2);
+    const auto radial = RadialAverages::of(Dim, square, 1.6, 3.2);
     const ProductAverages product(Dim, square, 1.6, 1.0);
     for (const double side : {0.2, 0.7, 1.3}) {
       SCOPED_TRACE(testing::Message() << Dim << "D, side " << side);
@@ -52,6 +52,17 @@ TEST(CubeAverages, OfARadialMeanSquareAreThoseOfTheProduct) {
     }
   };
   for_each_dimension(check);
+}
+
+// Of cubes too small to matter the square of the square is the fourth power.
+TEST(CubeAverages, OfTinyCubesAreTheFourthMoment) {
+  for_each_dimension([]<int Dim>() {
+    for (const double bandwidth : {0.5, 1.0, 2.0}) {
+      const EvenGaborKernel<Dim> kernel(gaussian_parameter(1.0, bandwidth), 1.0);
+      EXPECT_NEAR(strata_choice(kernel).averages->overlap(1e-3) / kernel.fourth_moment(), 1.0, 2e-3)
+          << Dim << "D, bandwidth " << bandwidth;
+    }
+  });
 }
 
 // The integrals of peaked kernels, which oscillate, against sums over cubes that lie anywhere.

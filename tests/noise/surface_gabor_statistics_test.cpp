@@ -106,6 +106,17 @@ TEST(SurfaceGaborStatistics, MomentsAreTheSameForAllNormals) {
   }
 }
 
+// The squares of waves of fixed phase are a fifth of the fourth moment there.
+TEST(SurfaceGaborStatistics, KurtosisOfWideBandsIsTheClosedForm) {
+  for (const GaborWaves waves : {GaborWaves::isotropic, GaborWaves::oriented}) {
+    const SurfaceGaborNoise noise = make(waves, 0.5, 2.0);
+    // Steps of 5.6 sides of strata, so that the points have all places in these.
+    const auto points = independent_pairs(400000, 2.3 * std::hypot(1.0, 0.5) * noise.radius(), 0.0, 0.0);
+    expect_within_4_sigma(estimate_mean(evaluate(noise, points), [](double x) { return x * x * x * x; }),
+                          noise.excess_kurtosis() + 3.0);
+  }
+}
+
 TEST(SurfaceGaborStatistics, VarianceIsOneUnderVaryingParameters) {
   for (const GaborWaves waves : {GaborWaves::isotropic, GaborWaves::oriented}) {
     const SurfaceGaborNoise noise = make(waves);

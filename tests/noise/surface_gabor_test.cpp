@@ -86,7 +86,7 @@ StrataChoice strata_of(const SurfaceGaborOptions& options, double nominal) {
   const double a = gaussian_parameter(options.frequency, options.bandwidth);
   const double half = options.layer * nominal;
   return options.waves == GaborWaves::oriented
-             ? layer_strata_choice(RandomPhaseGaborKernel<2>(1.0, a, Vec<2>(0.0)), half, layer_window)
+             ? layer_strata_choice(EvenGaborKernel<2>(a, options.frequency), half, layer_window)
              : layer_strata_choice(IsotropicGaborKernel<2>::with_unit_peak(options.frequency, a), half,
                                    layer_window);
 }

@@ -34,7 +34,7 @@ template <int Dim>
 StrataChoice strata_of(const VaryingGaborOptions& options) {
   const double a = gaussian_parameter(options.frequency, options.bandwidth);
   return options.waves == GaborWaves::oriented
-             ? strata_choice(RandomPhaseGaborKernel<Dim>(1.0, a, Vec<Dim>(0.0)))
+             ? strata_choice(EvenGaborKernel<Dim>(a, options.frequency))
              : strata_choice(IsotropicGaborKernel<Dim>::with_unit_peak(options.frequency, a), {});
 }
 

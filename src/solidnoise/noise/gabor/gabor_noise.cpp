@@ -159,7 +159,7 @@ bool GaborNoise<Dim>::filter_kernel() {
 // A compact kernel is about as steep as it is smooth at its end: it has no higher frequencies than this.
 template <int Dim>
 RadialAverages GaborNoise<Dim>::cubes() const {
-  return RadialAverages(
+  return RadialAverages::of(
       Dim, [this](double r) { return std::pow(compact_.value(r), 2); }, compact_.radius(),
       2.0 * kernel_.frequency() + 3.2 * kernel_.a());
 }

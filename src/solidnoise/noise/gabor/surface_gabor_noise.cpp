@@ -45,7 +45,7 @@ double coherence_of(const Vec<3>& direction) {
 StrataChoice surface_choice(const SurfaceGaborOptions& options, double half_thickness) {
   const double a = gaussian_parameter(options.frequency, options.bandwidth);
   if (options.waves == GaborWaves::oriented) {
-    return layer_strata_choice(RandomPhaseGaborKernel<2>(1.0, a, Vec<2>(0.0)), half_thickness, layer_window);
+    return layer_strata_choice(EvenGaborKernel<2>(a, options.frequency), half_thickness, layer_window);
   }
   return layer_strata_choice(IsotropicGaborKernel<2>::with_unit_peak(options.frequency, a), half_thickness,
                              layer_window);

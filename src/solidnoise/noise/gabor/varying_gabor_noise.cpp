@@ -54,7 +54,7 @@ template <int Dim>
 StrataChoice varying_choice(const VaryingGaborOptions& options) {
   const double a = gaussian_parameter(options.frequency, options.bandwidth);
   if (options.waves == GaborWaves::oriented) {
-    return strata_choice(RandomPhaseGaborKernel<Dim>(1.0, a, Vec<Dim>(0.0)));
+    return strata_choice(EvenGaborKernel<Dim>(a, options.frequency));
   }
   return strata_choice(IsotropicGaborKernel<Dim>::with_unit_peak(options.frequency, a), {});
 }

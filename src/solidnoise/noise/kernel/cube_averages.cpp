@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <utility>
 
 #include "solidnoise/core/numerics.h"
 #include "solidnoise/core/special_functions.h"
@@ -79,14 +80,19 @@ class ResponseTable {
 
 }  // namespace
 
-RadialAverages::RadialAverages(int dimensions, const std::function<double(double)>& mean_square, double reach,
-                               double highest)
+// M is nearly 0 at its reach, so that its transform is smooth over 1 / reach.
+RadialAverages::RadialAverages(int dimensions, double reach, double highest,
+                               const std::function<double(double)>& transform)
     : dimensions_(dimensions) {
-  // M is nearly 0 at its reach, so that its transform is smooth over 1 / reach; Gaussian quadrature is exact
-  // for some two nodes per cycle.
   constexpr int kPerReach = 8;
   const int count = static_cast<int>(std::ceil(highest * reach * kPerReach)) + 2;
   step_ = 1.0 / (kPerReach * reach);
+  for (int k = 0; k < count; ++k) transform_.push_back(transform(k * step_));
+}
+
+// Gaussian quadrature is exact for some two nodes per cycle.
+RadialAverages RadialAverages::of(int dimensions, const std::function<double(double)>& mean_square,
+                                  double reach, double highest) {
   const QuadratureRule& rule = panel_rule();
   const int panels = 1 + static_cast<int>(highest * reach / 4.0);
   std::vector<double> radii;
@@ -100,13 +106,13 @@ RadialAverages::RadialAverages(int dimensions, const std::function<double(double
                        mean_square(r));
     }
   }
-  for (int k = 0; k < count; ++k) {
+  return RadialAverages(dimensions, reach, highest, [&](double frequency) {
     double sum = 0.0;
     for (std::size_t i = 0; i < radii.size(); ++i) {
-      sum += shells[i] * mean_cosine(dimensions, 2.0 * kPi * k * step_ * radii[i]);
+      sum += shells[i] * mean_cosine(dimensions, 2.0 * kPi * frequency * radii[i]);
     }
-    transform_.push_back(sum);
-  }
+    return sum;
+  });
 }
 
 double RadialAverages::transform(double frequency) const {
@@ -218,9 +224,10 @@ double ProductAverages::harmonic(double side, int k) const {
   return factor_ * factor_ * sum * std::pow(means.sum(), dimensions_ - 1);
 }
 
-LayerAverages::LayerAverages(const std::function<double(double)>& in_plane, double reach, double highest,
-                             const std::function<double(double)>& across, double thickness)
-    : in_plane_(2, in_plane, reach, highest), across_(1, across, thickness, kHighestAcross / thickness) {}
+LayerAverages::LayerAverages(RadialAverages in_plane, const std::function<double(double)>& across,
+                             double thickness)
+    : in_plane_(std::move(in_plane)),
+      across_(RadialAverages::of(1, across, thickness, kHighestAcross / thickness)) {}
 
 // Mean over the orientations of the layer, that is over directions of frequencies.
 double LayerAverages::overlap(double side) const {

@@ -20,12 +20,16 @@ class CubeAverages {
   virtual double harmonic(double side, int k) const = 0;
 };
 
-// Of a mean square that is radial, by its Fourier transform.
+// Of a mean square that is radial, or has any orientation, by its Fourier transform.
 class RadialAverages final : public CubeAverages {
  public:
   // M(r), which ends at `reach`; nothing in it is of frequencies over `highest`.
-  RadialAverages(int dimensions, const std::function<double(double)>& mean_square, double reach,
-                 double highest);
+  static RadialAverages of(int dimensions, const std::function<double(double)>& mean_square, double reach,
+                           double highest);
+
+  // By its transform, of a frequency; of an M that is not radial the root of its mean square.
+  RadialAverages(int dimensions, double reach, double highest,
+                 const std::function<double(double)>& transform);
 
   double overlap(double side) const override;
   double harmonic(double side, int k) const override;
@@ -55,13 +59,12 @@ class ProductAverages final : public CubeAverages {
   double factor_;
 };
 
-// Of a layer around a plane in three dimensions: the product of a mean square that is radial in the plane and
-// of one of the distance from it.
+// Of a layer around a plane in three dimensions: the product of a mean square in the plane and of one of
+// the distance from it.
 class LayerAverages final : public CubeAverages {
  public:
-  // As RadialAverages; `across` ends at `thickness` on either side.
-  LayerAverages(const std::function<double(double)>& in_plane, double reach, double highest,
-                const std::function<double(double)>& across, double thickness);
+  // In the plane, of two dimensions; `across` ends at `thickness` on either side.
+  LayerAverages(RadialAverages in_plane, const std::function<double(double)>& across, double thickness);
 
   double overlap(double side) const override;  // mean over all orientations
   double harmonic(double side,

@@ -82,6 +82,48 @@ RandomPhaseGaborKernel<Dim> RandomPhaseGaborKernel<Dim>::filtered(double b) cons
   return {amplitude, a, frequency_ * (b * b / sum)};
 }
 
+template <int Dim>
+EvenGaborKernel<Dim>::EvenGaborKernel(double a, double frequency) : a_(a), frequency_(frequency) {
+  require_positive("a", a, "cycles per world unit");
+  require_at_least("frequency", frequency, 0.0);
+}
+
+template <int Dim>
+double EvenGaborKernel<Dim>::energy() const {
+  return 0.5 * std::pow(std::numbers::sqrt2 * a_, -Dim) *
+         (1.0 + std::exp(-2.0 * kPi * squared(frequency_ / a_)));
+}
+
+template <int Dim>
+double EvenGaborKernel<Dim>::fourth_moment() const {
+  const double wave = kPi * squared(frequency_ / a_);
+  return std::pow(2.0 * a_, -Dim) * (0.375 + 0.5 * std::exp(-wave) + 0.125 * std::exp(-4.0 * wave));
+}
+
+// g^2 is a Gaussian times (1 + cos(4 pi w.x)) / 2: Gaussians at 0, 2 w and -2 w, whose products are Gaussians
+// at 0, w, 2 w, -w and -2 w.
+template <int Dim>
+double EvenGaborKernel<Dim>::squared_power(double f) const {
+  const auto at = [&](double center) {  // mean over directions
+    return std::exp(-kPi * squared((f - center) / a_)) *
+           mean_exponential_scaled(Dim, 2.0 * kPi * center * f / squared(a_));
+  };
+  const double wave = kPi * squared(frequency_ / a_);
+  const double sum = (1.0 + 0.5 * std::exp(-4.0 * wave)) * at(0.0) + 2.0 * std::exp(-wave) * at(frequency_) +
+                     0.5 * at(2.0 * frequency_);
+  return 0.25 * std::pow(2.0 * squared(a_), -Dim) * sum;
+}
+
+template <int Dim>
+double EvenGaborKernel<Dim>::radius_for_error(double error) const {
+  return RandomPhaseGaborKernel<Dim>(1.0, a_, Vec<Dim>(0.0)).radius_for_error(error);
+}
+
+template class EvenGaborKernel<1>;
+template class EvenGaborKernel<2>;
+template class EvenGaborKernel<3>;
+template class EvenGaborKernel<4>;
+
 template class RandomPhaseGaborKernel<1>;
 template class RandomPhaseGaborKernel<2>;
 template class RandomPhaseGaborKernel<3>;

@@ -57,6 +57,36 @@ class RandomPhaseGaborKernel {
   Vec<Dim> frequency_;
 };
 
+// The same of amplitude 1 and phase 0, for impulses whose random weights have mean 0: that of -w is that of
+// w, so that a field of directions needs no sense. Statistics are means over all directions of w.
+template <int Dim>
+class EvenGaborKernel {
+ public:
+  // Gaussian parameter a > 0, principal frequency F0 >= 0; throws std::invalid_argument.
+  EvenGaborKernel(double a, double frequency);
+
+  double a() const { return a_; }
+  double frequency() const { return frequency_; }
+
+  // Integral of g^2: (1 + exp(-2 pi F0^2 / a^2)) / (2 (sqrt2 a)^n).
+  double energy() const;
+  // Integral of g^4: (3/8 + exp(-pi F0^2 / a^2) / 2 + exp(-4 pi F0^2 / a^2) / 8) / (2 a)^n.
+  double fourth_moment() const;
+  // Mean square of the Fourier transform of g^2, over all directions: a function of |f|.
+  double squared_power(double f) const;
+
+  double radius_for_error(double error) const;  // as a random phase has it
+
+ private:
+  double a_;
+  double frequency_;
+};
+
+extern template class EvenGaborKernel<1>;
+extern template class EvenGaborKernel<2>;
+extern template class EvenGaborKernel<3>;
+extern template class EvenGaborKernel<4>;
+
 extern template class RandomPhaseGaborKernel<1>;
 extern template class RandomPhaseGaborKernel<2>;
 extern template class RandomPhaseGaborKernel<3>;

@@ -15,36 +15,47 @@ constexpr double kReach = 1.6;
 constexpr double kBand = 3.2;
 
 template <int Dim>
-double highest(const IsotropicGaborKernel<Dim>& kernel) {
-  return 2.0 * kernel.frequency() + kBand * kernel.a();
+RadialAverages radial_averages(const IsotropicGaborKernel<Dim>& kernel) {
+  return RadialAverages::of(
+      Dim, [&](double r) { return squared(kernel.value(r)); }, kReach / kernel.a(),
+      2.0 * kernel.frequency() + kBand * kernel.a());
+}
+// The mean over phases.
+template <int Dim>
+RadialAverages radial_averages(const RandomPhaseGaborKernel<Dim>& kernel) {
+  return RadialAverages::of(
+      Dim,
+      [&](double r) {
+        return 0.5 * squared(kernel.amplitude()) *
+               std::exp(-2.0 * std::numbers::pi * squared(kernel.a() * r));
+      },
+      kReach / kernel.a(), kBand * kernel.a());
 }
 template <int Dim>
-double mean_square(const IsotropicGaborKernel<Dim>& kernel, double r) {
-  return std::pow(kernel.value(r), 2);
+RadialAverages radial_averages(const EvenGaborKernel<Dim>& kernel) {
+  return RadialAverages(Dim, kReach / kernel.a(), 2.0 * kernel.frequency() + kBand * kernel.a(),
+                        [&](double f) { return std::sqrt(kernel.squared_power(f)); });
 }
 
-// The mean over phases; the waves' own squares average out in a cube.
-template <int Dim>
-double highest(const RandomPhaseGaborKernel<Dim>& kernel) {
-  return kBand * kernel.a();
-}
-template <int Dim>
-double mean_square(const RandomPhaseGaborKernel<Dim>& kernel, double r) {
-  return 0.5 * std::pow(kernel.amplitude(), 2) *
-         std::exp(-2.0 * std::numbers::pi * std::pow(kernel.a() * r, 2));
+template <typename Kernel>
+StrataChoice radial_choice(int dimensions, const Kernel& kernel, const WeightMoments& weights) {
+  return {dimensions,
+          {kernel.energy(), kernel.fourth_moment()},
+          weights,
+          std::make_shared<RadialAverages>(radial_averages(kernel)),
+          kernel.radius_for_error(kNominalError)};
 }
 
 }  // namespace
 
 template <int Dim>
 StrataChoice strata_choice(const IsotropicGaborKernel<Dim>& kernel, const WeightMoments& weights) {
-  auto averages = std::make_shared<RadialAverages>(
-      Dim, [&](double r) { return mean_square(kernel, r); }, kReach / kernel.a(), highest(kernel));
-  return {Dim,
-          {kernel.energy(), kernel.fourth_moment()},
-          weights,
-          averages,
-          kernel.radius_for_error(kNominalError)};
+  return radial_choice(Dim, kernel, weights);
+}
+
+template <int Dim>
+StrataChoice strata_choice(const EvenGaborKernel<Dim>& kernel) {
+  return radial_choice(Dim, kernel, {});
 }
 
 template <int Dim>
@@ -60,14 +71,12 @@ StrataChoice strata_choice(const RandomPhaseGaborKernel<Dim>& kernel) {
 template <typename Kernel>
 StrataChoice layer_strata_choice(const Kernel& in_plane, double half_thickness,
                                  const std::function<double(double)>& window) {
-  const auto squared = [&](double z) { return std::pow(window(z / half_thickness), 2); };
+  const auto square = [&](double z) { return squared(window(z / half_thickness)); };
   const auto moment = [&](double power) {
     return 2.0 * integrate([&](double z) { return std::pow(window(z / half_thickness), power); }, 0.0,
                            half_thickness, 4);
   };
-  auto averages =
-      std::make_shared<LayerAverages>([&](double r) { return mean_square(in_plane, r); },
-                                      kReach / in_plane.a(), highest(in_plane), squared, half_thickness);
+  auto averages = std::make_shared<LayerAverages>(radial_averages(in_plane), square, half_thickness);
   return {3,
           {in_plane.energy() * moment(2.0), in_plane.fourth_moment() * moment(4.0)},
           {},
@@ -140,9 +149,15 @@ template StrataChoice strata_choice(const IsotropicGaborKernel<3>&, const Weight
 template StrataChoice strata_choice(const RandomPhaseGaborKernel<3>&);
 template StrataChoice strata_choice(const IsotropicGaborKernel<4>&, const WeightMoments&);
 template StrataChoice strata_choice(const RandomPhaseGaborKernel<4>&);
+template StrataChoice strata_choice(const EvenGaborKernel<1>&);
+template StrataChoice strata_choice(const EvenGaborKernel<2>&);
+template StrataChoice strata_choice(const EvenGaborKernel<3>&);
+template StrataChoice strata_choice(const EvenGaborKernel<4>&);
 template StrataChoice layer_strata_choice(const IsotropicGaborKernel<2>&, double,
                                           const std::function<double(double)>&);
 template StrataChoice layer_strata_choice(const RandomPhaseGaborKernel<2>&, double,
+                                          const std::function<double(double)>&);
+template StrataChoice layer_strata_choice(const EvenGaborKernel<2>&, double,
                                           const std::function<double(double)>&);
 
 }  // namespace solidnoise
