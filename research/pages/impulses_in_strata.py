@@ -48,7 +48,7 @@ What enters is M, Q and S(x) = E g(x)^6, means over the marks:
 - **Isotropic kernels** with weights w: M = E w^2 g^2, Q = E w^4 g^4. Signs have E w^4 = (E w^2)^2. Of uniform weights it is 9 / 5 of that: so much more of the first term, smaller balanced cubes and more impulses.
 - **Sums of independent noises**, octaves and the bands of spectra: fourth and sixth cumulants add up, so that the excess kurtosis is the sum of A_i^4 kurtosis_i over the square of the sum of A_i^2.
 - **Surfaces** take kernels of the tangent plane from a layer around it: M is that of the plane times the square of a window of the distance. The layer lies in any direction in the cubes: the overlap is the mean over all, the kurtosis given the place that of a layer along the planes, where it is most.
-- **Parameters that vary** have impulses in two grids of sides 2 : 1, which fade into each other as the frequency changes. A cell has one impulse in each of its 2^n orthants, and one with its turn in each 2^-n-th of the fade; which orthant has which turn is random.
+- **Parameters that vary** have impulses in two grids of sides 2 : 1, which fade into each other as the frequency changes. A cell has one impulse in each of its 2^n orthants, and one with its turn in each 2^-n-th of the fade; which orthant has which turn is random (narrow bands: of 4^n or 8^n pieces).
   So what fades together is as even as in large cubes, all of it as in small ones, with F the mean of fade^2 over the turns and V the variance of its means over the parts: density x 3 ((F^2 - V / (2^n - 1)) o(c / 2) + 2^n / (2^n - 1) V o(c)), o(c) the integral of (h * M)^2 for cubes of side c. Cubes are balanced on the mean over an octave of
   frequencies; within it the excess kurtosis goes up and down by 0.06 in three dimensions and 0.02 in four. Whole cubes with turns in parts would need more than twice the impulses for that.
 
@@ -60,8 +60,8 @@ Over the cube of the variance, of waves in balanced cubes: 0.18, 0.64 and 1.02 t
 standard deviations as a Gaussian field has.
 
 *What gave nothing*: signs or phases that are balanced in each cube. kappa_4 is of how the sum of squared kernels differs from place to place, and squares stay what they are, while impulses of one cube would correlate and change the spectrum. *What was not needed*: counts that are not whole. Any density is met by the side,
-(count / density)^(1/n) with the count rounded, off from balanced by half an impulse in a cube at most. *Where it ends*: narrow bands of isotropic kernels, most in 4D, would need cubes far smaller than a wave. By default no noise takes more than twice the impulses of a Poisson process of excess kurtosis 1/2, four times where parameters vary, nor cubes below a sixth of the
-radius; what is left is told as the noise's excess kurtosis.
+(count / density)^(1/n) with the count rounded, off from balanced by half an impulse in a cube at most. *Where it ends*: narrow bands of isotropic kernels, most in 4D, would need cubes far smaller than a wave. Where balanced cubes would take more than twice the impulses of a Poisson process of excess kurtosis 1/2, four times where parameters vary, there are as many as leave
+0.02, but at most ten times, which is enough in three dimensions from 0.1 octaves on, where parameters vary from 0.2, and leaves 0.05 at most. What is left is told as the noise's excess kurtosis.
 """)
 
 

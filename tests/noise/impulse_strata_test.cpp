@@ -137,6 +137,35 @@ TEST(StrataChoice, TakesTheFewestImpulsesOfLittleKurtosisAnywhere) {
   });
 }
 
+// Narrow bands of isotropic kernels, and weights that turn with time, take what 0.02 needs, but no more.
+TEST(StrataChoice, NarrowBandsAreWithinTheMeanKurtosis) {
+  for_each_dimension([]<int Dim>() {
+    for (const double bandwidth : {0.2, 0.3, 0.5, 1.0}) {
+      for (const WeightMoments& weights : {WeightMoments{}, turning({})}) {
+        const auto kernel =
+            IsotropicGaborKernel<Dim>::with_unit_peak(1.0, gaussian_parameter(1.0, bandwidth));
+        const StrataChoice choice = strata_choice(kernel, weights);
+        const auto kurtosis_of = [&](const Strata& strata) {
+          KernelMoments moments = choice.moments;
+          moments.overlap = choice.averages->overlap(strata.side);
+          return noise_excess_kurtosis(strata.count / std::pow(strata.side, Dim), moments, weights);
+        };
+        const Strata strata = choice.fewest();
+        SCOPED_TRACE(testing::Message()
+                     << Dim << "D, bandwidth " << bandwidth << ", E W^4 " << weights.fourth);
+        EXPECT_LT(std::abs(kurtosis_of(strata)), 0.0205);
+        EXPECT_GE(std::ldexp(strata.side, choice.halvings(strata)), choice.smallest_cell());
+        const double over_poisson = strata.count / std::pow(strata.side, Dim) / choice.poisson_density();
+        EXPECT_LT(over_poisson, StrataChoice::kMostOverPoisson);
+        if (over_poisson > 1.001 * StrataChoice::kPlentyOverPoisson) {
+          EXPECT_EQ(strata.count, 1);
+          EXPECT_GT(kurtosis_of({1.01 * strata.side, 1}), 0.02);
+        }
+      }
+    }
+  });
+}
+
 TEST(StrataChoice, OfADensityHasIt) {
   const StrataChoice choice = strata_choice(some_waves());
   for (const double density : {0.01, 1.0, 3.7, 200.0}) {

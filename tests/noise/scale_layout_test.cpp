@@ -28,6 +28,30 @@ TEST(ScaleLayout, HasNoExcessKurtosisByDefault) {
   });
 }
 
+template <int Dim>
+void expect_little_kurtosis(double bandwidth, const WeightMoments& weights) {
+  StrataChoice choice = strata_of<Dim>({.frequency = 3.0, .bandwidth = bandwidth});
+  choice.weights = weights;
+  const ScaleLayout layout = scale_layout(choice, 0.0, ImpulseSpread::strata);
+  SCOPED_TRACE(testing::Message() << Dim << "D, bandwidth " << bandwidth << ", E W^4 " << weights.fourth);
+  const double over_poisson = layout.effective_density() / choice.poisson_density();
+  const bool all = over_poisson > 0.999 * StrataChoice::kMostOverPoisson;
+  EXPECT_LT(over_poisson, 1.02 * StrataChoice::kMostOverPoisson);  // whole impulses
+  EXPECT_LT(std::abs(layout.excess_kurtosis(choice, choice.moments)), all ? 0.05 : 0.0205);
+  EXPECT_GE(layout.scale, 2.0 * choice.smallest_cell());
+}
+
+// Within the mean that is allowed, or of all impulses that are.
+TEST(ScaleLayout, OfNarrowBandsHasLittleKurtosis) {
+  for (const double bandwidth : {0.05, 0.1, 0.2, 0.3, 0.5, 1.0}) {
+    for (const WeightMoments& weights : {WeightMoments{}, turning({})}) {
+      expect_little_kurtosis<2>(bandwidth, weights);
+      expect_little_kurtosis<3>(bandwidth, weights);
+      expect_little_kurtosis<4>(bandwidth, weights);
+    }
+  }
+}
+
 TEST(ScaleLayout, OfTheDensityThatItHasIsTheSame) {
   for_each_choice([](const StrataChoice& choice) {
     const ScaleLayout layout = scale_layout(choice, 0.0, ImpulseSpread::strata);

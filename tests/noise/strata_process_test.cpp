@@ -26,11 +26,12 @@ ImpulseProcess<Dim> make_strata(int count, std::uint64_t seed, std::int64_t peri
   return {axes, {static_cast<double>(count), true}, derive_seed(seed, 1)};
 }
 
+// One in each piece.
 template <int Dim>
-ImpulseProcess<Dim> make_orthants(std::uint64_t seed, std::int64_t period = 0) {
+ImpulseProcess<Dim> make_pieces(int halvings, std::uint64_t seed, std::int64_t period = 0) {
   std::array<CellAxis, Dim> axes;
   for (CellAxis& axis : axes) axis = CellAxis(1.0, period);
-  return {axes, {static_cast<double>(1 << Dim), true, true}, derive_seed(seed, 1)};
+  return {axes, {std::exp2(Dim * halvings), true, halvings}, derive_seed(seed, 1)};
 }
 
 TEST(Strata, HoldTheirNumberOfImpulsesInACubeThatIsShiftedByUpToACell) {
@@ -176,58 +177,79 @@ void expect_what_is_in_reach(const ImpulseProcess<Dim>& process) {
 TEST(Strata, WhatIsOutOfReachIsLeftOut) {
   for_each_dimension([]<int Dim>() {
     expect_what_is_in_reach(make_strata<Dim>(3, 11, 9));
-    expect_what_is_in_reach(make_orthants<Dim>(11, 9));
+    expect_what_is_in_reach(make_pieces<Dim>(1, 11, 9));
+    if (Dim < 4) expect_what_is_in_reach(make_pieces<Dim>(2, 11, 9));
   });
 }
 
-// The impulses' orthants, in the order of their shares. The lower half of their places along an axis are in
-// the lower half of the stratum.
+// The impulses' pieces, in the order of their shares: along each axis their places, sorted, are of the first
+// piece, the second, and so on, and those of one no farther apart than it is wide.
 template <int Dim>
-std::vector<std::size_t> orthants_by_share(std::vector<Impulse<Dim>> impulses) {
+std::vector<std::size_t> pieces_by_share(std::vector<Impulse<Dim>> impulses, std::size_t per_axis) {
   std::sort(impulses.begin(), impulses.end(),
             [](const auto& a, const auto& b) { return (a.mark & kShareMask) < (b.mark & kShareMask); });
-  std::vector<std::size_t> orthants(impulses.size(), 0);
+  std::vector<std::size_t> pieces(impulses.size(), 0);
   for (std::size_t axis = 0; axis < Dim; ++axis) {
-    for (std::size_t i = 0; i < impulses.size(); ++i) {
-      const auto lower = std::count_if(impulses.begin(), impulses.end(), [&](const auto& other) {
-        return other.position[axis] < impulses[i].position[axis];
-      });
-      if (static_cast<std::size_t>(lower) >= impulses.size() / 2) orthants[i] |= std::size_t{1} << axis;
+    std::vector<std::int32_t> places;
+    for (const auto& impulse : impulses) places.push_back(impulse.position[axis]);
+    std::vector<std::int32_t> sorted = places;
+    std::sort(sorted.begin(), sorted.end());
+    const std::size_t in_each = sorted.size() / per_axis;
+    for (std::size_t at = 0; at < sorted.size(); at += in_each) {
+      EXPECT_LT(sorted[at + in_each - 1] - sorted[at],
+                CellAxis::kQuantaPerCell / static_cast<std::int64_t>(per_axis));
+    }
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const auto rank = std::lower_bound(sorted.begin(), sorted.end(), places[i]) - sorted.begin();
+      pieces[i] = pieces[i] * per_axis + static_cast<std::size_t>(rank) / in_each;
     }
   }
-  return orthants;
+  return pieces;
 }
 
-// One in each, within half a stratum, and any two parts of the shares in any two orthants alike.
-TEST(Strata, OrthantsHaveAnImpulseEachOfAnyPartOfTheShares) {
+// One in each, and any two parts of the shares in any two pieces alike.
+template <int Dim>
+void expect_any_pairs_in_any_pieces(int halvings, int strata) {
+  const std::size_t per_axis = std::size_t{1} << halvings;
+  const std::size_t count = std::size_t{1} << (Dim * halvings);
+  const auto process = make_pieces<Dim>(halvings, 5);
+  std::vector<double> pairs(count * count, 0.0);  // of the first and the last part
+  for (int number = 0; number < strata; ++number) {
+    const auto impulses = impulses_of(process, Index<Dim>(3 * number));
+    ASSERT_EQ(impulses.size(), count);
+    const std::vector<std::size_t> pieces = pieces_by_share<Dim>(impulses, per_axis);
+    ASSERT_EQ(std::set<std::size_t>(pieces.begin(), pieces.end()).size(), count);
+    pairs[pieces.front() * count + pieces.back()] += 1.0;
+  }
+  std::vector<double> found;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (i / count == i % count) {
+      EXPECT_EQ(pairs[i], 0.0);
+    } else {
+      found.push_back(pairs[i]);
+    }
+  }
+  expect_chi_square(found, std::vector<double>(found.size(), strata / static_cast<double>(found.size())));
+}
+
+TEST(Strata, PiecesHaveAnImpulseEachOfAnyPartOfTheShares) {
+  for_each_dimension([]<int Dim>() { expect_any_pairs_in_any_pieces<Dim>(1, 8000); });
+  expect_any_pairs_in_any_pieces<1>(2, 8000);
+  expect_any_pairs_in_any_pieces<2>(2, 8000);
+  expect_any_pairs_in_any_pieces<3>(2, 40000);
+}
+
+// In fields of up to 4096 elements.
+TEST(Strata, EveryPieceIsTakenOnce) {
   for_each_dimension([]<int Dim>() {
-    constexpr std::size_t kCount = std::size_t{1} << Dim;
-    const auto process = make_orthants<Dim>(5);
-    std::vector<double> pairs(kCount * kCount, 0.0);  // of the first and the last part
-    constexpr int kStrata = 8000;
-    for (int number = 0; number < kStrata; ++number) {
-      const auto impulses = impulses_of(process, Index<Dim>(3 * number));
-      ASSERT_EQ(impulses.size(), kCount);
-      const std::vector<std::size_t> orthants = orthants_by_share<Dim>(impulses);
-      ASSERT_EQ(std::set<std::size_t>(orthants.begin(), orthants.end()).size(), kCount);
-      pairs[orthants.front() * kCount + orthants.back()] += 1.0;
-      for (std::size_t axis = 0; axis < Dim; ++axis) {
-        std::vector<std::int32_t> places;
-        for (const auto& impulse : impulses) places.push_back(impulse.position[axis]);
-        std::sort(places.begin(), places.end());
-        ASSERT_LT(places[kCount / 2 - 1] - places.front(), CellAxis::kQuantaPerCell / 2);
-        ASSERT_LT(places.back() - places[kCount / 2], CellAxis::kQuantaPerCell / 2);
+    for (const int halvings : {1, 2, 3}) {
+      const auto process = make_pieces<Dim>(halvings, 7);
+      for (int number = 0; number < 40; ++number) {
+        const std::vector<std::size_t> pieces =
+            pieces_by_share<Dim>(impulses_of(process, Index<Dim>(5 * number)), std::size_t{1} << halvings);
+        ASSERT_EQ(std::set<std::size_t>(pieces.begin(), pieces.end()).size(), pieces.size());
       }
     }
-    std::vector<double> found;
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-      if (i / kCount == i % kCount) {
-        EXPECT_EQ(pairs[i], 0.0);
-      } else {
-        found.push_back(pairs[i]);
-      }
-    }
-    expect_chi_square(found, std::vector<double>(found.size(), kStrata / static_cast<double>(found.size())));
   });
 }
 

@@ -33,9 +33,11 @@ inline double share_of(std::uint64_t mark) {
 
 // How many impulses there are in a cell.
 struct ImpulseCount {
-  double mean = 1.0;         // > 0; whole if it is fixed
-  bool is_fixed = false;     // the same in every stratum; else Poisson distributed
-  bool in_orthants = false;  // fixed, 2^Dim: strata cut in halves along each axis, one impulse in each piece
+  double mean = 1.0;      // > 0; whole if it is fixed
+  bool is_fixed = false;  // the same in every stratum; else Poisson distributed
+  // Of a fixed count: strata are cut in halves so often along each axis, 0 to 3 times, and have one impulse
+  // in each of the 2^(Dim halvings) pieces. 0: anywhere in the stratum.
+  int halvings = 0;
 };
 
 // Where the impulses are that reach some samples: within a kernel's support around the samples' box. Lengths
@@ -80,7 +82,7 @@ struct ImpulseReach {
 };
 
 // A marked point process in Dim dimensions, cell by cell: strata, which hold a fixed number of impulses each,
-// or a Poisson process. Positions are independent and uniform, in the cell or in its orthants, and a cell's
+// or a Poisson process. Positions are independent and uniform, in the cell or in its pieces, and a cell's
 // impulses are a function of its coordinates and the key alone (Lagae et al. 2009, section 4; we use an exact
 // Poisson count and a hash that does not repeat).
 //
@@ -119,7 +121,7 @@ class ImpulseProcess {
     }
     const Draws draws(*this, hash);
     for (int i = 0; i < draws.count; ++i) {
-      sink(Impulse<Dim>{position(draws.key_at(i, 0), draws.orthant(i), shift), draws.mark(i)});
+      sink(Impulse<Dim>{position(draws.key_at(i, 0), draws.piece(i), shift), draws.mark(i)});
     }
   }
 
@@ -158,16 +160,17 @@ class ImpulseProcess {
     return count_.is_fixed ? static_cast<std::int32_t>(hash >> (64 - CellAxis::kFractionBits)) : 0;
   }
 
-  // `key` is that of the impulse, Draws::key_at(i, 0); bit k of its orthant is the half along axis k.
-  std::array<std::int32_t, Dim> position(std::uint64_t key, std::uint32_t orthant,
+  // `key` is that of the impulse, Draws::key_at(i, 0); its piece has so many bits of each axis as there are
+  // halvings, those of the first axis lowest.
+  std::array<std::int32_t, Dim> position(std::uint64_t key, std::uint32_t piece,
                                          const std::array<std::int32_t, Dim>& shift) const {
-    const int bits = CellAxis::kFractionBits - (count_.in_orthants ? 1 : 0);  // of a place in its half
+    const int bits = CellAxis::kFractionBits - count_.halvings;  // of a place in its piece
     RandomStream stream(key);
     std::array<std::int32_t, Dim> result;
     const auto place = [&](int axis, std::uint64_t uniform) {  // of 32 bits
-      const std::uint32_t upper = orthant >> axis & 1u;
+      const std::uint32_t corner = piece >> (axis * count_.halvings) & ((1u << count_.halvings) - 1u);
       result[axis] = shift[axis] + static_cast<std::int32_t>(uniform >> (32 - bits)) +
-                     static_cast<std::int32_t>(upper << (CellAxis::kFractionBits - 1));
+                     static_cast<std::int32_t>(corner << bits);
     };
     for (int axis = 0; axis < Dim; axis += 2) {
       const std::uint64_t pair = stream.next();
@@ -177,40 +180,44 @@ class ImpulseProcess {
     return result;
   }
 
-  // The random numbers of the stratum with this hash: of a Poisson process the count, of orthants how they
-  // are taken; then for each impulse its position, two axes to a number, and its mark.
+  // The random numbers of the stratum with this hash: of a Poisson process the count, of pieces how they are
+  // taken; then for each impulse its position, two axes to a number, and its mark.
   struct Draws {
     Draws(const ImpulseProcess& process, std::uint64_t hash)
         : key(hash), count(static_cast<int>(process.count_.mean)), in_parts(process.count_.is_fixed) {
-      if (in_parts && !process.count_.in_orthants) return;
+      if (in_parts && process.count_.halvings == 0) return;
       const std::uint64_t first = RandomStream(key).next();
       key += kGoldenGamma;
       if (in_parts) {
-        draw_orthants(first);
+        draw_pieces(first, Dim * process.count_.halvings);
       } else {
         count = process.draw_count(first);
       }
     }
 
-    // That impulse i, whose share is in part i, lies in: a i + b in the field of 2^Dim elements, a not 0 and
-    // b random, so that two impulses lie in any two different orthants with the same probability.
-    std::uint32_t orthant(int i) const {
-      std::uint32_t result = first_orthant;
-      for (int bit = 0; bit < Dim; ++bit) {
+    // That impulse i, whose share is in part i, lies in: a i + b in the field of as many elements as there
+    // are pieces, a not 0 and b random, so that two impulses lie in any two different pieces with the same
+    // probability.
+    std::uint32_t piece(int i) const {
+      std::uint32_t result = first_piece;
+      for (int bit = 0; bit < kMostBits && i >> bit != 0; ++bit) {
         if (i >> bit & 1) result ^= times[static_cast<std::size_t>(bit)];
       }
       return result;
     }
 
-    void draw_orthants(std::uint64_t random) {
-      constexpr std::array<std::uint32_t, 5> kModulus{0, 3, 7, 11, 19};  // irreducible, a bit a power
-      constexpr std::uint32_t kAll = (1u << Dim) - 1;
-      first_orthant = static_cast<std::uint32_t>(random) & kAll;
-      std::uint32_t power = 1 + static_cast<std::uint32_t>((random >> 32) * kAll >> 32);  // a times x^bit
-      for (std::uint32_t& product : times) {
-        product = power;
+    // Of 2^bits pieces.
+    void draw_pieces(std::uint64_t random, int bits) {
+      // Irreducible polynomials, a bit a power, by their degree.
+      constexpr std::array<std::uint32_t, 13> kModulus{0,   3,   7,   11,   19,   37,  67,
+                                                       131, 283, 529, 1033, 2053, 4105};
+      const std::uint32_t all = (1u << bits) - 1;
+      first_piece = static_cast<std::uint32_t>(random) & all;
+      std::uint32_t power = 1 + static_cast<std::uint32_t>((random >> 32) * all >> 32);  // a times x^bit
+      for (int bit = 0; bit < bits; ++bit) {
+        times[static_cast<std::size_t>(bit)] = power;
         power <<= 1;
-        if (power > kAll) power ^= kModulus[Dim];
+        if (power > all) power ^= kModulus[static_cast<std::size_t>(bits)];
       }
     }
 
@@ -232,6 +239,7 @@ class ImpulseProcess {
       return {static_cast<int>((least * m) >> kShareBits), std::min(count, static_cast<int>(last) + 1)};
     }
 
+    static constexpr int kMostBits = 3 * Dim;
     static constexpr int kPairs = (Dim + 1) / 2;
     std::uint64_t key_at(int i, int number) const {
       return key + static_cast<std::uint64_t>(i * (kPairs + 1) + number) * kGoldenGamma;
@@ -240,8 +248,8 @@ class ImpulseProcess {
     std::uint64_t key;
     int count;
     bool in_parts;
-    std::uint32_t first_orthant = 0;
-    std::array<std::uint32_t, Dim> times{};
+    std::uint32_t first_piece = 0;
+    std::array<std::uint32_t, kMostBits> times{};
   };
 
   // Strata side by side along the last axis. What is looked at is not known in advance, and branches would be
@@ -271,7 +279,7 @@ class ImpulseProcess {
         for (int i = begin; i < end; ++i) {
           const std::uint64_t mark = draws.mark(i);
           const std::uint64_t share = mark & kShareMask;
-          candidates.add(at, draws.key_at(i, 0), draws.orthant(i), mark,
+          candidates.add(at, draws.key_at(i, 0), draws.piece(i), mark,
                          (share >= reach.least_share) & (share <= reach.most_share));
           if (candidates.count == Candidates::kMost) take(candidates, sink);
         }
@@ -286,15 +294,15 @@ class ImpulseProcess {
       std::array<std::int64_t, kMost> at;  // along the last axis
       std::array<std::uint64_t, kMost> mark;
       std::array<std::uint64_t, kMost> key;  // of its position
-      std::array<std::uint32_t, kMost> orthant;
+      std::array<std::uint32_t, kMost> piece;
 
-      void add(std::int64_t place, std::uint64_t its_key, std::uint32_t its_orthant, std::uint64_t its_mark,
+      void add(std::int64_t place, std::uint64_t its_key, std::uint32_t its_piece, std::uint64_t its_mark,
                bool wanted) {
         const auto end = static_cast<std::size_t>(count);
         at[end] = place;
         mark[end] = its_mark;
         key[end] = its_key;
-        orthant[end] = its_orthant;
+        piece[end] = its_piece;
         count += wanted ? 1 : 0;
       }
     };
@@ -305,7 +313,7 @@ class ImpulseProcess {
       std::array<std::size_t, Candidates::kMost> taken;
       std::size_t count = 0;
       for (std::size_t i = 0; i < static_cast<std::size_t>(candidates.count); ++i) {
-        positions[i] = process.position(candidates.key[i], candidates.orthant[i], shift);
+        positions[i] = process.position(candidates.key[i], candidates.piece[i], shift);
         stratum[Dim - 1] = candidates.at[i];
         float square = 0.0f;
         for (int axis = 0; axis < Dim; ++axis) {

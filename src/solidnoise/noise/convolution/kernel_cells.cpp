@@ -50,16 +50,15 @@ template <int Dim>
 ImpulseLayout<Dim> make_layout(const StrataChoice& choice, double density, ImpulseSpread spread,
                                double radius, const Vec<4>& period) {
   if (spread == ImpulseSpread::poisson) {
-    const double wanted = density > 0.0
-                              ? density
-                              : density_for_excess_kurtosis(kDefaultKurtosis, choice.moments, choice.weights);
+    const double wanted = density > 0.0 ? density : choice.poisson_density();
     const auto axes = make_cells<Dim>(choice.radius, radius, period);
     return {axes, {wanted * volume_of<Dim>(axes), false}, wanted};
   }
   const Strata strata = density > 0.0 ? choice.of_density(density) : choice.fewest();
-  const auto axes = make_cells<Dim>(strata.side, radius, period);
-  const double count = strata.count;
-  return {axes, {count, true}, count / volume_of<Dim>(axes)};
+  const int halvings = choice.halvings(strata);
+  const auto axes = make_cells<Dim>(std::ldexp(strata.side, halvings), radius, period);
+  const double count = std::ldexp(strata.count, Dim * halvings);
+  return {axes, {count, true, halvings}, count / volume_of<Dim>(axes)};
 }
 
 RadialPolynomial to_single_precision(const CompactKernel& kernel, int most_degree) {

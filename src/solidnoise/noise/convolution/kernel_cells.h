@@ -26,8 +26,9 @@ struct ImpulseLayout {
     for (int axis = 0; axis < Dim; ++axis) cells[axis] = radius / axes[axis].size();
     return cells;
   }
-  // Of a cube as large as a cell.
-  double side() const { return std::pow(count.mean / density, 1.0 / Dim); }
+  // Of a cube as large as a cell, and of one as large as its pieces, if it has any: of strata.
+  double cell_side() const { return std::pow(count.mean / density, 1.0 / Dim); }
+  double side() const { return std::ldexp(cell_side(), -count.halvings); }
 };
 
 // The layout of impulses of a density (world units^-Dim; 0: the fewest that look Gaussian,

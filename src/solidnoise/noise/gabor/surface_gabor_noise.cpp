@@ -90,7 +90,7 @@ SurfaceGaborNoise::SurfaceGaborNoise(const SurfaceGaborOptions& options)
         choice_.averages->overlap(layout.side()) * std::pow(moments.second / choice_.moments.second, 2);
   }
   excess_kurtosis_ = noise_excess_kurtosis(layout.density, moments, choice_.weights);
-  settings.side = layout.side();
+  settings.side = layout.cell_side();
   settings.count = layout.count;
   stationary_ = std::make_shared<PointConvolution<3>>(settings);
 }

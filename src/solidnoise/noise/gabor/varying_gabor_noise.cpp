@@ -93,7 +93,7 @@ VaryingGaborNoise<Dim>::VaryingGaborNoise(const VaryingGaborOptions& options)
         choice.averages->overlap(layout.side()) * std::pow(moments.second / choice.moments.second, 2);
   }
   excess_kurtosis_ = noise_excess_kurtosis(layout.density, moments, choice.weights);
-  settings.side = layout.side();
+  settings.side = layout.cell_side();
   settings.count = layout.count;
   stationary_ = std::make_shared<PointConvolution<Dim>>(settings);
 }

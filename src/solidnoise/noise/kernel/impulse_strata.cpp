@@ -97,6 +97,7 @@ double balanced_side(const std::function<double(double side)>& cumulant, double 
   double at_least = cumulant(least);
   double at_most = cumulant(most);
   if (at_least > 0.0) return least;
+  if (at_most < 0.0) return most;
   while (most - least > 1e-3 * most) {
     const double side = std::clamp(least - at_least * (most - least) / (at_most - at_least),
                                    0.98 * least + 0.02 * most, 0.02 * least + 0.98 * most);
@@ -122,23 +123,44 @@ double StrataChoice::balanced_side() const {
   return solidnoise::balanced_side(cumulant, 0.02 * radius, 4.0 * radius);
 }
 
-Strata StrataChoice::fewest(double given_place) const {
+Strata StrataChoice::fewest() const {
   const double side = balanced_side();
   const double one_per_cube = std::pow(side, -dimensions);
-  const double count = std::ceil(kurtosis_given_place(one_per_cube, moments, *averages, side) / given_place);
-  return of_density(std::min(std::max(1.0, count) * one_per_cube, most_density()));
+  const double count =
+      std::max(1.0, std::ceil(kurtosis_given_place(one_per_cube, moments, *averages, side) / kPlaceKurtosis));
+  const double poisson = poisson_density();
+  if (count * one_per_cube <= kPlentyOverPoisson * poisson) return of_density(count * one_per_cube);
+  const auto over_mean = [&](double of_one) {
+    KernelMoments kept = moments;
+    kept.overlap = averages->overlap(of_one);
+    return noise_excess_kurtosis(std::pow(of_one, -dimensions), kept, weights) - kMeanKurtosis;
+  };
+  const auto side_of = [&](double density) { return std::pow(1.0 / density, 1.0 / dimensions); };
+  const double enough = solidnoise::balanced_side(over_mean, side_of(kMostOverPoisson * poisson),
+                                                  side_of(kPlentyOverPoisson * poisson));
+  return of_density(std::pow(enough, -dimensions));
 }
 
-double StrataChoice::most_density() const {
-  return kMostOverPoisson * density_for_excess_kurtosis(kDefaultKurtosis, moments, weights);
+int StrataChoice::halvings(const Strata& strata) const {
+  if (strata.count > 1) return 0;
+  int halvings = 0;
+  while (halvings < kMostHalvings && std::ldexp(strata.side, halvings) < smallest_cell()) ++halvings;
+  return halvings;
+}
+
+double StrataChoice::poisson_density() const {
+  return density_for_excess_kurtosis(kDefaultKurtosis, moments, weights);
 }
 
 Strata StrataChoice::of_density(double density) const {
-  const double side = std::max(balanced_side(), radius / kMostCubes);
-  Strata strata;
-  strata.count = static_cast<int>(std::clamp(std::round(density * std::pow(side, dimensions)), 1.0, 1e9));
-  strata.side = std::pow(strata.count / density, 1.0 / dimensions);
-  return strata;
+  const auto in_cubes = [&](double side) { return density * std::pow(side, dimensions); };
+  const auto of_count = [&](double count) {
+    count = std::clamp(count, 1.0, 1e9);
+    return Strata{std::pow(count / density, 1.0 / dimensions), static_cast<int>(count)};
+  };
+  const Strata balanced = of_count(std::round(in_cubes(balanced_side())));
+  const bool fits = std::ldexp(balanced.side, halvings(balanced)) >= smallest_cell();
+  return fits ? balanced : of_count(std::ceil(in_cubes(smallest_cell())));
 }
 
 template StrataChoice strata_choice(const IsotropicGaborKernel<1>&, const WeightMoments&);

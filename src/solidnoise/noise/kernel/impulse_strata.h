@@ -49,24 +49,34 @@ struct StrataChoice {
   KernelMoments moments;  // of unlimited support
   WeightMoments weights;
   std::shared_ptr<const CubeAverages> averages;
-  double radius = 0.0;      // that holds nearly all of a kernel, world units: no cube is much smaller
+  double radius = 0.0;      // that holds nearly all of a kernel, world units
   double known_side = 0.0;  // balanced_side(), where it has been found
 
   // Balanced cubes with the fewest impulses in each for which the excess kurtosis given the place is within
-  // `given_place`. But no more than kMostOverPoisson times the impulses of a Poisson process of excess
-  // kurtosis kDefaultKurtosis: the peaks of narrow bands of isotropic kernels only cubes far smaller than a
-  // wave could balance.
-  Strata fewest(double given_place = kPlaceKurtosis) const;
+  // kPlaceKurtosis. The peaks of narrow bands of isotropic kernels, most of all, only cubes far smaller than
+  // a wave would balance: where that takes more than kPlentyOverPoisson times the impulses of
+  // poisson_density(), as many, or one in each of the largest cubes of a mean within kMeanKurtosis, at most
+  // kMostOverPoisson times.
+  Strata fewest() const;
 
   // Cubes as near to balanced ones as whole numbers allow, of this density.
   Strata of_density(double density) const;
 
-  static constexpr double kPlaceKurtosis = 0.25;
-  static constexpr double kMostOverPoisson = 2.0;
-  static constexpr double kMostCubes = 6.0;  // over the radius
+  // How often cells have to be cut in halves along each axis to be these strata, which are one each or pieces
+  // with one impulse each (ImpulseCount): so that cells are not smaller than smallest_cell().
+  int halvings(const Strata& strata) const;
 
-  // The most that there are by default.
-  double most_density() const;
+  // Positions are exact in single precision where a kernel is over less than 16 cells (CellAxis).
+  double smallest_cell() const { return radius / 6.0; }
+
+  static constexpr int kMostHalvings = 3;
+  static constexpr double kPlaceKurtosis = 0.25;
+  static constexpr double kMeanKurtosis = 0.02;
+  static constexpr double kPlentyOverPoisson = 2.0;
+  static constexpr double kMostOverPoisson = 10.0;
+
+  // Of a Poisson process of excess kurtosis kDefaultKurtosis.
+  double poisson_density() const;
 
   // Where the excess kurtosis is 0, whatever the density.
   double balanced_side() const;
@@ -86,11 +96,11 @@ StrataChoice layer_strata_choice(const Kernel& in_plane, double half_thickness,
                                  const std::function<double(double)>& window);
 
 // The side of cubes at which a fourth cumulant, which grows with it, is 0, to a thousandth of it; `least` if
-// that is above 0 there. Precondition: `most` is too large.
+// that is above 0 there, `most` if it is below.
 double balanced_side(const std::function<double(double side)>& cumulant, double least, double most);
 
 // How far the excess kurtosis at a place in the planes of cubes may be from its mean, a bound: twice the
-// harmonics' sum.
+// harmonics' sum. Of waves of phase 0 it is that of all directions together.
 double kurtosis_given_place(double density, const KernelMoments& kernel, const CubeAverages& averages,
                             double side);
 

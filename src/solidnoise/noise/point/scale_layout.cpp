@@ -11,31 +11,31 @@ namespace solidnoise {
 namespace {
 
 // What strata keep of the integral of fade^4 over the turns of a grid whose cells are `cell` scales large: in
-// halves of cells, and in whole ones.
+// pieces of cells, and in whole ones.
 struct FadedShares {
   FadedShares(const ScaleFade& fade, const ImpulseCount& count, double cell) {
-    constexpr int kSteps = 32;  // of a part
     const int parts = static_cast<int>(count.mean);
+    const int steps = std::clamp(512 / parts, 1, 32);         // of a part
     const double densest = std::pow(cell, -fade.dimensions);  // y where u is 1
     const double all = densest * (1.0 - fade.lowest);
     double mean = 0.0;
     double squares = 0.0;
     for (int k = 0; k < parts; ++k) {
       double of_part = 0.0;
-      for (int step = 0; step < kSteps; ++step) {
-        of_part += squared(fade(densest * fade.lowest + all * (k + (step + 0.5) / kSteps) / parts)) / kSteps;
+      for (int step = 0; step < steps; ++step) {
+        of_part += squared(fade(densest * fade.lowest + all * (k + (step + 0.5) / steps) / parts)) / steps;
       }
       mean += of_part / parts;
       squares += squared(of_part) / parts;
     }
     in_cells = all * squares;
-    if (!count.in_orthants) return;
+    if (count.halvings == 0) return;
     const double variance = (squares - squared(mean)) / (parts - 1);
-    in_halves = all * (squared(mean) - variance);
+    in_pieces = all * (squared(mean) - variance);
     in_cells = all * parts * variance;
   }
 
-  double in_halves = 0.0;
+  double in_pieces = 0.0;
   double in_cells = 0.0;
 };
 
@@ -45,14 +45,41 @@ double kept(const ScaleFade& fade, const ImpulseCount& count, double cell,
             const std::function<double(double)>& of_side) {
   const FadedShares fine(fade, count, cell);
   const FadedShares coarse(fade, count, 2.0 * cell);
-  return fine.in_halves * of_side(0.5 * cell) + (fine.in_cells + coarse.in_halves) * of_side(cell) +
-         coarse.in_cells * of_side(2.0 * cell);
+  const double pieces = std::ldexp(1.0, -count.halvings);
+  return fine.in_pieces * of_side(pieces * cell) + coarse.in_pieces * of_side(pieces * 2.0 * cell) +
+         fine.in_cells * of_side(cell) + coarse.in_cells * of_side(2.0 * cell);
 }
 
 // The cells of the levels of some scales, over these: evenly over the octave that has one level.
 constexpr int kScales = 8;
 double cell_of(int i) {
   return std::exp2(-(i + 0.5) / kScales);
+}
+
+// Of a layout's numbers in cells, for this density of effective impulses.
+double scale_of_density(const ScaleLayout& layout, double effective) {
+  const double of_scales = layout.density() / ScaleFade(layout.dimensions).impulses_per_effective_one;
+  return std::pow(of_scales / effective, 1.0 / layout.dimensions);
+}
+
+// With the fewest impulses.
+double default_scale(const StrataChoice& choice, ScaleLayout layout) {
+  constexpr double kPlentyOverStationary = 2.0;
+  const double poisson = choice.poisson_density();
+  const double plenty =
+      scale_of_density(layout, kPlentyOverStationary * StrataChoice::kPlentyOverPoisson * poisson);
+  const auto scale_of_kurtosis = [&](double kurtosis, double least, double most) {
+    return balanced_side(
+        [&](double scale) {
+          layout.scale = scale;
+          return layout.excess_kurtosis(choice, choice.moments) - kurtosis;
+        },
+        least, most);
+  };
+  const double balanced = scale_of_kurtosis(0.0, plenty, 8.0 * choice.radius);
+  if (balanced > plenty) return balanced;
+  return scale_of_kurtosis(StrataChoice::kMeanKurtosis,
+                           scale_of_density(layout, StrataChoice::kMostOverPoisson * poisson), plenty);
 }
 
 }  // namespace
@@ -97,35 +124,24 @@ ScaleLayout scale_layout(const StrataChoice& choice, double density, ImpulseSpre
   const int n = choice.dimensions;
   const ScaleFade fade(n);
   if (spread == ImpulseSpread::poisson) {
-    if (density == 0.0) {
-      density = density_for_excess_kurtosis(kDefaultKurtosis, choice.moments, choice.weights);
-    }
+    if (density == 0.0) density = choice.poisson_density();
     const double made = 1.0 - fade.lowest;  // of all turns
     const double count = density * std::pow(choice.radius, n) * fade.impulses_per_effective_one * made;
     return {n, choice.radius, {count, false}};
   }
-  ScaleLayout layout{n, choice.radius, {std::exp2(n), true, true}};
-  const auto scale_of_density = [&](double effective) {
-    return std::pow(layout.density() / (effective * fade.impulses_per_effective_one), 1.0 / n);
-  };
-  if (density > 0.0) {
-    layout.scale = scale_of_density(density);
-    const double side = choice.balanced_side();
-    if (layout.scale < side) {
-      layout.count = {std::ceil(layout.count.mean * std::pow(side / layout.scale, n)), true};
-      layout.scale = side;
-    }
-    return layout;
+  const double smallest = 2.0 * choice.smallest_cell();  // a grid's kernels are up to two scales large
+  const double side = choice.balanced_side();
+  const int most_halvings = density == 0.0 || side < smallest ? StrataChoice::kMostHalvings : 1;
+  ScaleLayout layout{n, 0.0};
+  for (int halvings = 1; halvings <= most_halvings && layout.scale < smallest; ++halvings) {
+    layout.count = {std::exp2(n * halvings), true, halvings};
+    layout.scale = density > 0.0 ? scale_of_density(layout, density) : default_scale(choice, layout);
   }
-  constexpr double kMostOverStationary = 2.0;
-  const double least = std::max(scale_of_density(kMostOverStationary * choice.most_density()),
-                                2.0 * choice.radius / StrataChoice::kMostCubes);
-  layout.scale = balanced_side(
-      [&](double scale) {
-        layout.scale = scale;
-        return layout.excess_kurtosis(choice, choice.moments);
-      },
-      least, 8.0 * choice.radius);
+  const double least = density > 0.0 ? std::max(side, smallest) : smallest;
+  if (layout.scale < least) {
+    layout.count = {std::ceil(layout.count.mean * std::pow(least / layout.scale, n)), true};
+    layout.scale = least;
+  }
   return layout;
 }
 

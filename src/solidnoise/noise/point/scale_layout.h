@@ -8,15 +8,17 @@ namespace solidnoise {
 // Where the impulses are of a noise whose kernels change from place to place (ScaleFade): the length of a
 // kernel that tells which grids it takes, and how many impulses their cells have.
 //
-// In strata a cell has 2^n impulses, one in each orthant of it, and one with its turn u in each 2^-n-th of
+// In strata a cell has m = 2^n impulses, one in each orthant of it, and one with its turn u in each m-th of
 // [0, 1); which orthant has which turn is random. So impulses of all turns are as even as in cells half as
 // large, those of similar turns as in whole ones. With F_i the mean of fade^2 over part i of the turns, F the
 // mean of the F_i and V the mean of (F_i - F)^2, o(c) the overlap of cubes of side c (KernelMoments), and
 // cells of side c, a grid takes from the fourth cumulant, per impulse,
-//   3 ((F^2 - V / (2^n - 1)) o(c / 2) + 2^n / (2^n - 1) V o(c)).
+//   3 ((F^2 - V / (m - 1)) o(c / 2) + m / (m - 1) V o(c)).
 // For two impulses of a cell are never in one orthant, nor in one part: in two others they are the likelier.
-// (Whole cells with as many parts, whose kernels take 3 (F^2 + V) o(c), need twice the impulses for the same
-// excess kurtosis. Of 2^n and more in balanced cubes they are as good, and the cells are not too small.)
+// Narrow bands, whose orthants would be too small for cells of twice their side (smallest_cell), have cells
+// of quarters or eighths in place of halves, and 4^n or 8^n impulses in each. (Whole cells with as many
+// parts, whose kernels take 3 (F^2 + V) o(c), need twice the impulses for the same excess kurtosis. Of 2^n
+// and more in balanced cubes they are as good, and the cells are not too small.)
 struct ScaleLayout {
   int dimensions = 3;
   double scale = 1.0;    // of the kernel that it was made for, world units
@@ -38,8 +40,9 @@ struct ScaleLayout {
 };
 
 // Of this density of effective impulses (of a Poisson process of as many the excess kurtosis is the same),
-// world units^-n; 0: in strata the fewest for which the excess kurtosis is 0, but at most twice as many as
-// StrataChoice has at most; of a Poisson process those of kDefaultKurtosis.
+// world units^-n; 0: in strata the fewest for which the excess kurtosis is 0, or, where these are many,
+// kMeanKurtosis, as of StrataChoice::fewest(), with many being twice what they are there; of a Poisson
+// process those of kDefaultKurtosis.
 ScaleLayout scale_layout(const StrataChoice& choice, double density, ImpulseSpread spread);
 
 }  // namespace solidnoise
