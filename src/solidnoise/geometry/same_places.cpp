@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cstddef>
+#include <functional>
 #include <numeric>
 #include <utility>
 
@@ -32,9 +33,8 @@ std::uint64_t hash_of_place(const Vec<3>& place) {
 }
 
 // For each of `count` positions the first one of an equal hash that `is_same`(first, position) takes for it.
-template <typename IsSame>
 std::vector<std::uint32_t> first_of_same(std::vector<PlaceKey> keys, std::size_t count,
-                                         const IsSame& is_same) {
+                                         const std::function<bool(std::uint32_t, std::uint32_t)>& is_same) {
   tbb::parallel_sort(keys.begin(), keys.end(), [](const PlaceKey& a, const PlaceKey& b) {
     return a.hash != b.hash ? a.hash < b.hash : a.position < b.position;
   });

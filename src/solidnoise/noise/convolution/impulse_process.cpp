@@ -23,6 +23,19 @@ std::vector<std::uint64_t> cumulative_poisson(double mean) {
 
 }  // namespace
 
+void PieceMap::draw(std::uint64_t random, int bits) {
+  // Irreducible polynomials, a bit a power, by their degree.
+  constexpr std::array<std::uint32_t, 13> kModulus{0, 3, 7, 11, 19, 37, 67, 131, 283, 529, 1033, 2053, 4105};
+  const std::uint32_t all = (1u << bits) - 1;
+  first_ = static_cast<std::uint32_t>(random) & all;
+  std::uint32_t power = 1 + static_cast<std::uint32_t>((random >> 32) * all >> 32);
+  for (std::size_t bit = 0; bit < static_cast<std::size_t>(bits); ++bit) {
+    times_[bit] = power;
+    power <<= 1;
+    if (power > all) power ^= kModulus[static_cast<std::size_t>(bits)];
+  }
+}
+
 template <int Dim>
 ImpulseProcess<Dim>::ImpulseProcess(const std::array<CellAxis, Dim>& axes, const ImpulseCount& count,
                                     std::uint64_t key)

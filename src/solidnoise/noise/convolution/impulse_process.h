@@ -40,6 +40,26 @@ struct ImpulseCount {
   int halvings = 0;
 };
 
+// In which of a stratum's 2^bits pieces, 0 to 12 bits, each impulse lies: impulse i, whose share is in part
+// i, in a i + b in the field of as many elements, a not 0 and b random, so that two impulses lie in any two
+// different pieces with the same probability.
+class PieceMap {
+ public:
+  void draw(std::uint64_t random, int bits);
+
+  std::uint32_t operator()(int i) const {
+    std::uint32_t result = first_;
+    for (std::size_t bit = 0; bit < times_.size() && i >> bit != 0; ++bit) {
+      if (i >> bit & 1) result ^= times_[bit];
+    }
+    return result;
+  }
+
+ private:
+  std::uint32_t first_ = 0;                // b
+  std::array<std::uint32_t, 12> times_{};  // a times x^bit
+};
+
 // Where the impulses are that reach some samples: within a kernel's support around the samples' box. Lengths
 // are in cells.
 template <int Dim>
@@ -121,7 +141,7 @@ class ImpulseProcess {
     }
     const Draws draws(*this, hash);
     for (int i = 0; i < draws.count; ++i) {
-      sink(Impulse<Dim>{position(draws.key_at(i, 0), draws.piece(i), shift), draws.mark(i)});
+      sink(Impulse<Dim>{position(draws.key_at(i, 0), draws.piece_of(i), shift), draws.mark(i)});
     }
   }
 
@@ -189,35 +209,9 @@ class ImpulseProcess {
       const std::uint64_t first = RandomStream(key).next();
       key += kGoldenGamma;
       if (in_parts) {
-        draw_pieces(first, Dim * process.count_.halvings);
+        piece_of.draw(first, Dim * process.count_.halvings);
       } else {
         count = process.draw_count(first);
-      }
-    }
-
-    // That impulse i, whose share is in part i, lies in: a i + b in the field of as many elements as there
-    // are pieces, a not 0 and b random, so that two impulses lie in any two different pieces with the same
-    // probability.
-    std::uint32_t piece(int i) const {
-      std::uint32_t result = first_piece;
-      for (int bit = 0; bit < kMostBits && i >> bit != 0; ++bit) {
-        if (i >> bit & 1) result ^= times[static_cast<std::size_t>(bit)];
-      }
-      return result;
-    }
-
-    // Of 2^bits pieces.
-    void draw_pieces(std::uint64_t random, int bits) {
-      // Irreducible polynomials, a bit a power, by their degree.
-      constexpr std::array<std::uint32_t, 13> kModulus{0,   3,   7,   11,   19,   37,  67,
-                                                       131, 283, 529, 1033, 2053, 4105};
-      const std::uint32_t all = (1u << bits) - 1;
-      first_piece = static_cast<std::uint32_t>(random) & all;
-      std::uint32_t power = 1 + static_cast<std::uint32_t>((random >> 32) * all >> 32);  // a times x^bit
-      for (int bit = 0; bit < bits; ++bit) {
-        times[static_cast<std::size_t>(bit)] = power;
-        power <<= 1;
-        if (power > all) power ^= kModulus[static_cast<std::size_t>(bits)];
       }
     }
 
@@ -239,7 +233,6 @@ class ImpulseProcess {
       return {static_cast<int>((least * m) >> kShareBits), std::min(count, static_cast<int>(last) + 1)};
     }
 
-    static constexpr int kMostBits = 3 * Dim;
     static constexpr int kPairs = (Dim + 1) / 2;
     std::uint64_t key_at(int i, int number) const {
       return key + static_cast<std::uint64_t>(i * (kPairs + 1) + number) * kGoldenGamma;
@@ -248,8 +241,7 @@ class ImpulseProcess {
     std::uint64_t key;
     int count;
     bool in_parts;
-    std::uint32_t first_piece = 0;
-    std::array<std::uint32_t, kMostBits> times{};
+    PieceMap piece_of;
   };
 
   // Strata side by side along the last axis. What is looked at is not known in advance, and branches would be
@@ -279,7 +271,7 @@ class ImpulseProcess {
         for (int i = begin; i < end; ++i) {
           const std::uint64_t mark = draws.mark(i);
           const std::uint64_t share = mark & kShareMask;
-          candidates.add(at, draws.key_at(i, 0), draws.piece(i), mark,
+          candidates.add(at, draws.key_at(i, 0), draws.piece_of(i), mark,
                          (share >= reach.least_share) & (share <= reach.most_share));
           if (candidates.count == Candidates::kMost) take(candidates, sink);
         }

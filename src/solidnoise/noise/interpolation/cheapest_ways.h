@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <tuple>
 #include <vector>
 
 namespace solidnoise {
@@ -11,17 +12,18 @@ namespace solidnoise {
 // The ways to evaluate one part of a noise, each with a `cost` and a `squared_error`, of which no other beats
 // any in both: the costliest and most exact one last.
 template <typename Way>
-std::vector<Way> best_of(std::vector<Way> ways) {
-  std::stable_sort(ways.begin(), ways.end(), [](const Way& a, const Way& b) {
-    return a.cost != b.cost ? a.cost < b.cost : a.squared_error < b.squared_error;
-  });
+std::vector<Way> best_of(const std::vector<Way>& ways) {
+  std::vector<std::tuple<double, double, std::size_t>> order;
+  for (std::size_t i = 0; i < ways.size(); ++i) order.emplace_back(ways[i].cost, ways[i].squared_error, i);
+  std::sort(order.begin(), order.end());
+  std::vector<Way> best;
   double least = std::numeric_limits<double>::infinity();
-  std::erase_if(ways, [&](const Way& way) {
-    if (way.squared_error >= least) return true;
-    least = way.squared_error;
-    return false;
-  });
-  return ways;
+  for (const auto& [cost, squared_error, i] : order) {
+    if (squared_error >= least) continue;
+    least = squared_error;
+    best.push_back(ways[i]);
+  }
+  return best;
 }
 
 // The cheapest way for each part, by number, whose squared errors add up to no more than the budget: all

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 
 #include "solidnoise/noise/interpolation/cheapest_ways.h"
 
@@ -113,7 +112,7 @@ std::vector<LatticeWay<Dim>> lattice_ways(const WaveMixture<Dim>& waves,
   for_each_combination<Dim>(per_axis, [&](const std::array<AxisStep, Dim>& axes, double squared_error) {
     ways.push_back({axes, cost_per_sample<Dim>(waves, frame.step, axes, quantity), power * squared_error});
   });
-  return best_of(std::move(ways));
+  return best_of(ways);
 }
 
 // How much more than of the quantity itself the error may be of differences of neighbours, which is of errors

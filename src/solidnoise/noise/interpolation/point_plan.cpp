@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <utility>
 
 #include "solidnoise/noise/interpolation/cheapest_ways.h"
 #include "solidnoise/noise/interpolation/interpolation_plan.h"
@@ -84,7 +83,7 @@ std::vector<PointWay> point_ways(const NoisePart<3>& part, double highest, const
     }
     if (least_of_few <= kNextToNothing * budget) break;
   }
-  return best_of(std::move(ways));
+  return best_of(ways);
 }
 
 double error_of(const NoisePart<3>& part, const PointWay& way, const LatticeFrame<3>& frame) {
