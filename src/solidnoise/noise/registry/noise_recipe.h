@@ -86,13 +86,13 @@ std::unique_ptr<Noise<Dim>> make_quadrature(const NoiseRecipe& recipe);
 // spectra are rings of the same place and width that differ a little in shape (|G|^2 is I_nu(x)^2 for one and
 // I_nu(2 x) for the other, times Gaussians). An isotropic kernel gathers its energy in a central spike, the
 // more so the more dimensions there are and the narrower the band, and needs more impulses for the same
-// likeness to a Gaussian field. By default, without excess kurtosis (less so in the first line from three
+// likeness to a Gaussian field. By default, without excess kurtosis (0.02 in the first line from three
 // dimensions on), isotropic kernels and random directions:
-//   dimensions        1         2          3            4
-//   0.3 octaves     5,  5    45,  9    879, 19    5748, 79
-//   1 octave        5,  5    23,  9     64, 19     299, 79
-//   2 octaves       4,  5    17,  9     20, 19      68, 79
-//   4 octaves       5,  5    12,  9      6, 19      23, 79
+//   dimensions        1         2           3             4
+//   0.3 octaves     5,  5    45,  9    1187, 19    12460, 79
+//   1 octave        5,  5    23,  9      64, 19      299, 79
+//   2 octaves       4,  5    17,  9      20, 19       68, 79
+//   4 octaves       5,  5    12,  9       6, 19       23, 79
 //
 // There is a choice for isotropic Gabor noise, but for weights in [-1, 1], which random phases have no use
 // for, and for oriented Gabor noise without anisotropy.
