@@ -126,7 +126,7 @@ OpenVDB's libraries; of meshes, connectivity and curvature, some 600 bytes per v
 Seconds of the stages that `--timings` prints, of the same runs. *Noise* has making and measuring the leaves in it;
 *tree* joins them (of meshes: colours and displacement); *writing* compresses and writes. The file is in memory: a disk adds its own time.
 *Outside* is all that is not noise. *One thread* is the share of the time in which only one of two works, or none, and in which stage most
-of it: what else runs on the machine adds to it. The start, 40 ms, is loading OpenVDB's library, whose references are resolved by name.
+of it: what else runs on the machine adds to it. The start is loading OpenVDB's library, whose references are resolved by name.
 """)
     page.write(table(["", "threads", "start", "plan", "noise", "tree", "writing", "end", "outside", "one thread", "most of it"], stages(data)))
     page.write("""
