@@ -12,13 +12,13 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   list(APPEND _warnings -Wno-subobject-linkage) # files that are compiled together look like headers to it
 endif()
 
-# solidnoise_compile_together(TARGET [COUNT]): compiles so many files of a target at once, a dozen by default, which parses headers and
+# solidnoise_compile_together(TARGET [COUNT]): compiles so many files of a target at once, two dozen by default, which parses headers and
 # instantiates templates once for all of them: half the time. CMAKE_UNITY_BUILD=OFF compiles each alone.
 function(solidnoise_compile_together target)
   if(NOT DEFINED CMAKE_UNITY_BUILD)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON)
   endif()
-  set(_count 12)
+  set(_count 24)
   if(ARGC GREATER 1)
     set(_count ${ARGV1})
   endif()
@@ -51,7 +51,7 @@ function(solidnoise_library name)
   target_compile_features(solidnoise_${name} PUBLIC cxx_std_20)
   target_compile_options(solidnoise_${name} PRIVATE ${_warnings} -ffp-contract=off)
   target_link_libraries(solidnoise_${name} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
-  solidnoise_compile_together(solidnoise_${name} 24)
+  solidnoise_compile_together(solidnoise_${name})
   set_property(GLOBAL APPEND PROPERTY SOLIDNOISE_LIBRARIES solidnoise_${name})
 endfunction()
 

@@ -12,11 +12,9 @@
 
 #include "solidnoise/core/special_functions.h"
 #include "solidnoise/noise/convolution/impulse_process.h"
+#include "support/independent_values.h"
 
 namespace solidnoise {
-
-// Of every chi-square: one false alarm in 1e5.
-inline constexpr double kFalseAlarm = 1e-5;
 
 template <int Dim>
 std::vector<Impulse<Dim>> impulses_of(const ImpulseProcess<Dim>& process, const Index<Dim>& cell) {

@@ -12,6 +12,9 @@
 
 namespace solidnoise {
 
+// Of every chi-square: one false alarm in 1e5.
+inline constexpr double kFalseAlarm = 1e-5;
+
 // A lattice of about 20000 samples so far apart that no two of them see the same impulse: their values are
 // independent to the last bit. `support` is how far an impulse reaches.
 template <int Dim>

@@ -101,7 +101,6 @@ class TileSpectrum {
   // in a bin by the square of its mean, and `impulses` how many a tile has. `slack`: what the closed form may
   // differ by.
   void expect_closed_form(double impulses, double spread = 1.0, double slack = 0.0) const {
-    constexpr double kFalseAlarm = 1e-5;
     for (std::size_t b = 0; b < bins_.size(); ++b) {
       const Bin& bin = bins_[b];
       ASSERT_FALSE(bin.waves.empty()) << "bin " << b;
