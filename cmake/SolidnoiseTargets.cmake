@@ -11,6 +11,8 @@ endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   list(APPEND _warnings -Wno-subobject-linkage) # files that are compiled together look like headers to it
 endif()
+# Tools and bindings are optimised less: what takes time is in the libraries, and a third less is spent on compiling them.
+set(_light $<$<CONFIG:Release>:-O1>)
 
 # solidnoise_compile_together(TARGET [COUNT]): compiles so many files of a target at once, two dozen by default, which parses headers and
 # instantiates templates once for all of them: half the time. CMAKE_UNITY_BUILD=OFF compiles each alone.

@@ -5,5 +5,5 @@ target_link_libraries(vdb_files PUBLIC solidnoise_settings solidnoise::core Open
 target_include_directories(vdb_files SYSTEM PUBLIC ${NANOVDB_INCLUDE_FOLDER})
 solidnoise_compile_together(vdb_files 6)
 if(NOT SOLIDNOISE_BUILD_FUZZERS)
-  target_compile_options(vdb_files PRIVATE -O0) # which half the time goes to otherwise; replays are short
+  target_compile_options(vdb_files PRIVATE -O0) # optimising takes half of the time, and replays are short
 endif()
