@@ -149,7 +149,7 @@ void expect_what_is_in_reach(const ImpulseProcess<Dim>& process) {
   reach.most_share = kShareMask / 3;
   std::vector<std::uint64_t> found;
   process.generate(reach.first - Index<Dim>(1), reach.last, reach,
-                   [&](const Index<Dim>&, const Impulse<Dim>& impulse) { found.push_back(impulse.mark); });
+                   [&](const FoundImpulse& impulse) { found.push_back(impulse.mark); });
   std::vector<std::uint64_t> expected;
   std::size_t near_the_edge = 0;
   Index<Dim> stratum(-3);

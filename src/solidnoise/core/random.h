@@ -11,9 +11,10 @@ namespace solidnoise {
 
 // Bijective mixing of 64 bits: each output bit depends on each input bit. (Stafford's variant 13 of the
 // MurmurHash3 finalizer, as used by SplitMix64.)
+inline constexpr std::uint64_t kMixFactors[] = {0xbf58476d1ce4e5b9ULL, 0x94d049bb133111ebULL};
 constexpr std::uint64_t mix_bits(std::uint64_t z) {
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
+  z = (z ^ (z >> 30)) * kMixFactors[0];
+  z = (z ^ (z >> 27)) * kMixFactors[1];
   return z ^ (z >> 31);
 }
 
@@ -24,9 +25,12 @@ constexpr std::uint64_t derive_seed(std::uint64_t seed, std::uint64_t stream) {
   return mix_bits(mix_bits(seed + kGoldenGamma) ^ (stream * kGoldenGamma + 0x632be59bd9b4e019ULL));
 }
 
-// Takes one more coordinate into a hash.
+// Takes one more coordinate into a hash; before its bits are mixed.
+constexpr std::uint64_t unmixed_hash(std::uint64_t hash, std::int64_t coordinate) {
+  return hash + kGoldenGamma + static_cast<std::uint64_t>(coordinate);
+}
 constexpr std::uint64_t hash_coordinate(std::uint64_t hash, std::int64_t coordinate) {
-  return mix_bits(hash + kGoldenGamma + static_cast<std::uint64_t>(coordinate));
+  return mix_bits(unmixed_hash(hash, coordinate));
 }
 
 // The key of a cell's random stream: a hash of all of its coordinates and the seed. It has no period; that

@@ -30,17 +30,18 @@ ImpulseBlock<Dim>::ImpulseBlock(const ImpulseProcess<Dim>& process, const Impuls
   const double mean = process.mean_per_cell() * static_cast<double>(cells);
   all.reserve(static_cast<std::size_t>(mean + 4.0 * std::sqrt(mean) + 1.0));
   starts_.assign(cells + 1, 0);
-  const auto take = [&](const Index<Dim>& stratum, const Impulse<Dim>& impulse) {
-    Made made{impulse.position, 0, impulse.mark};
+  const auto take = [&](const FoundImpulse& found) {
+    std::uint32_t cell = 0;
     for (int axis = 0; axis < Dim; ++axis) {
-      std::int32_t& at = made.position[axis];
-      at += static_cast<std::int32_t>(stratum[axis] - first_[axis]) * kQuanta;
+      const std::int32_t at = found.position(axis);
       if (at < 0 || at >= end[axis]) return;
-      made.cell =
-          made.cell * static_cast<std::uint32_t>(extent_[axis]) + static_cast<std::uint32_t>(at / kQuanta);
+      cell = cell * static_cast<std::uint32_t>(extent_[axis]) + static_cast<std::uint32_t>(at / kQuanta);
     }
-    all.push_back(made);
-    ++starts_[made.cell + 1];
+    Made& made = all.emplace_back();
+    for (int axis = 0; axis < Dim; ++axis) made.position[axis] = found.position(axis);
+    made.cell = cell;
+    made.mark = found.mark;
+    ++starts_[cell + 1];
   };
   process.generate(reach.first - Index<Dim>(process.span() - 1), reach.last, reach, take);
   for (std::size_t cell = 0; cell < cells; ++cell) starts_[cell + 1] += starts_[cell];

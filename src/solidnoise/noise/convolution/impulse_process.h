@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -10,6 +12,7 @@
 #include "solidnoise/core/cell_grid.h"
 #include "solidnoise/core/random.h"
 #include "solidnoise/core/vec.h"
+#include "solidnoise/noise/convolution/impulse_candidates.h"
 
 namespace solidnoise {
 
@@ -19,6 +22,17 @@ template <int Dim>
 struct Impulse {
   std::array<std::int32_t, Dim> position;  // in 2^-20 of a cell
   std::uint64_t mark;                      // its last 24 bits are the share
+};
+
+// One of some that were looked for.
+struct FoundImpulse {
+  std::uint64_t mark;
+  const ImpulseCandidates& candidates;
+  std::size_t number;
+
+  std::int32_t position(int axis) const {
+    return candidates.position[static_cast<std::size_t>(axis)][number];
+  }
 };
 
 // What an impulse draws first of what need not be independent of other impulses, as its weight and phase
@@ -38,6 +52,8 @@ struct ImpulseCount {
   // Of a fixed count: strata are cut in halves so often along each axis, 0 to 3 times, and have one impulse
   // in each of the 2^(Dim halvings) pieces. 0: anywhere in the stratum.
   int halvings = 0;
+
+  bool is_single() const { return is_fixed && mean == 1.0; }
 };
 
 // In which of a stratum's 2^bits pieces, 0 to 12 bits, each impulse lies: impulse i, whose share is in part
@@ -88,16 +104,17 @@ struct ImpulseReach {
     return is_ball ? square + distance * distance : std::max(square, distance * distance);
   }
 
-  // The strata along the last axis, `into` farther than their cells, that may be in reach after `square` of
-  // the axes before it, and maybe one more on either side.
-  std::pair<std::int64_t, std::int64_t> between(float square, float into) const {
-    constexpr std::size_t kLast = Dim - 1;
-    constexpr double kFarthest = 1e9;  // cells
-    const double radii = std::sqrt(std::max(0.0, static_cast<double>(kMost - (is_ball ? square : 0.0f))));
-    const double room = scale[kLast] > 0.0f ? std::min(radii / scale[kLast], kFarthest) : kFarthest;
-    const double from = std::floor(lower[kLast] - room - 1.0 - into);
-    const double to = std::ceil(upper[kLast] + room - into);
-    return {first[Dim - 1] + static_cast<std::int64_t>(from), first[Dim - 1] + static_cast<std::int64_t>(to)};
+  // As candidates of a process with such counts are placed.
+  CandidateBox box(const ImpulseCount& count) const {
+    CandidateBox box{.dimensions = Dim,
+                     .is_ball = is_ball,
+                     .most = kMost,
+                     .halvings = count.halvings,
+                     .mixes_keys = count.is_single()};
+    std::copy(lower.begin(), lower.end(), box.lower.begin());
+    std::copy(upper.begin(), upper.end(), box.upper.begin());
+    std::copy(scale.begin(), scale.end(), box.scale.begin());
+    return box;
   }
 };
 
@@ -141,33 +158,20 @@ class ImpulseProcess {
     }
     const Draws draws(*this, hash);
     for (int i = 0; i < draws.count; ++i) {
-      sink(Impulse<Dim>{position(draws.key_at(i, 0), draws.piece_of(i), shift), draws.mark(i)});
+      sink(Impulse<Dim>{position(draws.key_of(i), draws.piece_of(i), shift),
+                        mark(draws.key_of(i), static_cast<std::uint32_t>(i))});
     }
   }
 
-  // Calls sink(stratum, impulse) for the impulses in reach of all strata from `first` to `last`, last axis
-  // fastest. Strata that are out of reach where they are shifted to are not looked into.
+  // Calls sink(FoundImpulse) for the impulses in reach of all strata from `first` to `last`, last axis
+  // fastest, at positions relative to the corner of the first cell in reach. Strata that are out of reach
+  // where they are shifted to are not looked into.
   template <typename Sink>
   void generate(const Index<Dim>& first, const Index<Dim>& last, const ImpulseReach<Dim>& reach,
                 Sink&& sink) const {
-    Row row{*this, reach};
-    const auto descend = [&]<int kAxis>(const auto& self, std::uint64_t hash, float square) {
-      row.shift[kAxis] = shift_by(hash);
-      if constexpr (kAxis + 1 == Dim) {
-        row.generate(hash, first[kAxis], last[kAxis], square, sink);
-      } else {
-        const float into = in_cells(row.shift[kAxis]);
-        for (std::int64_t at = first[kAxis]; at <= last[kAxis]; ++at) {
-          row.stratum[kAxis] = at;
-          const float from = row.corner(kAxis) + into;
-          const float beyond = reach.square(square, kAxis, from, from + 1.0f);
-          if (beyond > ImpulseReach<Dim>::kMost) continue;
-          const std::uint64_t next = hash_coordinate(hash, axes_[kAxis].wrap(at));
-          self.template operator()<kAxis + 1>(self, next, beyond);
-        }
-      }
-    };
-    descend.template operator()<0>(descend, key_, 0.0f);
+    Search search(*this, first, last, reach, sink);
+    search.template descend<0>(key_, 0.0f);
+    search.take();
   }
 
  private:
@@ -180,7 +184,7 @@ class ImpulseProcess {
     return count_.is_fixed ? static_cast<std::int32_t>(hash >> (64 - CellAxis::kFractionBits)) : 0;
   }
 
-  // `key` is that of the impulse, Draws::key_at(i, 0); its piece has so many bits of each axis as there are
+  // `key` is that of the impulse, Draws::key_of(i); its piece has so many bits of each axis as there are
   // halvings, those of the first axis lowest.
   std::array<std::int32_t, Dim> position(std::uint64_t key, std::uint32_t piece,
                                          const std::array<std::int32_t, Dim>& shift) const {
@@ -200,6 +204,18 @@ class ImpulseProcess {
     return result;
   }
 
+  static constexpr int kPairs = (Dim + 1) / 2;  // of axes
+
+  // What follows in its stream: the mark, of a stratum's impulses with the share in the part of its number.
+  std::uint64_t mark(std::uint64_t key, std::uint32_t number) const {
+    const std::uint64_t mark = RandomStream(key + kPairs * kGoldenGamma).next();
+    if (!count_.is_fixed || count_.is_single()) return mark;
+    const std::uint64_t within = mark & kShareMask;
+    const std::uint64_t share =
+        ((std::uint64_t{number} << kShareBits) + within) / static_cast<std::uint64_t>(count_.mean);
+    return mark - within + share;
+  }
+
   // The random numbers of the stratum with this hash: of a Poisson process the count, of pieces how they are
   // taken; then for each impulse its position, two axes to a number, and its mark.
   struct Draws {
@@ -215,16 +231,6 @@ class ImpulseProcess {
       }
     }
 
-    // With the share in the impulse's part.
-    std::uint64_t mark(int i) const {
-      const std::uint64_t mark = RandomStream(key_at(i, kPairs)).next();
-      if (!in_parts || count == 1) return mark;
-      const std::uint64_t within = mark & kShareMask;
-      const std::uint64_t share =
-          ((static_cast<std::uint64_t>(i) << kShareBits) + within) / static_cast<std::uint64_t>(count);
-      return mark - within + share;
-    }
-
     // The first and the end of the impulses whose shares may be between two.
     std::pair<int, int> between(std::uint64_t least, std::uint64_t most) const {
       if (!in_parts) return {0, count};
@@ -233,9 +239,9 @@ class ImpulseProcess {
       return {static_cast<int>((least * m) >> kShareBits), std::min(count, static_cast<int>(last) + 1)};
     }
 
-    static constexpr int kPairs = (Dim + 1) / 2;
-    std::uint64_t key_at(int i, int number) const {
-      return key + static_cast<std::uint64_t>(i * (kPairs + 1) + number) * kGoldenGamma;
+    // Of impulse i's own stream.
+    std::uint64_t key_of(int i) const {
+      return key + static_cast<std::uint64_t>(i * (kPairs + 1)) * kGoldenGamma;
     }
 
     std::uint64_t key;
@@ -244,81 +250,114 @@ class ImpulseProcess {
     PieceMap piece_of;
   };
 
-  // Strata side by side along the last axis. What is looked at is not known in advance, and branches would be
-  // mistaken half of the time: candidates are drawn first, and those that are in reach then taken out of
-  // them.
-  struct Row {
+  // Through strata, axis by axis. What is in reach is not known in advance, and branches would be mistaken
+  // half of the time: candidates are collected first, and those that are in reach then taken out of them.
+  template <typename Sink>
+  struct Search {
     const ImpulseProcess& process;
+    const Index<Dim>& first;
+    const Index<Dim>& last;
     const ImpulseReach<Dim>& reach;
-    Index<Dim> stratum{0};
-    std::array<std::int32_t, Dim> shift{};
+    Sink& sink;
+    std::array<std::int32_t, Dim> corner{};  // of strata, where they are shifted to, as positions
+    static constexpr float kFarthest = 1e9f;
+    float radius;  // of the support along the last axis, in cells
+    ImpulseCandidates candidates;
 
-    // Of the stratum's cell along an axis, from the corner of the first cell in reach.
-    float corner(int axis) const { return static_cast<float>(stratum[axis] - reach.first[axis]); }
+    Search(const ImpulseProcess& of, const Index<Dim>& from, const Index<Dim>& to,
+           const ImpulseReach<Dim>& what, Sink& into)
+        : process(of),
+          first(from),
+          last(to),
+          reach(what),
+          sink(into),
+          radius(what.scale[Dim - 1] > 0.0f ? 1.0f / what.scale[Dim - 1] : kFarthest) {}
 
-    // Of the strata from `first` to `last`, whose hash without the last axis is `hash`, and which are at
-    // least this squared distance from the box along the axes before.
-    template <typename Sink>
-    void generate(std::uint64_t hash, std::int64_t first, std::int64_t last, float square, Sink& sink) {
-      constexpr int kLast = Dim - 1;
-      const auto [from, to] = reach.between(square, in_cells(shift[kLast]));
-      first = std::max(first, from);
-      last = std::min(last, to);
-      Candidates candidates;
-      for (std::int64_t at = first; at <= last; ++at) {
-        const Draws draws(process, hash_coordinate(hash, process.axes_[kLast].wrap(at)));
-        const auto [begin, end] = draws.between(reach.least_share, reach.most_share);
-        for (int i = begin; i < end; ++i) {
-          const std::uint64_t mark = draws.mark(i);
-          const std::uint64_t share = mark & kShareMask;
-          candidates.add(at, draws.key_at(i, 0), draws.piece_of(i), mark,
-                         (share >= reach.least_share) & (share <= reach.most_share));
-          if (candidates.count == Candidates::kMost) take(candidates, sink);
+    // Of strata with this hash of their coordinates on the axes before, which are at least this squared
+    // distance from the box along these.
+    template <int kAxis>
+    void descend(std::uint64_t hash, float square) {
+      const std::int32_t shift = process.shift_by(hash);
+      const CellAxis& axis = process.axes_[kAxis];
+      const auto corner_of = [&](std::int64_t at) {
+        return static_cast<std::int32_t>((at - reach.first[kAxis]) * CellAxis::kQuantaPerCell) + shift;
+      };
+      if constexpr (kAxis + 1 == Dim) {
+        const auto [from, to] = row_between(square, in_cells(shift));
+        const std::int64_t end = std::min(last[kAxis], reach.first[kAxis] + to);
+        for (std::int64_t at = std::max(first[kAxis], reach.first[kAxis] + from); at <= end;) {
+          corner[kAxis] = corner_of(at);
+          if (process.count_.is_single()) {
+            at += add_row(hash, at, end - at + 1);
+          } else {
+            add(Draws(process, hash_coordinate(hash, axis.wrap(at++))));
+          }
+        }
+      } else {
+        for (std::int64_t at = first[kAxis]; at <= last[kAxis]; ++at) {
+          corner[kAxis] = corner_of(at);
+          const float from = in_cells(corner[kAxis]);
+          const float beyond = reach.square(square, kAxis, from, from + 1.0f);
+          if (beyond > ImpulseReach<Dim>::kMost) continue;
+          descend<kAxis + 1>(hash_coordinate(hash, axis.wrap(at)), beyond);
         }
       }
-      take(candidates, sink);
     }
 
-   private:
-    struct Candidates {
-      static constexpr int kMost = 64;
-      int count = 0;
-      std::array<std::int64_t, kMost> at;  // along the last axis
-      std::array<std::uint64_t, kMost> mark;
-      std::array<std::uint64_t, kMost> key;  // of its position
-      std::array<std::uint32_t, kMost> piece;
+    // The strata of a row, `into` farther than their cells, that may be in reach after `square` of the axes
+    // before it, and maybe one more on either side; from the first cell in reach.
+    std::pair<std::int64_t, std::int64_t> row_between(float square, float into) const {
+      constexpr std::size_t kLast = Dim - 1;
+      const float radii =
+          std::sqrt(std::max(0.0f, ImpulseReach<Dim>::kMost - (reach.is_ball ? square : 0.0f)));
+      const float room = std::min(radii * radius, kFarthest);
+      const float from = reach.lower[kLast] - room - 1.0f - into;
+      const float to = reach.upper[kLast] + room - into;
+      // Floor and ceiling; functions for these are slow on processors without SSE 4.1.
+      return {static_cast<std::int64_t>(from) - (from < 0.0f ? 1 : 0),
+              static_cast<std::int64_t>(to) + (to > 0.0f ? 1 : 0)};
+    }
 
-      void add(std::int64_t place, std::uint64_t its_key, std::uint32_t its_piece, std::uint64_t its_mark,
-               bool wanted) {
-        const auto end = static_cast<std::size_t>(count);
-        at[end] = place;
-        mark[end] = its_mark;
-        key[end] = its_key;
-        piece[end] = its_piece;
-        count += wanted ? 1 : 0;
+    // The single impulses of strata side by side, as many of `wanted` as there is room for; how many.
+    std::int64_t add_row(std::uint64_t hash, std::int64_t at, std::int64_t wanted) {
+      if (candidates.full()) take();
+      const std::size_t begin = candidates.count;
+      const auto room = static_cast<std::int64_t>(ImpulseCandidates::kMost - begin);
+      const auto count = static_cast<std::size_t>(std::min(wanted, room));
+      for (std::size_t i = 0; i < count; ++i) {
+        const auto along = static_cast<std::int64_t>(i);
+        candidates.key[begin + i] = unmixed_hash(hash, process.axes_[Dim - 1].wrap(at + along));
+        candidates.number[begin + i] = 0;
+        candidates.position[Dim - 1][begin + i] =
+            corner[Dim - 1] + static_cast<std::int32_t>(along * CellAxis::kQuantaPerCell);
       }
-    };
+      for (std::size_t axis = 0; axis + 1 < Dim; ++axis) {
+        std::fill_n(candidates.position[axis].begin() + begin, count, corner[axis]);
+      }
+      candidates.count += count;
+      return static_cast<std::int64_t>(count);
+    }
 
-    template <typename Sink>
-    void take(Candidates& candidates, Sink& sink) {
-      std::array<std::array<std::int32_t, Dim>, Candidates::kMost> positions;
-      std::array<std::size_t, Candidates::kMost> taken;
-      std::size_t count = 0;
-      for (std::size_t i = 0; i < static_cast<std::size_t>(candidates.count); ++i) {
-        positions[i] = process.position(candidates.key[i], candidates.piece[i], shift);
-        stratum[Dim - 1] = candidates.at[i];
-        float square = 0.0f;
-        for (int axis = 0; axis < Dim; ++axis) {
-          const float at = corner(axis) + in_cells(positions[i][axis]);
-          square = reach.square(square, axis, at, at);
-        }
-        taken[count] = i;
-        count += square <= ImpulseReach<Dim>::kMost ? 1 : 0;
+    // Those of a stratum.
+    void add(const Draws& draws) {
+      const auto [begin, end] = draws.between(reach.least_share, reach.most_share);
+      for (int i = begin; i < end; ++i) {
+        if (candidates.full()) take();
+        const std::size_t to = candidates.count++;
+        candidates.key[to] = draws.key_of(i);
+        candidates.piece[to] = draws.piece_of(i);
+        candidates.number[to] = static_cast<std::uint32_t>(i);
+        for (std::size_t axis = 0; axis < Dim; ++axis) candidates.position[axis][to] = corner[axis];
       }
-      for (std::size_t k = 0; k < count; ++k) {
-        const std::size_t i = taken[k];
-        stratum[Dim - 1] = candidates.at[i];
-        sink(stratum, Impulse<Dim>{positions[i], candidates.mark[i]});
+    }
+
+    void take() {
+      for (std::uint64_t bits = place_candidates(reach.box(process.count_), candidates); bits != 0;
+           bits &= bits - 1) {
+        const auto k = static_cast<std::size_t>(std::countr_zero(bits));
+        const FoundImpulse found{process.mark(candidates.key[k], candidates.number[k]), candidates, k};
+        const std::uint64_t share = found.mark & kShareMask;
+        if (share >= reach.least_share && share <= reach.most_share) sink(found);
       }
       candidates.count = 0;
     }

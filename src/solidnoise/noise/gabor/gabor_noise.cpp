@@ -36,7 +36,7 @@ class WeightDraw {
 
  private:
   double at_rest(std::uint64_t mark) const {
-    if (weights_ == ImpulseWeights::signs) return mark >> 63 ? 1.0 : -1.0;
+    if (weights_ == ImpulseWeights::signs) return 2.0 * static_cast<double>(mark >> 63) - 1.0;
     constexpr double kHalfRange =
         0x1.0p52;  // of 53 bits, taken at the middle of each step so that the mean is 0
     return (static_cast<double>(mark >> 11) + 0.5 - kHalfRange) / kHalfRange;

@@ -70,14 +70,12 @@ class SurfaceSpectrumNoise::Band {
   // Appends the impulses of a row of strata relative to the anchor.
   void append(const Index<3>& anchor, const Index<3>& first, const Index<3>& last,
               const ImpulseReach<3>& reach, ImpulseList& impulses) const {
-    process_.generate(anchor + first, anchor + last, reach, [&](const Index<3>& at, const auto& impulse) {
+    process_.generate(anchor + first, anchor + last, reach, [&](const FoundImpulse& impulse) {
       const std::size_t end = impulses.size();
       impulses.reserve(end + 1);
       for (int axis = 0; axis < 3; ++axis) {
-        const auto a = static_cast<std::size_t>(axis);
         impulses.position(axis)[end] =
-            static_cast<float>(at[axis] - anchor[axis]) +
-            static_cast<float>(impulse.position[a]) / static_cast<float>(CellAxis::kQuantaPerCell);
+            static_cast<float>(impulse.position(axis)) / static_cast<float>(CellAxis::kQuantaPerCell);
       }
       RandomStream stream(impulse.mark);
       double weight = stream.next() >> 63 ? 1.0 : -1.0;

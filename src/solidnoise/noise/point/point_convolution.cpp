@@ -165,9 +165,7 @@ class PointConvolution<Dim>::Evaluation {
       const ImpulseReach<Dim> reach = reach_of(anchor, of_cells, scale);
       for_each_reaching_row<Dim>(of_cells, [&](const Index<Dim>& first, const Index<Dim>& last) {
         process.generate(anchor + first, anchor + last, reach,
-                         [&](const Index<Dim>& stratum, const Impulse<Dim>& impulse) {
-                           append(impulse, stratum - anchor, scale, impulses);
-                         });
+                         [&](const FoundImpulse& impulse) { append(impulse, scale, impulses); });
       });
     };
     const Index<Dim>& anchor = tile.anchor;
@@ -205,19 +203,17 @@ class PointConvolution<Dim>::Evaluation {
     return reach;
   }
 
-  // Appends an impulse of a stratum, which is `cell` from the tile's anchor.
-  void append(const Impulse<Dim>& impulse, const Index<Dim>& cell, const Scale& scale,
-              ImpulseList& impulses) const {
+  // Appends an impulse, whose position is from the anchor of its grid.
+  void append(const FoundImpulse& impulse, const Scale& scale, ImpulseList& impulses) const {
     const std::size_t end = impulses.size();
     impulses.reserve(end + 1);
     for (int axis = 0; axis < Dim; ++axis) {
       const Role role = role_of_axis<Dim>(axis);
-      const float corner = static_cast<float>(cell[axis]) * scale.size - scale.offset[role];
-      const float place = static_cast<float>(impulse.position[static_cast<std::size_t>(axis)]) /
-                          static_cast<float>(CellAxis::kQuantaPerCell);
-      impulses.position(role)[end] = corner + scale.size * place;
+      const float place =
+          static_cast<float>(impulse.position(axis)) / static_cast<float>(CellAxis::kQuantaPerCell);
+      impulses.position(role)[end] = scale.size * place - scale.offset[role];
     }
-    float weight = impulse.mark >> 63 ? 1.0f : -1.0f;
+    float weight = 2.0f * static_cast<float>(impulse.mark >> 63) - 1.0f;
     if (noise_.settings_.factor) weight *= static_cast<float>(noise_.settings_.factor(impulse.mark));
     impulses.attribute(kWeight)[end] = weight;
     const auto share = static_cast<float>(share_of(impulse.mark));

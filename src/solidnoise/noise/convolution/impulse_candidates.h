@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace solidnoise {
+
+// Where samples are, that impulses have to reach. Lengths are in cells, from a corner.
+struct CandidateBox {
+  int dimensions = 0;
+  std::array<float, 4> lower{};
+  std::array<float, 4> upper{};
+  std::array<float, 4> scale{};  // to radii of the support
+  bool is_ball = true;           // the support; else a box
+  float most = 1.0f;             // squared distance, in radii, of what is in reach
+  int halvings = 0;              // of strata into pieces (ImpulseCount)
+  bool mixes_keys = false;       // which are hashes of strata, unmixed
+};
+
+// Impulses of which it is known what their positions are drawn with, not yet where they are.
+struct ImpulseCandidates {
+  static constexpr std::size_t kMost = 64;
+
+  std::size_t count = 0;
+  std::array<std::uint64_t, kMost> key;     // of the stream that the position is drawn from
+  std::array<std::uint32_t, kMost> piece;   // of its stratum; 0 where that is whole
+  std::array<std::uint32_t, kMost> number;  // in its stratum
+  // Along each axis, of the stratum's corner in 2^-20 of a cell; then of the impulse itself.
+  std::array<std::array<std::int32_t, kMost>, 4> position;
+
+  bool full() const { return count == kMost; }
+};
+
+// Draws the positions of candidates, and mixes their keys where wanted. Bit k says whether candidate k is in
+// reach.
+std::uint64_t place_candidates(const CandidateBox& box, ImpulseCandidates& candidates);
+
+}  // namespace solidnoise
