@@ -1,6 +1,9 @@
 #include "solidnoise/noise/gabor/directions.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <utility>
 
@@ -53,17 +56,57 @@ std::vector<std::pair<std::array<double, 3>, double>> directions_around() {
   return directions;
 }
 
-// The angle p in [0, pi/2] with p - sin p cos p = target, by Newton's method from the small-angle solution;
-// in 4D the left side is proportional to the share of the sphere within p of the axis.
-double invert_cap_area_in_4d(double target) {
-  double angle = std::min(std::cbrt(1.5 * target), 0.5 * pi);
-  for (int step = 0; step < 8; ++step) {
-    const double sine = std::sin(angle);
-    if (sine == 0.0) break;
-    angle -= (angle - sine * std::cos(angle) - target) / (2.0 * sine * sine);
+// In 4D the share of the sphere within an angle p of the axis is (p - sin p cos p) / (pi / 2), which begins
+// with its cube: cosine and sine are smooth functions of the cube root of the share. From a table, by cubic
+// interpolation with their slopes, to 1e-12.
+class CapAngles {
+ public:
+  static const CapAngles& in_4d() {
+    static const CapAngles angles;
+    return angles;
   }
-  return angle;
-}
+
+  // For a root in [0, 1].
+  std::pair<double, double> cosine_and_sine(double root) const {
+    const double at = root * kSteps;
+    const auto k = std::min(static_cast<std::size_t>(at), kSteps - 1);
+    const double x = at - static_cast<double>(k);
+    const Node& from = nodes_[k];
+    const Node& to = nodes_[k + 1];
+    const auto between = [x](double value, double slope, double next, double next_slope) {
+      const double rise = next - value;
+      return value + x * (slope + x * (3.0 * rise - 2.0 * slope - next_slope +
+                                       x * (slope + next_slope - 2.0 * rise)));
+    };
+    return {between(from.cosine, from.cosine_slope, to.cosine, to.cosine_slope),
+            between(from.sine, from.sine_slope, to.sine, to.sine_slope)};
+  }
+
+ private:
+  static constexpr std::size_t kSteps = 1024;
+
+  struct Node {
+    double cosine, sine;
+    double cosine_slope, sine_slope;  // by steps of the root
+  };
+
+  CapAngles() {
+    for (std::size_t k = 0; k <= kSteps; ++k) {
+      const double root = static_cast<double>(k) / kSteps;
+      const double area = 0.5 * pi * root * root * root;
+      const double angle =
+          k == 0 ? 0.0
+                 : bisect([area](double p) { return p - std::sin(p) * std::cos(p) - area; }, 0.0, 0.5 * pi);
+      const double sine = std::sin(angle);
+      // 2 sin^2 p dp = (pi / 2) 3 root^2 d root; at 0, p^3 2/3 = root^3 pi / 2.
+      const double ratio = k == 0 ? std::cbrt(4.0 / (3.0 * pi)) : root / sine;
+      const double slope = 0.75 * pi * ratio * ratio / kSteps;
+      nodes_[k] = {std::cos(angle), sine, -sine * slope, std::cos(angle) * slope};
+    }
+  }
+
+  std::array<Node, kSteps + 1> nodes_;
+};
 
 }  // namespace
 
@@ -83,9 +126,11 @@ typename DirectionCone<Dim>::Polar DirectionCone<Dim>::polar_angle(double share)
     const double cosine = 1.0 - covered;
     return {cosine, std::sqrt(covered * (1.0 + cosine))};
   }
-  double angle = 0.0;
-  if constexpr (Dim == 2) angle = 0.5 * pi * covered;
-  if constexpr (Dim == 4) angle = invert_cap_area_in_4d(0.5 * pi * covered);
+  if constexpr (Dim == 4) {
+    const auto [cosine, sine] = CapAngles::in_4d().cosine_and_sine(std::cbrt(covered));
+    return {cosine, sine};
+  }
+  const double angle = Dim == 2 ? 0.5 * pi * covered : 0.0;
   return {std::cos(angle), std::sin(angle)};
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 
 #include <Eigen/Cholesky>
@@ -91,10 +92,13 @@ class AxisResponder {
   void set_envelope(const std::vector<double>& envelope, const std::vector<double>& derivative) {
     envelope_ = envelope;
     derivative_ = derivative;
+    frequency_ = std::numeric_limits<double>::quiet_NaN();
   }
 
-  // To a wave of unit variance, of so many cycles per world unit.
+  // To a wave of unit variance, of so many cycles per world unit: that of the wave before, often.
   void respond(double frequency) {
+    if (frequency == frequency_) return;
+    frequency_ = frequency;
     const auto count = static_cast<std::size_t>(values_.shape().distances());
     const double turns = 2.0 * std::numbers::pi * frequency;
     const std::complex<double> turn = std::polar(1.0, turns * step_);
@@ -118,6 +122,7 @@ class AxisResponder {
   const AxisWeights& values_;
   const AxisWeights* slopes_;
   double step_;
+  double frequency_ = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> envelope_;
   std::vector<double> derivative_;
   std::vector<double> covariance_;
