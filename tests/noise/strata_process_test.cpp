@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <set>
 #include <vector>
 
@@ -148,8 +149,11 @@ void expect_what_is_in_reach(const ImpulseProcess<Dim>& process) {
   reach.scale.fill(1.0f / kRadius);
   reach.most_share = kShareMask / 3;
   std::vector<std::uint64_t> found;
-  process.generate(reach.first - Index<Dim>(1), reach.last, reach,
-                   [&](const FoundImpulse& impulse) { found.push_back(impulse.mark); });
+  std::map<std::uint64_t, Index<Dim>> places;  // by mark, from the first cell in reach
+  process.generate(reach.first - Index<Dim>(1), reach.last, reach, [&](const FoundImpulse& impulse) {
+    found.push_back(impulse.mark);
+    for (int axis = 0; axis < Dim; ++axis) places[impulse.mark][axis] = impulse.position(axis);
+  });
   std::vector<std::uint64_t> expected;
   std::size_t near_the_edge = 0;
   Index<Dim> stratum(-3);
@@ -162,6 +166,10 @@ void expect_what_is_in_reach(const ImpulseProcess<Dim>& process) {
         square += std::pow(std::max({2.3 - at, at - 3.1, 0.0}) / kRadius, 2);
       }
       if ((impulse.mark & kShareMask) > reach.most_share) return;
+      for (int axis = 0; axis < Dim && places.contains(impulse.mark); ++axis) {
+        EXPECT_EQ(places[impulse.mark][axis],
+                  (stratum[axis] - reach.first[axis]) * CellAxis::kQuantaPerCell + impulse.position[axis]);
+      }
       near_the_edge += square > 1.0 && square < 1.004 ? 1 : 0;  // may be kept
       if (square <= 1.0) expected.push_back(impulse.mark);
     });
@@ -176,6 +184,8 @@ void expect_what_is_in_reach(const ImpulseProcess<Dim>& process) {
 
 TEST(Strata, WhatIsOutOfReachIsLeftOut) {
   for_each_dimension([]<int Dim>() {
+    expect_what_is_in_reach(make_strata<Dim>(1, 11));
+    expect_what_is_in_reach(make_strata<Dim>(1, 11, 9));
     expect_what_is_in_reach(make_strata<Dim>(3, 11, 9));
     expect_what_is_in_reach(make_pieces<Dim>(1, 11, 9));
     if (Dim < 4) expect_what_is_in_reach(make_pieces<Dim>(2, 11, 9));
