@@ -139,15 +139,17 @@ TEST(Strata, ABlockHasThoseOfItsCells) {
   });
 }
 
-// Of all impulses those in a ball around a box, and of them the first third of the shares; in the same order.
+// Of all impulses those in a ball, or a box, around a box, and of them the first third of the shares; in the
+// same order.
 template <int Dim>
-void expect_what_is_in_reach(const ImpulseProcess<Dim>& process) {
+void expect_what_is_in_reach(const ImpulseProcess<Dim>& process, bool is_ball = true) {
   constexpr double kRadius = 1.7;
   ImpulseReach<Dim> reach{Index<Dim>(-2), Index<Dim>(3)};
   reach.lower.fill(2.3f);
   reach.upper.fill(3.1f);
   reach.scale.fill(1.0f / kRadius);
   reach.most_share = kShareMask / 3;
+  reach.is_ball = is_ball;
   std::vector<std::uint64_t> found;
   std::map<std::uint64_t, Index<Dim>> places;  // by mark, from the first cell in reach
   process.generate(reach.first - Index<Dim>(1), reach.last, reach, [&](const FoundImpulse& impulse) {
@@ -163,7 +165,8 @@ void expect_what_is_in_reach(const ImpulseProcess<Dim>& process) {
       for (int axis = 0; axis < Dim; ++axis) {
         const double at = static_cast<double>(stratum[axis]) + 2.0 +
                           static_cast<double>(impulse.position[axis]) * 0x1.0p-20;
-        square += std::pow(std::max({2.3 - at, at - 3.1, 0.0}) / kRadius, 2);
+        const double along = std::pow(std::max({2.3 - at, at - 3.1, 0.0}) / kRadius, 2);
+        square = is_ball ? square + along : std::max(square, along);
       }
       if ((impulse.mark & kShareMask) > reach.most_share) return;
       for (int axis = 0; axis < Dim && places.contains(impulse.mark); ++axis) {
@@ -186,7 +189,9 @@ TEST(Strata, WhatIsOutOfReachIsLeftOut) {
   for_each_dimension([]<int Dim>() {
     expect_what_is_in_reach(make_strata<Dim>(1, 11));
     expect_what_is_in_reach(make_strata<Dim>(1, 11, 9));
+    expect_what_is_in_reach(make_strata<Dim>(1, 11, 9), false);
     expect_what_is_in_reach(make_strata<Dim>(3, 11, 9));
+    expect_what_is_in_reach(ImpulseProcess<Dim>(make_strata<Dim>(1, 11, 9).axes(), {2.5, false}, 3));
     expect_what_is_in_reach(make_pieces<Dim>(1, 11, 9));
     if (Dim < 4) expect_what_is_in_reach(make_pieces<Dim>(2, 11, 9));
   });

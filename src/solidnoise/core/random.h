@@ -9,9 +9,10 @@
 
 namespace solidnoise {
 
+inline constexpr std::uint64_t kMixFactors[] = {0xbf58476d1ce4e5b9ULL, 0x94d049bb133111ebULL};
+
 // Bijective mixing of 64 bits: each output bit depends on each input bit. (Stafford's variant 13 of the
 // MurmurHash3 finalizer, as used by SplitMix64.)
-inline constexpr std::uint64_t kMixFactors[] = {0xbf58476d1ce4e5b9ULL, 0x94d049bb133111ebULL};
 constexpr std::uint64_t mix_bits(std::uint64_t z) {
   z = (z ^ (z >> 30)) * kMixFactors[0];
   z = (z ^ (z >> 27)) * kMixFactors[1];

@@ -7,6 +7,7 @@
 #include "solidnoise/core/cell_grid.h"
 #include "solidnoise/core/random.h"
 #include "solidnoise/noise/convolution/impulse_candidates.h"
+#include "solidnoise/noise/convolution/impulse_cull-inl.h"
 
 #if defined(SOLIDNOISE_IMPULSE_CANDIDATES_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef SOLIDNOISE_IMPULSE_CANDIDATES_INL
@@ -67,8 +68,7 @@ inline std::uint64_t PlaceCandidates(const CandidateBox& box, ImpulseCandidates&
       }
       hn::StoreU(at, di, position);
       const VF x = hn::Mul(hn::ConvertTo(df, at), in_cells);
-      const VF beyond = hn::Max(hn::Sub(hn::Set(df, box.lower[a]), x), hn::Sub(x, hn::Set(df, box.upper[a])));
-      const VF radii = hn::Mul(hn::Max(beyond, hn::Zero(df)), hn::Set(df, box.scale[a]));
+      const VF radii = Excess(df, x, box.lower[a], box.upper[a], box.scale[a]);
       distance = box.is_ball ? hn::MulAdd(radii, radii, distance) : hn::Max(distance, hn::Mul(radii, radii));
     }
     std::uint8_t bytes[8] = {};

@@ -24,7 +24,7 @@ struct ImpulseCandidates {
 
   std::size_t count = 0;
   std::array<std::uint64_t, kMost> key;     // of the stream that the position is drawn from
-  std::array<std::uint32_t, kMost> piece;   // of its stratum; 0 where that is whole
+  std::array<std::uint32_t, kMost> piece;   // of its stratum, where that is cut into pieces
   std::array<std::uint32_t, kMost> number;  // in its stratum
   // Along each axis, of the stratum's corner in 2^-20 of a cell; then of the impulse itself.
   std::array<std::array<std::int32_t, kMost>, 4> position;

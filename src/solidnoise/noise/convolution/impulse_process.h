@@ -28,11 +28,9 @@ struct Impulse {
 struct FoundImpulse {
   std::uint64_t mark;
   const ImpulseCandidates& candidates;
-  std::size_t number;
+  std::size_t index;  // among them
 
-  std::int32_t position(int axis) const {
-    return candidates.position[static_cast<std::size_t>(axis)][number];
-  }
+  std::int32_t position(int axis) const { return candidates.position[static_cast<std::size_t>(axis)][index]; }
 };
 
 // What an impulse draws first of what need not be independent of other impulses, as its weight and phase
