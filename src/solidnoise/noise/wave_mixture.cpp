@@ -1,11 +1,10 @@
 #include "solidnoise/noise/wave_mixture.h"
 
-#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <map>
 #include <numbers>
-#include <vector>
 
 #include "solidnoise/core/numerics.h"
 
@@ -64,58 +63,35 @@ double WaveMixture<Dim>::slope_variance(const Wave& wave, int axis) const {
   return turns * turns + std::numbers::pi * a * a;
 }
 
-namespace {
-
-// All waves of a mixture with one frequency along an axis.
-struct AxisWave {
-  double frequency;
-  double variance;
-  double lateral;  // the mean square of their derivatives along the other axes
-};
-
-// Quadratures over directions have many.
-template <int Dim>
-std::vector<AxisWave> waves_along(const WaveMixture<Dim>& mixture, int axis) {
-  std::vector<AxisWave> waves;
-  waves.reserve(mixture.waves.size());
-  for (const auto& wave : mixture.waves) {
-    double lateral = 0.0;
-    for (int other = 0; other < Dim; ++other) {
-      if (other != axis) lateral += wave.variance * mixture.slope_variance(wave, other);
-    }
-    waves.push_back({wave.frequency[axis], wave.variance, lateral});
-  }
-  std::stable_sort(waves.begin(), waves.end(),
-                   [](const AxisWave& a, const AxisWave& b) { return a.frequency < b.frequency; });
-  std::size_t count = 0;
-  for (const AxisWave& wave : waves) {
-    if (count > 0 && waves[count - 1].frequency == wave.frequency) {
-      waves[count - 1].variance += wave.variance;
-      waves[count - 1].lateral += wave.lateral;
-    } else {
-      waves[count++] = wave;
-    }
-  }
-  waves.resize(count);
-  return waves;
-}
-
-}  // namespace
-
 template <int Dim>
 AxisCovariance WaveMixture<Dim>::along(int axis, double step, int count) const {
+  // Quadratures over directions have many waves of one frequency along an axis.
+  struct Together {
+    double variance = 0.0;
+    double lateral = 0.0;  // the mean square of their derivatives along the other axes
+  };
+  std::map<double, Together> by_frequency;
+  for (const Wave& wave : waves) {
+    Together& together = by_frequency[wave.frequency[axis]];
+    together.variance += wave.variance;
+    for (int other = 0; other < Dim; ++other) {
+      if (other != axis) together.lateral += wave.variance * slope_variance(wave, other);
+    }
+  }
+
   const auto size = static_cast<std::size_t>(count);
   AxisCovariance sums;
   for (auto* of : {&sums.value, &sums.value_to_slope, &sums.slope, &sums.lateral}) of->resize(size);
-  for (const AxisWave& wave : waves_along(*this, axis)) {
-    const double turns = kRadiansPerCycle * wave.frequency;
+  for (const auto& [frequency, together] : by_frequency) {
+    const auto [variance, lateral] = together;
+    const double turns = kRadiansPerCycle * frequency;
     const std::complex<double> turn = std::polar(1.0, turns * step);
     std::complex<double> phasor(1.0);
     for (std::size_t k = 0; k < size; ++k, phasor *= turn) {
-      sums.value[k] += wave.variance * phasor.real();
-      sums.lateral[k] += wave.lateral * phasor.real();
-      sums.value_to_slope[k] -= wave.variance * turns * phasor.imag();
-      sums.slope[k] += wave.variance * turns * turns * phasor.real();
+      sums.value[k] += variance * phasor.real();
+      sums.lateral[k] += lateral * phasor.real();
+      sums.value_to_slope[k] -= variance * turns * phasor.imag();
+      sums.slope[k] += variance * turns * turns * phasor.real();
     }
   }
   // The derivatives of the product of these and rho, for which rho' = -b x rho.

@@ -68,7 +68,7 @@ inline std::uint64_t PlaceCandidates(const CandidateBox& box, ImpulseCandidates&
       }
       hn::StoreU(at, di, position);
       const VF x = hn::Mul(hn::ConvertTo(df, at), in_cells);
-      const VF radii = Excess(df, x, box.lower[a], box.upper[a], box.scale[a]);
+      const VF radii = Excess(df, x, box.lower[axis], box.upper[axis], box.scale[axis]);
       distance = box.is_ball ? hn::MulAdd(radii, radii, distance) : hn::Max(distance, hn::Mul(radii, radii));
     }
     std::uint8_t bytes[8] = {};

@@ -6,12 +6,12 @@
 
 namespace solidnoise {
 
-// Where samples are, that impulses have to reach. Lengths are in cells, from a corner.
+// Where samples are, that impulses have to reach: along each axis, in cells from a corner.
 struct CandidateBox {
   int dimensions = 0;
-  std::array<float, 4> lower{};
-  std::array<float, 4> upper{};
-  std::array<float, 4> scale{};  // to radii of the support
+  const float* lower = nullptr;
+  const float* upper = nullptr;
+  const float* scale = nullptr;  // to radii of the support
   bool is_ball = true;           // the support; else a box
   float most = 1.0f;             // squared distance, in radii, of what is in reach
   int halvings = 0;              // of strata into pieces (ImpulseCount)

@@ -1,7 +1,10 @@
 #include "solidnoise/noise/convolution/impulse_process.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <utility>
 
 namespace solidnoise {
 namespace {
@@ -52,6 +55,129 @@ int ImpulseProcess<Dim>::draw_count(std::uint64_t uniform) const {
   while (count > 0 && uniform < cumulative_[count - 1]) --count;
   while (count < highest && uniform >= cumulative_[count]) ++count;
   return count;
+}
+
+// Through strata, axis by axis. What is in reach is not known in advance, and branches would be mistaken
+// half of the time: candidates are collected first, and those that are in reach then taken out of them.
+template <int Dim>
+struct ImpulseProcess<Dim>::Search {
+  const ImpulseProcess& process;
+  const Index<Dim>& first;
+  const Index<Dim>& last;
+  const ImpulseReach<Dim>& reach;
+  const Taker& taker;
+  std::array<std::int32_t, Dim> corner{};  // of strata, where they are shifted to, as positions
+  static constexpr float kFarthest = 1e9f;
+  float radius;  // of the support along the last axis, in cells
+  CandidateBox box;
+  ImpulseCandidates candidates;
+
+  Search(const ImpulseProcess& of, const Index<Dim>& from, const Index<Dim>& to,
+         const ImpulseReach<Dim>& what, const Taker& then)
+      : process(of),
+        first(from),
+        last(to),
+        reach(what),
+        taker(then),
+        radius(what.scale[Dim - 1] > 0.0f ? 1.0f / what.scale[Dim - 1] : kFarthest),
+        box{.dimensions = Dim,
+            .lower = what.lower.data(),
+            .upper = what.upper.data(),
+            .scale = what.scale.data(),
+            .is_ball = what.is_ball,
+            .most = ImpulseReach<Dim>::kMost,
+            .halvings = of.count_.halvings,
+            .mixes_keys = of.count_.is_single()} {}
+
+  // Of strata with this hash of their coordinates on the axes before, which are at least this squared
+  // distance from the box along these.
+  template <int kAxis>
+  void descend(std::uint64_t hash, float square) {
+    const std::int32_t shift = process.shift_by(hash);
+    const CellAxis& axis = process.axes_[kAxis];
+    const auto corner_of = [&](std::int64_t at) {
+      return static_cast<std::int32_t>((at - reach.first[kAxis]) * CellAxis::kQuantaPerCell) + shift;
+    };
+    if constexpr (kAxis + 1 == Dim) {
+      const auto [from, to] = row_between(square, in_cells(shift));
+      const std::int64_t end = std::min(last[kAxis], reach.first[kAxis] + to);
+      for (std::int64_t at = std::max(first[kAxis], reach.first[kAxis] + from); at <= end;) {
+        corner[kAxis] = corner_of(at);
+        if (process.count_.is_single()) {
+          at += add_row(hash, at, end - at + 1);
+        } else {
+          add(Draws(process, hash_coordinate(hash, axis.wrap(at++))));
+        }
+      }
+    } else {
+      for (std::int64_t at = first[kAxis]; at <= last[kAxis]; ++at) {
+        corner[kAxis] = corner_of(at);
+        const float from = in_cells(corner[kAxis]);
+        const float beyond = reach.square(square, kAxis, from, from + 1.0f);
+        if (beyond > ImpulseReach<Dim>::kMost) continue;
+        descend<kAxis + 1>(hash_coordinate(hash, axis.wrap(at)), beyond);
+      }
+    }
+  }
+
+  // The strata of a row, `into` farther than their cells, that may be in reach after `square` of the axes
+  // before it, and maybe one more on either side; from the first cell in reach.
+  std::pair<std::int64_t, std::int64_t> row_between(float square, float into) const {
+    constexpr std::size_t kLast = Dim - 1;
+    const float radii = std::sqrt(std::max(0.0f, ImpulseReach<Dim>::kMost - (reach.is_ball ? square : 0.0f)));
+    const float room = std::min(radii * radius, kFarthest);
+    const float from = reach.lower[kLast] - room - 1.0f - into;
+    const float to = reach.upper[kLast] + room - into;
+    // Floor and ceiling; functions for these are slow on processors without SSE 4.1.
+    return {static_cast<std::int64_t>(from) - (from < 0.0f ? 1 : 0),
+            static_cast<std::int64_t>(to) + (to > 0.0f ? 1 : 0)};
+  }
+
+  // The single impulses of strata side by side, as many of `wanted` as there is room for; how many.
+  std::int64_t add_row(std::uint64_t hash, std::int64_t at, std::int64_t wanted) {
+    if (candidates.full()) take();
+    const std::size_t begin = candidates.count;
+    const auto room = static_cast<std::int64_t>(ImpulseCandidates::kMost - begin);
+    const auto count = static_cast<std::size_t>(std::min(wanted, room));
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto along = static_cast<std::int64_t>(i);
+      candidates.key[begin + i] = unmixed_hash(hash, process.axes_[Dim - 1].wrap(at + along));
+      candidates.number[begin + i] = 0;
+      candidates.position[Dim - 1][begin + i] =
+          corner[Dim - 1] + static_cast<std::int32_t>(along * CellAxis::kQuantaPerCell);
+    }
+    for (std::size_t axis = 0; axis + 1 < Dim; ++axis) {
+      std::fill_n(candidates.position[axis].begin() + begin, count, corner[axis]);
+    }
+    candidates.count += count;
+    return static_cast<std::int64_t>(count);
+  }
+
+  // Those of a stratum.
+  void add(const Draws& draws) {
+    const auto [begin, end] = draws.between(reach.least_share, reach.most_share);
+    for (int i = begin; i < end; ++i) {
+      if (candidates.full()) take();
+      const std::size_t to = candidates.count++;
+      candidates.key[to] = draws.key_of(i);
+      candidates.piece[to] = draws.piece_of(i);
+      candidates.number[to] = static_cast<std::uint32_t>(i);
+      for (std::size_t axis = 0; axis < Dim; ++axis) candidates.position[axis][to] = corner[axis];
+    }
+  }
+
+  void take() {
+    taker.take(taker.object, candidates, place_candidates(box, candidates));
+    candidates.count = 0;
+  }
+};
+
+template <int Dim>
+void ImpulseProcess<Dim>::search(const Index<Dim>& first, const Index<Dim>& last,
+                                 const ImpulseReach<Dim>& reach, const Taker& taker) const {
+  Search strata(*this, first, last, reach, taker);
+  strata.template descend<0>(key_, 0.0f);
+  strata.take();
 }
 
 template class ImpulseProcess<1>;

@@ -101,19 +101,6 @@ struct ImpulseReach {
     const float distance = std::max(std::max(from - upper[a], lower[a] - to), 0.0f) * scale[a];
     return is_ball ? square + distance * distance : std::max(square, distance * distance);
   }
-
-  // As candidates of a process with such counts are placed.
-  CandidateBox box(const ImpulseCount& count) const {
-    CandidateBox box{.dimensions = Dim,
-                     .is_ball = is_ball,
-                     .most = kMost,
-                     .halvings = count.halvings,
-                     .mixes_keys = count.is_single()};
-    std::copy(lower.begin(), lower.end(), box.lower.begin());
-    std::copy(upper.begin(), upper.end(), box.upper.begin());
-    std::copy(scale.begin(), scale.end(), box.scale.begin());
-    return box;
-  }
 };
 
 // A marked point process in Dim dimensions, cell by cell: strata, which hold a fixed number of impulses each,
@@ -167,9 +154,18 @@ class ImpulseProcess {
   template <typename Sink>
   void generate(const Index<Dim>& first, const Index<Dim>& last, const ImpulseReach<Dim>& reach,
                 Sink&& sink) const {
-    Search search(*this, first, last, reach, sink);
-    search.template descend<0>(key_, 0.0f);
-    search.take();
+    const auto take = [&](const ImpulseCandidates& candidates, std::uint64_t bits) {
+      for (; bits != 0; bits &= bits - 1) {
+        const auto k = static_cast<std::size_t>(std::countr_zero(bits));
+        const FoundImpulse found{mark(candidates.key[k], candidates.number[k]), candidates, k};
+        const std::uint64_t share = found.mark & kShareMask;
+        if (share >= reach.least_share && share <= reach.most_share) sink(found);
+      }
+    };
+    search(first, last, reach,
+           {&take, [](const void* object, const ImpulseCandidates& candidates, std::uint64_t bits) {
+              (*static_cast<const decltype(take)*>(object))(candidates, bits);
+            }});
   }
 
  private:
@@ -248,118 +244,14 @@ class ImpulseProcess {
     PieceMap piece_of;
   };
 
-  // Through strata, axis by axis. What is in reach is not known in advance, and branches would be mistaken
-  // half of the time: candidates are collected first, and those that are in reach then taken out of them.
-  template <typename Sink>
-  struct Search {
-    const ImpulseProcess& process;
-    const Index<Dim>& first;
-    const Index<Dim>& last;
-    const ImpulseReach<Dim>& reach;
-    Sink& sink;
-    std::array<std::int32_t, Dim> corner{};  // of strata, where they are shifted to, as positions
-    static constexpr float kFarthest = 1e9f;
-    float radius;  // of the support along the last axis, in cells
-    ImpulseCandidates candidates;
-
-    Search(const ImpulseProcess& of, const Index<Dim>& from, const Index<Dim>& to,
-           const ImpulseReach<Dim>& what, Sink& into)
-        : process(of),
-          first(from),
-          last(to),
-          reach(what),
-          sink(into),
-          radius(what.scale[Dim - 1] > 0.0f ? 1.0f / what.scale[Dim - 1] : kFarthest) {}
-
-    // Of strata with this hash of their coordinates on the axes before, which are at least this squared
-    // distance from the box along these.
-    template <int kAxis>
-    void descend(std::uint64_t hash, float square) {
-      const std::int32_t shift = process.shift_by(hash);
-      const CellAxis& axis = process.axes_[kAxis];
-      const auto corner_of = [&](std::int64_t at) {
-        return static_cast<std::int32_t>((at - reach.first[kAxis]) * CellAxis::kQuantaPerCell) + shift;
-      };
-      if constexpr (kAxis + 1 == Dim) {
-        const auto [from, to] = row_between(square, in_cells(shift));
-        const std::int64_t end = std::min(last[kAxis], reach.first[kAxis] + to);
-        for (std::int64_t at = std::max(first[kAxis], reach.first[kAxis] + from); at <= end;) {
-          corner[kAxis] = corner_of(at);
-          if (process.count_.is_single()) {
-            at += add_row(hash, at, end - at + 1);
-          } else {
-            add(Draws(process, hash_coordinate(hash, axis.wrap(at++))));
-          }
-        }
-      } else {
-        for (std::int64_t at = first[kAxis]; at <= last[kAxis]; ++at) {
-          corner[kAxis] = corner_of(at);
-          const float from = in_cells(corner[kAxis]);
-          const float beyond = reach.square(square, kAxis, from, from + 1.0f);
-          if (beyond > ImpulseReach<Dim>::kMost) continue;
-          descend<kAxis + 1>(hash_coordinate(hash, axis.wrap(at)), beyond);
-        }
-      }
-    }
-
-    // The strata of a row, `into` farther than their cells, that may be in reach after `square` of the axes
-    // before it, and maybe one more on either side; from the first cell in reach.
-    std::pair<std::int64_t, std::int64_t> row_between(float square, float into) const {
-      constexpr std::size_t kLast = Dim - 1;
-      const float radii =
-          std::sqrt(std::max(0.0f, ImpulseReach<Dim>::kMost - (reach.is_ball ? square : 0.0f)));
-      const float room = std::min(radii * radius, kFarthest);
-      const float from = reach.lower[kLast] - room - 1.0f - into;
-      const float to = reach.upper[kLast] + room - into;
-      // Floor and ceiling; functions for these are slow on processors without SSE 4.1.
-      return {static_cast<std::int64_t>(from) - (from < 0.0f ? 1 : 0),
-              static_cast<std::int64_t>(to) + (to > 0.0f ? 1 : 0)};
-    }
-
-    // The single impulses of strata side by side, as many of `wanted` as there is room for; how many.
-    std::int64_t add_row(std::uint64_t hash, std::int64_t at, std::int64_t wanted) {
-      if (candidates.full()) take();
-      const std::size_t begin = candidates.count;
-      const auto room = static_cast<std::int64_t>(ImpulseCandidates::kMost - begin);
-      const auto count = static_cast<std::size_t>(std::min(wanted, room));
-      for (std::size_t i = 0; i < count; ++i) {
-        const auto along = static_cast<std::int64_t>(i);
-        candidates.key[begin + i] = unmixed_hash(hash, process.axes_[Dim - 1].wrap(at + along));
-        candidates.number[begin + i] = 0;
-        candidates.position[Dim - 1][begin + i] =
-            corner[Dim - 1] + static_cast<std::int32_t>(along * CellAxis::kQuantaPerCell);
-      }
-      for (std::size_t axis = 0; axis + 1 < Dim; ++axis) {
-        std::fill_n(candidates.position[axis].begin() + begin, count, corner[axis]);
-      }
-      candidates.count += count;
-      return static_cast<std::int64_t>(count);
-    }
-
-    // Those of a stratum.
-    void add(const Draws& draws) {
-      const auto [begin, end] = draws.between(reach.least_share, reach.most_share);
-      for (int i = begin; i < end; ++i) {
-        if (candidates.full()) take();
-        const std::size_t to = candidates.count++;
-        candidates.key[to] = draws.key_of(i);
-        candidates.piece[to] = draws.piece_of(i);
-        candidates.number[to] = static_cast<std::uint32_t>(i);
-        for (std::size_t axis = 0; axis < Dim; ++axis) candidates.position[axis][to] = corner[axis];
-      }
-    }
-
-    void take() {
-      for (std::uint64_t bits = place_candidates(reach.box(process.count_), candidates); bits != 0;
-           bits &= bits - 1) {
-        const auto k = static_cast<std::size_t>(std::countr_zero(bits));
-        const FoundImpulse found{process.mark(candidates.key[k], candidates.number[k]), candidates, k};
-        const std::uint64_t share = found.mark & kShareMask;
-        if (share >= reach.least_share && share <= reach.most_share) sink(found);
-      }
-      candidates.count = 0;
-    }
+  // Takes candidates, of which some are in reach, a bit each. (A std::function allocates.)
+  struct Taker {
+    const void* object;
+    void (*take)(const void* object, const ImpulseCandidates& candidates, std::uint64_t bits);
   };
+  struct Search;
+  void search(const Index<Dim>& first, const Index<Dim>& last, const ImpulseReach<Dim>& reach,
+              const Taker& taker) const;
 
   // The Poisson count whose cumulative probability first exceeds a uniform 64-bit number.
   int draw_count(std::uint64_t uniform) const;

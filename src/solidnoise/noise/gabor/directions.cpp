@@ -78,8 +78,8 @@ class CapAngles {
       return value + x * (slope + x * (3.0 * rise - 2.0 * slope - next_slope +
                                        x * (slope + next_slope - 2.0 * rise)));
     };
-    return {between(from.cosine, from.cosine_slope, to.cosine, to.cosine_slope),
-            between(from.sine, from.sine_slope, to.sine, to.sine_slope)};
+    return {between(from.cosine, -from.sine * from.slope, to.cosine, -to.sine * to.slope),
+            between(from.sine, from.cosine * from.slope, to.sine, to.cosine * to.slope)};
   }
 
  private:
@@ -87,7 +87,7 @@ class CapAngles {
 
   struct Node {
     double cosine, sine;
-    double cosine_slope, sine_slope;  // by steps of the root
+    double slope;  // of the angle, by steps of the root
   };
 
   CapAngles() {
@@ -100,8 +100,7 @@ class CapAngles {
       const double sine = std::sin(angle);
       // 2 sin^2 p dp = (pi / 2) 3 root^2 d root; at 0, p^3 2/3 = root^3 pi / 2.
       const double ratio = k == 0 ? std::cbrt(4.0 / (3.0 * pi)) : root / sine;
-      const double slope = 0.75 * pi * ratio * ratio / kSteps;
-      nodes_[k] = {std::cos(angle), sine, -sine * slope, std::cos(angle) * slope};
+      nodes_[k] = {std::cos(angle), sine, 0.75 * pi * ratio * ratio / kSteps};
     }
   }
 
