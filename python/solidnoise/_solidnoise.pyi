@@ -86,14 +86,14 @@ class Noise:
 
 def gabor(
     *, dims: int = ..., time: float | None = ..., frequency: _Number = ..., bandwidth: float = ..., error: float = ...,
-    bounds_gradient: bool = ..., impulses: float = ...,
+    bounds_gradient: bool = ..., impulses: float = ..., kurtosis: float = ...,
     impulses_process: Literal["strata", "poisson"] = ..., evolve: float = ..., loop: float = ..., filter: float = ...,
     weights: Literal["signs", "uniform"] = ..., seed: _Integer = ..., period: _Axes = ..., octaves: int = ..., lacunarity: float = ...,
     gain: float = ..., renormalize: bool = ...,
 ) -> Noise: ...
 def gabor_oriented(
     *, dims: int = ..., time: float | None = ..., frequency: _Number = ..., bandwidth: float = ..., error: float = ...,
-    bounds_gradient: bool = ..., impulses: float = ...,
+    bounds_gradient: bool = ..., impulses: float = ..., kurtosis: float = ...,
     impulses_process: Literal["strata", "poisson"] = ..., evolve: float = ..., loop: float = ..., filter: float = ...,
     anisotropy: float = ..., direction: _Axes = ..., seed: _Integer = ..., period: _Axes = ..., octaves: int = ...,
     lacunarity: float = ..., gain: float = ..., renormalize: bool = ...,

@@ -151,6 +151,7 @@ VaryingGaborOptions varying_options(const NoiseRecipe& octave, const KernelField
     varying.error = ErrorBudget(options.error).truncation;
     varying.impulses = options.impulses;
     varying.impulses_process = options.impulses_process;
+    varying.kurtosis = options.kurtosis;
     varying.seed = options.seed;
     varying.evolution = options.evolution;
     varying.filter = options.filter;

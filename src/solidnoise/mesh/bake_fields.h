@@ -83,7 +83,7 @@ constexpr auto fields_of(std::type_identity<SurfaceNoiseRecipe>) {
             "Of spectrum: channel of the exemplar")
           .written_if(is_by_example)
           .without_flag(),
-      fields_of_impulses<Recipe>(),
+      fields_of_impulses<Recipe>(), field_of_kurtosis<Recipe>(),
       field("layer", &Recipe::layer, between(0.1, 1.0), "kernel radii",
             "surface, oriented: half the layer that impulses come from"),
       field("dims", &Recipe::dims, between(3, 4), "",

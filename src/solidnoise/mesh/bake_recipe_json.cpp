@@ -90,6 +90,7 @@ Json describe_kernel(const SurfaceNoiseRecipe& recipe, const VertexParameters& p
   options.error = recipe.error;
   options.impulses = recipe.impulses;
   options.impulses_process = recipe.impulses_process;
+  options.kurtosis = recipe.kurtosis;
   options.layer = recipe.layer;
   if (recipe.kind == SurfaceNoiseKind::oriented) options.waves = GaborWaves::oriented;
   const SurfaceGaborNoise noise(with_truncation_share(options));

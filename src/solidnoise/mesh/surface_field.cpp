@@ -119,6 +119,7 @@ Options common_options(const SurfaceNoiseRecipe& recipe, double frequency) {
     options.impulses = recipe.impulses;
     options.impulses_process = recipe.impulses_process;
   }
+  if constexpr (requires { options.kurtosis; }) options.kurtosis = recipe.kurtosis;
   if constexpr (requires { options.evolution; }) {
     if (recipe.dims == 3) options.evolution = recipe.evolution();
   }
@@ -313,6 +314,7 @@ LayerNoise surface_layer_noise(const SurfaceNoiseRecipe& recipe, const SurfaceKe
   const auto octave = [=](int k) {
     SurfaceNoiseRecipe single = recipe;
     single.fractal.octaves = 1;
+    single.kurtosis = recipe.fractal.kurtosis_of_octave(k, recipe.kurtosis);
     if (k > 0) single.seed = derive_seed(recipe.seed, kOctaveStream + static_cast<std::uint64_t>(k));
     const double ratio = recipe.fractal.frequency_ratio(k);
     single.evolve = evolution_of_octave(recipe.evolution(), ratio).rate;

@@ -39,6 +39,13 @@ constexpr auto fields_of_impulses() {
 }
 
 template <typename Options>
+constexpr auto field_of_kurtosis() {
+  return field("kurtosis", &Options::kurtosis, kKurtosis, "mean excess kurtosis",
+               "How far from Gaussian the number of impulses may leave it, where it is chosen")
+      .without_flag();
+}
+
+template <typename Options>
 constexpr auto fields_of_gradient() {
   return field("bounds_gradient", &Options::bounds_gradient,
                "Whether the gradient is as accurate, too; what is made of gradients has it so")
@@ -58,8 +65,8 @@ constexpr auto fields_of_band() {
   return list_fields(fields_of_frequency<Options>(),
                      field("bandwidth", &Options::bandwidth, between(0.05, 4.0), "octaves",
                            "Width of the band at half amplitude"),
-                     fields_of_impulses<Options>(), fields_of_gradient<Options>(), part(&Options::evolution),
-                     fields_of_filter<Options>());
+                     fields_of_impulses<Options>(), field_of_kurtosis<Options>(),
+                     fields_of_gradient<Options>(), part(&Options::evolution), fields_of_filter<Options>());
 }
 
 // Lengths in world units, frequencies in cycles per world unit, the density in impulses per world unit^Dim,

@@ -107,7 +107,8 @@ std::shared_ptr<const GaborSetting<Dim>> setting_of(const IsotropicGaborKernel<D
   return known.get({shared, weights.fourth}, [&] {
     const CompactKernel compact = compact_kernel(kernel, options.error, options.bounds_gradient);
     // Impulses are those of unlimited kernels.
-    const StrataChoice choice = strata_choice(kernel, weights);
+    StrataChoice choice = strata_choice(kernel, weights);
+    choice.kurtosis = options.kurtosis;
     const ImpulseLayout<Dim> layout =
         make_layout<Dim>(choice, solidnoise::impulse_density(Dim, options.impulses, choice.radius),
                          options.impulses_process, compact.radius(), options.period);

@@ -17,6 +17,8 @@ struct GaborNoiseOptions {
   double impulses =
       0.0;  // mean impulses under one kernel, N; 0: the fewest that look Gaussian, see the noise
   ImpulseSpread impulses_process = ImpulseSpread::strata;
+  // Mean excess kurtosis that the number of impulses may leave, where it is chosen; 0.02 to 1.
+  double kurtosis = kMeanKurtosis;
   ImpulseWeights weights = ImpulseWeights::signs;
   std::uint64_t seed = 0;
   Vec<4> period{0.0};     // world units per axis (x, y, z, t); 0: none; else at least 2 kernel radii
@@ -38,6 +40,8 @@ struct OrientedGaborNoiseOptions {
   double impulses =
       0.0;  // mean impulses under one kernel, N; 0: the fewest that look Gaussian, see the noise
   ImpulseSpread impulses_process = ImpulseSpread::strata;
+  // Mean excess kurtosis that the number of impulses may leave, where it is chosen; 0.02 to 1.
+  double kurtosis = kMeanKurtosis;
   double anisotropy = 0.0;  // 0: directions uniform on the sphere; 1: all along `direction`; 0 to 1
   Vec<4> direction{1.0, 0.0, 0.0, 0.0};  // along which the waves travel; any length but 0
   std::uint64_t seed = 0;

@@ -106,7 +106,8 @@ OrientedGaborNoise<Dim>::OrientedGaborNoise(const OrientedGaborNoiseOptions& opt
       radius_(kernel_.radius_for_error(options.error)) {
   const KernelMoments moments = wave_moments(envelope_, Dim);
   // Impulses and amplitude are those of the noise before it is filtered, impulses those of unlimited kernels.
-  const StrataChoice choice = strata_choice(kernel_);
+  StrataChoice choice = strata_choice(kernel_);
+  choice.kurtosis = options.kurtosis;
   const ImpulseLayout<Dim> layout =
       make_layout<Dim>(choice, solidnoise::impulse_density(Dim, options.impulses, choice.radius),
                        options.impulses_process, envelope_.radius(), options.period);

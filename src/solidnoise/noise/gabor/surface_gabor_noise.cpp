@@ -21,6 +21,7 @@ void SurfaceGaborOptions::validate() const {
                    "octaves");
   require_in_range("error", error, 1e-4, 0.5, "relative RMS error");
   require_impulses(impulses);
+  require("kurtosis", kurtosis, kKurtosis);
   require_in_range("layer", layer, 0.1, 1.0, "kernel radii");
   for (int axis = 0; axis < 3; ++axis) require("direction", direction[axis], kDirections);
   if (direction == Vec<3>(0.0)) throw std::invalid_argument("direction is 0; it must have a length");
@@ -62,6 +63,7 @@ SurfaceGaborNoise::SurfaceGaborNoise(const SurfaceGaborOptions& options)
   const double r = radius();
   const double nominal = family_->nominal_share() * r;
   choice_ = surface_choice(options, options.layer * nominal);
+  choice_.kurtosis = options.kurtosis;
   if (options.evolution.moves()) choice_.weights = turning({});
   support_ = 2.0 * std::numbers::pi * options.layer * std::pow(nominal, 3);
   // Of the kernels as they are evaluated, and their window.

@@ -20,6 +20,7 @@ void VaryingGaborOptions::validate() const {
                    "octaves");
   require_in_range("error", error, 1e-4, 0.5, "relative RMS error");
   require_impulses(impulses);
+  require("kurtosis", kurtosis, kKurtosis);
   for (int axis = 0; axis < 4; ++axis) require("direction", direction[axis], kDirections);
   evolution.validate();
   require_positive("unit", unit, "world units");
@@ -70,6 +71,7 @@ VaryingGaborNoise<Dim>::VaryingGaborNoise(const VaryingGaborOptions& options)
     filtered_ = family_->filtered(options.frequency, options.bandwidth, options.filter);
   const double r = radius(options.frequency, options.bandwidth);
   StrataChoice choice = varying_choice<Dim>(options);
+  choice.kurtosis = options.kurtosis;
   if (options.evolution.moves()) choice.weights = turning({});
   const double wanted = impulse_density(Dim, options.impulses, choice.radius);
   const auto layout = make_layout<Dim>(choice, wanted, options.impulses_process, r, Vec<4>(0.0));

@@ -58,7 +58,8 @@ double noise_excess_kurtosis(double density, const KernelMoments& kernel, const 
 double density_for_excess_kurtosis(double kurtosis, const KernelMoments& kernel,
                                    const WeightMoments& weights = {});
 
-// That a Poisson process has by default.
+// That a Poisson process has by default, and what strata may leave by default.
 inline constexpr double kDefaultKurtosis = 0.5;
+inline constexpr double kMeanKurtosis = 0.02;
 
 }  // namespace solidnoise

@@ -123,22 +123,41 @@ double StrataChoice::balanced_side() const {
   return solidnoise::balanced_side(cumulant, 0.02 * radius, 4.0 * radius);
 }
 
-Strata StrataChoice::fewest() const {
+Strata StrataChoice::of_kurtosis(int count, double excess, double least_side, double most_side) const {
+  const auto over = [&](double side) {
+    KernelMoments kept = moments;
+    kept.overlap = averages->overlap(side);
+    return noise_excess_kurtosis(count * std::pow(side, -dimensions), kept, weights) - excess;
+  };
+  return {solidnoise::balanced_side(over, least_side, most_side), count};
+}
+
+Strata StrataChoice::fewest_balanced() const {
   const double side = balanced_side();
   const double one_per_cube = std::pow(side, -dimensions);
   const double count =
       std::max(1.0, std::ceil(kurtosis_given_place(one_per_cube, moments, *averages, side) / kPlaceKurtosis));
   const double poisson = poisson_density();
   if (count * one_per_cube <= kPlentyOverPoisson * poisson) return of_density(count * one_per_cube);
-  const auto over_mean = [&](double of_one) {
-    KernelMoments kept = moments;
-    kept.overlap = averages->overlap(of_one);
-    return noise_excess_kurtosis(std::pow(of_one, -dimensions), kept, weights) - kMeanKurtosis;
-  };
   const auto side_of = [&](double density) { return std::pow(1.0 / density, 1.0 / dimensions); };
-  const double enough = solidnoise::balanced_side(over_mean, side_of(kMostOverPoisson * poisson),
-                                                  side_of(kPlentyOverPoisson * poisson));
-  return of_density(std::pow(enough, -dimensions));
+  const Strata enough = of_kurtosis(1, kMeanKurtosis, side_of(kMostOverPoisson * poisson),
+                                    side_of(kPlentyOverPoisson * poisson));
+  return of_density(std::pow(enough.side, -dimensions));
+}
+
+Strata StrataChoice::fewest() const {
+  const Strata balanced = fewest_balanced();
+  if (kurtosis <= kMeanKurtosis) return balanced;
+  // The more there are in each, the larger the cubes, and the more impulses.
+  for (int count = 1; count <= balanced.count; ++count) {
+    const double least_side =
+        balanced.side * std::pow(static_cast<double>(count) / balanced.count, 1.0 / dimensions);
+    const Strata larger = of_kurtosis(count, kurtosis, least_side, 4.0 * radius);
+    const double density = count * std::pow(larger.side, -dimensions);
+    if (solidnoise::kurtosis_given_place(density, moments, *averages, larger.side) <= kPlaceKurtosis)
+      return fits(larger) ? larger : of_density(density);
+  }
+  return balanced;
 }
 
 int StrataChoice::halvings(const Strata& strata) const {
@@ -152,6 +171,10 @@ double StrataChoice::poisson_density() const {
   return density_for_excess_kurtosis(kDefaultKurtosis, moments, weights);
 }
 
+bool StrataChoice::fits(const Strata& strata) const {
+  return std::ldexp(strata.side, halvings(strata)) >= smallest_cell();
+}
+
 Strata StrataChoice::of_density(double density) const {
   const auto in_cubes = [&](double side) { return density * std::pow(side, dimensions); };
   const auto of_count = [&](double count) {
@@ -159,8 +182,7 @@ Strata StrataChoice::of_density(double density) const {
     return Strata{std::pow(count / density, 1.0 / dimensions), static_cast<int>(count)};
   };
   const Strata balanced = of_count(std::round(in_cubes(balanced_side())));
-  const bool fits = std::ldexp(balanced.side, halvings(balanced)) >= smallest_cell();
-  return fits ? balanced : of_count(std::ceil(in_cubes(smallest_cell())));
+  return fits(balanced) ? balanced : of_count(std::ceil(in_cubes(smallest_cell())));
 }
 
 template StrataChoice strata_choice(const IsotropicGaborKernel<1>&, const WeightMoments&);

@@ -49,14 +49,15 @@ struct StrataChoice {
   KernelMoments moments;  // of unlimited support
   WeightMoments weights;
   std::shared_ptr<const CubeAverages> averages;
-  double radius = 0.0;      // that holds nearly all of a kernel, world units
-  double known_side = 0.0;  // balanced_side(), where it has been found
+  double radius = 0.0;              // that holds nearly all of a kernel, world units
+  double known_side = 0.0;          // balanced_side(), where it has been found
+  double kurtosis = kMeanKurtosis;  // that the mean over all places may have
 
   // Balanced cubes with the fewest impulses in each for which the excess kurtosis given the place is within
-  // kPlaceKurtosis. The peaks of narrow bands of isotropic kernels, most of all, only cubes far smaller than
-  // a wave would balance: where that takes more than kPlentyOverPoisson times the impulses of
-  // poisson_density(), as many, or one in each of the largest cubes of a mean within kMeanKurtosis, at most
-  // kMostOverPoisson times.
+  // kPlaceKurtosis; or, where the mean may be more than kMeanKurtosis, larger ones of that mean. The peaks of
+  // narrow bands of isotropic kernels, most of all, only cubes far smaller than a wave would balance: where
+  // that takes more than kPlentyOverPoisson times the impulses of poisson_density(), as many, or one in each
+  // of the largest cubes of a mean within kMeanKurtosis, at most kMostOverPoisson times.
   Strata fewest() const;
 
   // Cubes as near to balanced ones as whole numbers allow, of this density.
@@ -71,7 +72,6 @@ struct StrataChoice {
 
   static constexpr int kMostHalvings = 3;
   static constexpr double kPlaceKurtosis = 0.25;
-  static constexpr double kMeanKurtosis = 0.02;
   static constexpr double kPlentyOverPoisson = 2.0;
   static constexpr double kMostOverPoisson = 10.0;
 
@@ -80,6 +80,12 @@ struct StrataChoice {
 
   // Where the excess kurtosis is 0, whatever the density.
   double balanced_side() const;
+
+ private:
+  bool fits(const Strata& strata) const;
+  Strata fewest_balanced() const;
+  // With so many impulses in each, of this excess kurtosis, or of the one nearest to it.
+  Strata of_kurtosis(int count, double excess, double least_side, double most_side) const;
 };
 
 // Of isotropic Gabor kernels, of waves of random phase, of waves of phase 0 with random signs, and of kernels

@@ -76,10 +76,11 @@ double default_scale(const StrataChoice& choice, ScaleLayout layout) {
         },
         least, most);
   };
-  const double balanced = scale_of_kurtosis(0.0, plenty, 8.0 * choice.radius);
+  const double wanted = choice.kurtosis > kMeanKurtosis ? choice.kurtosis : 0.0;
+  const double balanced = scale_of_kurtosis(wanted, plenty, 8.0 * choice.radius);
   if (balanced > plenty) return balanced;
-  return scale_of_kurtosis(StrataChoice::kMeanKurtosis,
-                           scale_of_density(layout, StrataChoice::kMostOverPoisson * poisson), plenty);
+  return scale_of_kurtosis(kMeanKurtosis, scale_of_density(layout, StrataChoice::kMostOverPoisson * poisson),
+                           plenty);
 }
 
 }  // namespace

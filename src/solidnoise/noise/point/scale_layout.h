@@ -40,9 +40,9 @@ struct ScaleLayout {
 };
 
 // Of this density of effective impulses (of a Poisson process of as many the excess kurtosis is the same),
-// world units^-n; 0: in strata the fewest for which the excess kurtosis is 0, or, where these are many,
-// kMeanKurtosis, as of StrataChoice::fewest(), with many being twice what they are there; of a Poisson
-// process those of kDefaultKurtosis.
+// world units^-n; 0: in strata the fewest for which the excess kurtosis is 0, or the choice's where that is
+// more than kMeanKurtosis, or, where these are many, kMeanKurtosis, as of StrataChoice::fewest(), with many
+// being twice what they are there; of a Poisson process those of kDefaultKurtosis.
 ScaleLayout scale_layout(const StrataChoice& choice, double density, ImpulseSpread spread);
 
 }  // namespace solidnoise

@@ -23,6 +23,7 @@ To convert(const From& from) {
   to.bounds_gradient = from.bounds_gradient;
   to.impulses = from.impulses;
   to.impulses_process = from.impulses_process;
+  to.kurtosis = from.kurtosis;
   to.seed = from.seed;
   to.period = from.period;
   to.evolution = from.evolution;

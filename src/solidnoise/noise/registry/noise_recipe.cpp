@@ -101,6 +101,9 @@ NoiseRecipe octave_of(const NoiseRecipe& recipe, int k) {
       [&](auto& options) {
         options.frequency *= recipe.fractal.frequency_ratio(k);
         if (k > 0) options.seed = derive_seed(options.seed, kOctaveStream + static_cast<std::uint64_t>(k));
+        if constexpr (requires { options.kurtosis; }) {
+          options.kurtosis = recipe.fractal.kurtosis_of_octave(k, options.kurtosis);
+        }
       },
       octave.noise);
   if (Evolution* const evolution = evolution_of(octave)) {
