@@ -26,11 +26,11 @@ def measure_moments(values_of, seeds=SEEDS):
     return mean_of(batches)
 
 
-def measure_ensemble(n, kind, poisson, seeds=SEEDS):
+def measure_ensemble(n, kind, poisson, seeds=SEEDS, octaves=1):
     """At 4096 places of each seed, 1.1 radii apart."""
     step = 1.1 * library(n, kind).description["kernel"]["radius"]
     side = round(4096 ** (1 / n))
-    return measure_moments(lambda seed: library(n, kind, seed, poisson).lattice(0, step, [side] * n), seeds)
+    return measure_moments(lambda seed: library(n, kind, seed, poisson, octaves=octaves).lattice(0, step, [side] * n), seeds)
 
 
 def ensembles():
@@ -63,8 +63,10 @@ def surface_values(seed, kind, varies):
 
 
 def measure_elsewhere(name, seeds=SEEDS):
-    """Of noise on surfaces by its name, or by example in 2 or 3 dimensions."""
+    """Of noise on surfaces by its name, or by example in 2 or 3 dimensions, or of octaves."""
     kind, _, form = name.partition(", ")
+    if kind == "four octaves":
+        return measure_ensemble(int(form[0]), int(form.endswith("random directions")), False, seeds, octaves=4)
     if kind != "by example":
         return measure_moments(lambda seed: surface_values(seed, kind, form == "varying"), seeds)
     n = int(form[0])
@@ -73,7 +75,8 @@ def measure_elsewhere(name, seeds=SEEDS):
     return measure_moments(lambda seed: solidnoise.spectrum(exemplar=model, dims=n, seed=seed).lattice(0, 45.0, [round(4096 ** (1 / n))] * n), seeds)
 
 
-ELSEWHERE = ("surface, constant", "surface, varying", "oriented, constant", "oriented, varying", "solid, constant", "solid, varying", "by example, 2D", "by example, 3D")
+ELSEWHERE = ("surface, constant", "surface, varying", "oriented, constant", "oriented, varying", "solid, constant", "solid, varying", "by example, 2D", "by example, 3D",
+             *[f"four octaves, {n}D {kind}" for n in (2, 3, 4) for kind in ("isotropic kernels", "random directions")])
 
 
 def elsewhere():

@@ -166,6 +166,32 @@ TEST(StrataChoice, NarrowBandsAreWithinTheMeanKurtosis) {
   });
 }
 
+// The more kurtosis is allowed, the fewer impulses, whatever their number in a cube.
+TEST(StrataChoice, TakesFewerImpulsesWhereTheMeanMayBeMore) {
+  for_each_dimension([]<int Dim>() {
+    for (const bool isotropic : {false, true}) {
+      const double a = gaussian_parameter(1.0, 1.0);
+      StrataChoice choice = isotropic ? strata_choice(IsotropicGaborKernel<Dim>::with_unit_peak(1.0, a), {})
+                                      : strata_choice(RandomPhaseGaborKernel<Dim>(1.0, a, Vec<Dim>(0.0)));
+      double before = HUGE_VAL;
+      for (const double kurtosis : {0.02, 0.05, 0.075, 0.15, 0.25, 0.5}) {
+        SCOPED_TRACE(testing::Message() << Dim << "D, isotropic " << isotropic << ", kurtosis " << kurtosis);
+        choice.kurtosis = kurtosis;
+        const Strata strata = choice.fewest();
+        const double density = strata.count / std::pow(strata.side, Dim);
+        KernelMoments moments = choice.moments;
+        moments.overlap = choice.averages->overlap(strata.side);
+        EXPECT_LT(std::abs(noise_excess_kurtosis(density, moments, choice.weights)), 1.02 * kurtosis);
+        const double given_place = kurtosis_given_place(density, moments, *choice.averages, strata.side);
+        EXPECT_LT(given_place, 1.01 * StrataChoice::kPlaceKurtosis);
+        EXPECT_LE(density, before);
+        before = density;
+      }
+      EXPECT_LT(before, 0.7 * choice.poisson_density());
+    }
+  });
+}
+
 TEST(StrataChoice, OfADensityHasIt) {
   const StrataChoice choice = strata_choice(some_waves());
   for (const double density : {0.01, 1.0, 3.7, 200.0}) {

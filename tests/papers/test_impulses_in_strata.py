@@ -38,8 +38,9 @@ def test_ensembles_have_the_moments_of_the_closed_form():
     assert poisson[0][4] > 3 * strata[0][4]
 
 
-@pytest.mark.parametrize("name", ["surface, varying", "oriented, varying", "solid, varying", "by example, 2D"])
-def test_noises_on_surfaces_and_by_example_are_as_near_to_gaussian(name):
+@pytest.mark.parametrize("name", ["surface, varying", "oriented, varying", "solid, varying", "by example, 2D", "four octaves, 3D isotropic kernels",
+                                  "four octaves, 4D random directions"])
+def test_noises_on_surfaces_by_example_and_in_octaves_are_as_near_to_gaussian(name):
     """Of 40 seeds: five standard errors."""
     values, errors = measure_elsewhere(name, 40)
     assert abs(values[1] - 1) < 5 * errors[1] and errors[1] < 0.01

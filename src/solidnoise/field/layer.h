@@ -31,9 +31,10 @@ struct Warp {
 //   crest       sum of g^k n_k / |z_k|, |z|^2 = n^2 + |grad n|^2 / (2 pi F)^2, over sqrt(sum of g^2k)
 // less the mean, over the standard deviation, both of Gaussian octaves:
 //   E |n| = sqrt(2 / pi),  Var |n| = 1 - 2 / pi,  times sum of g^k and of g^2k,
-// so that a noise of these folds has mean 0 and variance 1. With Histogram::uniform it is instead mapped to
-// 0..1 by its own distribution function, u = (1 + erf(n / sqrt 2)) / 2, erf(|n| / sqrt 2) and 1 - erf(|n| /
-// sqrt 2), which exists in closed form for one octave, or unfolded, or billow.
+// so that a noise of these folds has mean 0 and variance 1 (the mean of |n| is k / 24 of it less where an
+// octave has an excess kurtosis k). With Histogram::uniform it is instead mapped to 0..1 by its own
+// distribution function, u = (1 + erf(n / sqrt 2)) / 2, erf(|n| / sqrt 2) and 1 - erf(|n| / sqrt 2), which
+// exists in closed form for one octave, or unfolded, or billow.
 //
 // A crest is a wave without its envelope, from -1 to 1 (see crest_of()): each crest is as high as any other.
 // With Histogram::uniform it becomes 1/2 + asin(n / |z|) / pi, which rises and falls evenly.

@@ -204,6 +204,16 @@ FieldPtr make_graded(const SurfaceNoiseRecipe& recipe, const SurfaceKernel& kern
   });
 }
 
+// Octave k by itself, but for its frequency, which is the kernel's.
+SurfaceNoiseRecipe octave_of(const SurfaceNoiseRecipe& recipe, int k) {
+  SurfaceNoiseRecipe octave = recipe;
+  octave.fractal.octaves = 1;
+  octave.kurtosis = recipe.fractal.kurtosis_of_octave(k, recipe.kurtosis);
+  if (k > 0) octave.seed = derive_seed(recipe.seed, kOctaveStream + static_cast<std::uint64_t>(k));
+  octave.evolve = evolution_of_octave(recipe.evolution(), recipe.fractal.frequency_ratio(k)).rate;
+  return octave;
+}
+
 // Directions that are turned in the planes of points' normals.
 class TurnedField final : public PointwiseField {
  public:
@@ -312,13 +322,8 @@ FieldPtr make_surface_field(const SurfaceNoiseRecipe& recipe, const SurfaceKerne
 
 LayerNoise surface_layer_noise(const SurfaceNoiseRecipe& recipe, const SurfaceKernel& kernel) {
   const auto octave = [=](int k) {
-    SurfaceNoiseRecipe single = recipe;
-    single.fractal.octaves = 1;
-    single.kurtosis = recipe.fractal.kurtosis_of_octave(k, recipe.kurtosis);
-    if (k > 0) single.seed = derive_seed(recipe.seed, kOctaveStream + static_cast<std::uint64_t>(k));
-    const double ratio = recipe.fractal.frequency_ratio(k);
-    single.evolve = evolution_of_octave(recipe.evolution(), ratio).rate;
-    const SurfaceKernel own = scaled(kernel, ratio);
+    const SurfaceNoiseRecipe single = octave_of(recipe, k);
+    const SurfaceKernel own = scaled(kernel, recipe.fractal.frequency_ratio(k));
     const bool is_tangent = !solid_recipe(single, own) && !is_graded(single, own);
     return is_tangent ? make_tangent_field(single, own) : make_surface_field(single, own);
   };
@@ -346,7 +351,12 @@ double impulses_at_point(const SurfaceNoiseRecipe& recipe, const SurfaceKernel& 
     if constexpr (requires { noise.impulses_per_kernel(); }) return noise.impulses_per_kernel();
     return 0.0;
   };
-  return recipe.fractal.octaves * with_tangent_noise(recipe, kernel, of_octave);
+  double impulses = 0.0;
+  for (int k = 0; k < recipe.fractal.octaves; ++k) {
+    const SurfaceKernel own = scaled(kernel, recipe.fractal.frequency_ratio(k));
+    impulses += with_tangent_noise(octave_of(recipe, k), own, of_octave);
+  }
+  return impulses;
 }
 
 }  // namespace solidnoise

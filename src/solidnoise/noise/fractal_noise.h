@@ -31,10 +31,10 @@ struct FractalOptions {
   // Of each octave in the sum.
   std::vector<double> amplitudes() const;
 
-  // The mean excess kurtosis that octave k may have by itself, for that of the sum: as octaves fade, the
-  // later ones may be farther from Gaussian, and have fewer impulses. It holds for any number of octaves, and
-  // goes in steps with the gain, at 0.55 and 0.85, so that impulses stay where it changes from frame to
-  // frame.
+  // The mean excess kurtosis that octave k may have by itself: as octaves fade, the later ones may be farther
+  // from Gaussian, and have fewer impulses. Where the first octave's is within 0.02 so is the sum's, however
+  // many there are. It goes in steps with the gain, at 0.55 and 0.85, so that impulses stay where it changes
+  // from frame to frame.
   double kurtosis_of_octave(int k, double kurtosis) const;
 
   friend bool operator==(const FractalOptions&, const FractalOptions&) = default;

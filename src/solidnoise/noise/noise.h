@@ -18,8 +18,6 @@ inline constexpr Interval kImpulses = between(1e-3, 1e5);  // mean, per kernel: 
 // Throws std::invalid_argument for the option `impulses`, unless it is among them, or 0, which chooses.
 void require_impulses(double impulses);
 
-inline constexpr Interval kKurtosis = between(0.02, 1.0);  // that impulses may be chosen for
-
 // A stationary random field of one channel, with its gradient, and its statistics in closed form.
 template <int Dim>
 class Noise : public Field<Dim> {

@@ -41,7 +41,7 @@ constexpr auto fields_of_impulses() {
 template <typename Options>
 constexpr auto field_of_kurtosis() {
   return field("kurtosis", &Options::kurtosis, kKurtosis, "mean excess kurtosis",
-               "How far from Gaussian the number of impulses may leave it, where it is chosen")
+               "How far from Gaussian strata may leave it, where impulses is 0")
       .without_flag();
 }
 

@@ -17,7 +17,7 @@ struct GaborNoiseOptions {
   double impulses =
       0.0;  // mean impulses under one kernel, N; 0: the fewest that look Gaussian, see the noise
   ImpulseSpread impulses_process = ImpulseSpread::strata;
-  // Mean excess kurtosis that the number of impulses may leave, where it is chosen; 0.02 to 1.
+  // Mean excess kurtosis that strata may leave, where their number of impulses is chosen; 0.02 to 0.5.
   double kurtosis = kMeanKurtosis;
   ImpulseWeights weights = ImpulseWeights::signs;
   std::uint64_t seed = 0;
@@ -40,7 +40,7 @@ struct OrientedGaborNoiseOptions {
   double impulses =
       0.0;  // mean impulses under one kernel, N; 0: the fewest that look Gaussian, see the noise
   ImpulseSpread impulses_process = ImpulseSpread::strata;
-  // Mean excess kurtosis that the number of impulses may leave, where it is chosen; 0.02 to 1.
+  // Mean excess kurtosis that strata may leave, where their number of impulses is chosen; 0.02 to 0.5.
   double kurtosis = kMeanKurtosis;
   double anisotropy = 0.0;  // 0: directions uniform on the sphere; 1: all along `direction`; 0 to 1
   Vec<4> direction{1.0, 0.0, 0.0, 0.0};  // along which the waves travel; any length but 0

@@ -23,7 +23,7 @@ struct VaryingGaborOptions {
   double error = 0.02;     // relative RMS error against the kernel of infinite support; 1e-4 to 0.5
   double impulses = 0.0;   // mean impulses under one kernel, N; 0: the fewest that look Gaussian
   ImpulseSpread impulses_process = ImpulseSpread::strata;
-  // Mean excess kurtosis that the number of impulses may leave, where it is chosen; 0.02 to 1.
+  // Mean excess kurtosis that strata may leave, where their number of impulses is chosen; 0.02 to 0.5.
   double kurtosis = kMeanKurtosis;
   GaborWaves waves = GaborWaves::isotropic;
   Vec<4> direction{1.0, 0.0, 0.0, 0.0};  // of oriented waves, the first axes of it; any length

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "solidnoise/core/check.h"
+
 namespace solidnoise {
 
 // A sparse convolution noise is the sum of kernels g at the points of a Poisson process, each with a random
@@ -58,8 +60,10 @@ double noise_excess_kurtosis(double density, const KernelMoments& kernel, const 
 double density_for_excess_kurtosis(double kurtosis, const KernelMoments& kernel,
                                    const WeightMoments& weights = {});
 
-// That a Poisson process has by default, and what strata may leave by default.
+// That a Poisson process has by default, and what strata may leave; and the range of what they may be asked
+// to.
 inline constexpr double kDefaultKurtosis = 0.5;
 inline constexpr double kMeanKurtosis = 0.02;
+inline constexpr Interval kKurtosis = between(kMeanKurtosis, kDefaultKurtosis);
 
 }  // namespace solidnoise

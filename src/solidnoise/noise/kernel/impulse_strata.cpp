@@ -123,13 +123,18 @@ double StrataChoice::balanced_side() const {
   return solidnoise::balanced_side(cumulant, 0.02 * radius, 4.0 * radius);
 }
 
-Strata StrataChoice::of_kurtosis(int count, double excess, double least_side, double most_side) const {
-  const auto over = [&](double side) {
-    KernelMoments kept = moments;
-    kept.overlap = averages->overlap(side);
-    return noise_excess_kurtosis(count * std::pow(side, -dimensions), kept, weights) - excess;
-  };
-  return {solidnoise::balanced_side(over, least_side, most_side), count};
+double StrataChoice::excess_kurtosis(const Strata& strata) const {
+  KernelMoments kept = moments;
+  kept.overlap = averages->overlap(strata.side);
+  return noise_excess_kurtosis(density_of(strata), kept, weights);
+}
+
+double StrataChoice::density_of(const Strata& strata) const {
+  return strata.count * std::pow(strata.side, -dimensions);
+}
+
+double StrataChoice::side_of(double density, int count) const {
+  return std::pow(count / density, 1.0 / dimensions);
 }
 
 Strata StrataChoice::fewest_balanced() const {
@@ -139,25 +144,28 @@ Strata StrataChoice::fewest_balanced() const {
       std::max(1.0, std::ceil(kurtosis_given_place(one_per_cube, moments, *averages, side) / kPlaceKurtosis));
   const double poisson = poisson_density();
   if (count * one_per_cube <= kPlentyOverPoisson * poisson) return of_density(count * one_per_cube);
-  const auto side_of = [&](double density) { return std::pow(1.0 / density, 1.0 / dimensions); };
-  const Strata enough = of_kurtosis(1, kMeanKurtosis, side_of(kMostOverPoisson * poisson),
-                                    side_of(kPlentyOverPoisson * poisson));
-  return of_density(std::pow(enough.side, -dimensions));
+  const auto over_mean = [&](double one_each) { return excess_kurtosis({one_each, 1}) - kMeanKurtosis; };
+  const double enough = solidnoise::balanced_side(over_mean, side_of(kMostOverPoisson * poisson, 1),
+                                                  side_of(kPlentyOverPoisson * poisson, 1));
+  return of_density(density_of({enough, 1}));
 }
 
 Strata StrataChoice::fewest() const {
   const Strata balanced = fewest_balanced();
   if (kurtosis <= kMeanKurtosis) return balanced;
-  // The more there are in each, the larger the cubes, and the more impulses.
-  for (int count = 1; count <= balanced.count; ++count) {
-    const double least_side =
-        balanced.side * std::pow(static_cast<double>(count) / balanced.count, 1.0 / dimensions);
-    const Strata larger = of_kurtosis(count, kurtosis, least_side, 4.0 * radius);
-    const double density = count * std::pow(larger.side, -dimensions);
-    if (solidnoise::kurtosis_given_place(density, moments, *averages, larger.side) <= kPlaceKurtosis)
-      return fits(larger) ? larger : of_density(density);
+  constexpr int kMostInCube = 8;
+  Strata best = balanced;
+  for (int count = 1; count <= std::min(kMostInCube, 2 * balanced.count); ++count) {
+    const auto over = [&](double side) {
+      const double density = density_of({side, count});
+      return std::max(excess_kurtosis({side, count}) - kurtosis,
+                      solidnoise::kurtosis_given_place(density, moments, *averages, side) - kPlaceKurtosis);
+    };
+    const double as_many = side_of(density_of(best), count);
+    const Strata larger{solidnoise::balanced_side(over, as_many, 4.0 * radius), count};
+    if (larger.side > as_many && fits(larger) && excess_kurtosis(larger) >= -kurtosis) best = larger;
   }
-  return balanced;
+  return best;
 }
 
 int StrataChoice::halvings(const Strata& strata) const {
@@ -179,7 +187,7 @@ Strata StrataChoice::of_density(double density) const {
   const auto in_cubes = [&](double side) { return density * std::pow(side, dimensions); };
   const auto of_count = [&](double count) {
     count = std::clamp(count, 1.0, 1e9);
-    return Strata{std::pow(count / density, 1.0 / dimensions), static_cast<int>(count)};
+    return Strata{side_of(density, static_cast<int>(count)), static_cast<int>(count)};
   };
   const Strata balanced = of_count(std::round(in_cubes(balanced_side())));
   return fits(balanced) ? balanced : of_count(std::ceil(in_cubes(smallest_cell())));

@@ -54,10 +54,10 @@ struct StrataChoice {
   double kurtosis = kMeanKurtosis;  // that the mean over all places may have
 
   // Balanced cubes with the fewest impulses in each for which the excess kurtosis given the place is within
-  // kPlaceKurtosis; or, where the mean may be more than kMeanKurtosis, larger ones of that mean. The peaks of
-  // narrow bands of isotropic kernels, most of all, only cubes far smaller than a wave would balance: where
-  // that takes more than kPlentyOverPoisson times the impulses of poisson_density(), as many, or one in each
-  // of the largest cubes of a mean within kMeanKurtosis, at most kMostOverPoisson times.
+  // kPlaceKurtosis; or, where the mean may be more than kMeanKurtosis, the fewest for which both are within.
+  // The peaks of narrow bands of isotropic kernels, most of all, only cubes far smaller than a wave would
+  // balance: where that takes more than kPlentyOverPoisson times the impulses of poisson_density(), as many,
+  // or one in each of the largest cubes of a mean within kMeanKurtosis, at most kMostOverPoisson times.
   Strata fewest() const;
 
   // Cubes as near to balanced ones as whole numbers allow, of this density.
@@ -83,9 +83,10 @@ struct StrataChoice {
 
  private:
   bool fits(const Strata& strata) const;
+  double density_of(const Strata& strata) const;
+  double side_of(double density, int count) const;
+  double excess_kurtosis(const Strata& strata) const;
   Strata fewest_balanced() const;
-  // With so many impulses in each, of this excess kurtosis, or of the one nearest to it.
-  Strata of_kurtosis(int count, double excess, double least_side, double most_side) const;
 };
 
 // Of isotropic Gabor kernels, of waves of random phase, of waves of phase 0 with random signs, and of kernels

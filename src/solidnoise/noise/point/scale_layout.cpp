@@ -79,8 +79,8 @@ double default_scale(const StrataChoice& choice, ScaleLayout layout) {
   const double wanted = choice.kurtosis > kMeanKurtosis ? choice.kurtosis : 0.0;
   const double balanced = scale_of_kurtosis(wanted, plenty, 8.0 * choice.radius);
   if (balanced > plenty) return balanced;
-  return scale_of_kurtosis(kMeanKurtosis, scale_of_density(layout, StrataChoice::kMostOverPoisson * poisson),
-                           plenty);
+  return scale_of_kurtosis(choice.kurtosis,
+                           scale_of_density(layout, StrataChoice::kMostOverPoisson * poisson), plenty);
 }
 
 }  // namespace
