@@ -100,7 +100,7 @@ def write_elsewhere(data, page):
                      measured(values["kurtosis"][i], values["kurtosis_error"][i], 3), *tails])
     page.write("""
 The same on surfaces, planes of any direction, with a frequency or with one of its own at each place, over an octave, and of noise by example, of `examples/exemplars/moss.jpg`; and of
-four octaves, a gain of 0.5, whose later ones have fewer impulses (an excess kurtosis of 0.15 each, which counts little in the sum). Each with the impulses that it has by default:
+four octaves, a gain of 0.5, whose later ones have fewer impulses (an excess kurtosis within 0.15 each, which counts little in the sum). Each with the impulses that it has by default:
 """)
     page.write(table(["noise", "mean, 10^-4", "variance", "excess kurtosis", "beyond 3", "beyond 4"], rows))
 

@@ -34,8 +34,8 @@ struct SurfaceNoiseRecipe {
   double error = 0.02;    // relative RMS error of Gabor kernels; 1e-4 to 0.5
   double impulses = 0.0;  // mean impulses under a Gabor kernel; 0: the fewest that look Gaussian
   ImpulseSpread impulses_process = ImpulseSpread::strata;
-  double kurtosis =
-      kMeanKurtosis;   // mean excess kurtosis that strata may leave, where impulses is 0; 0.02 to 0.5
+  // Mean excess kurtosis that strata may leave, where impulses is 0; 0.02 to 0.5.
+  double kurtosis = kMeanKurtosis;
   double layer = 0.5;  // of surface and oriented: half the layer's thickness, in kernel radii; 0.1 to 1
   FractalOptions fractal{};
   std::uint64_t seed = 0;
