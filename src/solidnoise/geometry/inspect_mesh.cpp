@@ -9,47 +9,46 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "solidnoise/core/adjacency.h"
 #include "solidnoise/core/bounds.h"
 
 namespace solidnoise {
 namespace {
 
-// An edge of a face: the smaller vertex in the upper half, the larger in the lower, and which way it is gone.
-struct FaceEdge {
-  std::uint64_t vertices;
-  bool upward;  // from the smaller to the larger
-};
-
-std::vector<FaceEdge> sorted_edges(const PolygonMesh& mesh) {
-  std::vector<FaceEdge> edges;
-  edges.reserve(mesh.corners.size());
+void count_edges(const PolygonMesh& mesh, MeshReport& report) {
+  // The faces' edges by their smaller vertices: twice the larger one, and 1 more where the face goes to it.
+  std::vector<std::uint32_t> smaller;
+  std::vector<std::uint64_t> larger;
+  smaller.reserve(mesh.corners.size());
+  larger.reserve(mesh.corners.size());
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
     const auto face = mesh.face(f);
     for (std::size_t k = 0; k < face.size() && face.size() > 1; ++k) {
-      const std::uint64_t a = face[k];
-      const std::uint64_t b = face[k + 1 < face.size() ? k + 1 : 0];
-      if (a != b) edges.push_back({std::min(a, b) << 32 | std::max(a, b), a < b});
+      const std::uint32_t a = face[k];
+      const std::uint32_t b = face[k + 1 < face.size() ? k + 1 : 0];
+      if (a == b) continue;
+      smaller.push_back(std::min(a, b));
+      larger.push_back(2 * std::uint64_t{std::max(a, b)} + (a < b ? 1 : 0));
     }
   }
-  std::sort(edges.begin(), edges.end(),
-            [](const FaceEdge& a, const FaceEdge& b) { return a.vertices < b.vertices; });
-  return edges;
-}
-
-void count_edges(const PolygonMesh& mesh, MeshReport& report) {
-  const std::vector<FaceEdge> edges = sorted_edges(mesh);
+  const Adjacency places = places_of(smaller, mesh.positions.size());
   double total_length = 0.0;
-  for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
-    while (end < edges.size() && edges[end].vertices == edges[begin].vertices) ++end;
-    const Vec<3>& a = mesh.positions[edges[begin].vertices >> 32];
-    const Vec<3>& b = mesh.positions[edges[begin].vertices & 0xffffffffu];
-    const std::size_t faces = end - begin;
-    ++report.edges;
-    total_length += glm::length(b - a);
-    if (a == b) ++report.zero_length_edges;
-    if (faces == 1) ++report.boundary_edges;
-    if (faces > 2) ++report.non_manifold_edges;
-    if (faces == 2 && edges[begin].upward == edges[begin + 1].upward) ++report.flipped_edges;
+  std::vector<std::uint64_t> edges;  // of one vertex
+  for (std::size_t v = 0; v < places.size(); ++v) {
+    edges.clear();
+    for (const std::uint32_t place : places[v]) edges.push_back(larger[place]);
+    std::sort(edges.begin(), edges.end());
+    for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
+      const std::uint64_t other = edges[begin] / 2;
+      while (end < edges.size() && edges[end] / 2 == other) ++end;
+      const std::size_t faces = end - begin;
+      ++report.edges;
+      total_length += glm::length(mesh.positions[other] - mesh.positions[v]);
+      if (mesh.positions[other] == mesh.positions[v]) ++report.zero_length_edges;
+      if (faces == 1) ++report.boundary_edges;
+      if (faces > 2) ++report.non_manifold_edges;
+      if (faces == 2 && edges[begin] == edges[begin + 1]) ++report.flipped_edges;
+    }
   }
   if (report.edges > 0) report.mean_edge_length = total_length / static_cast<double>(report.edges);
 }
@@ -70,29 +69,29 @@ bool is_degenerate(const PolygonMesh& mesh, std::span<const std::uint32_t> face,
 }
 
 void count_faces(const PolygonMesh& mesh, MeshReport& report) {
-  // The corners of each face in ascending order, and a hash of them that brings equal ones together.
+  // The corners of each face in ascending order, and the first of them: vertex count where there is none.
   std::vector<std::uint32_t> sorted = mesh.corners;
   const auto corners = [&](std::size_t f) {
     return std::span(sorted).subspan(mesh.face_starts[f], mesh.face_starts[f + 1] - mesh.face_starts[f]);
   };
-  std::vector<std::uint64_t> hashes(mesh.face_count());
+  std::vector<std::uint32_t> smallest(mesh.face_count(), static_cast<std::uint32_t>(mesh.positions.size()));
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
     std::sort(corners(f).begin(), corners(f).end());
     if (is_degenerate(mesh, mesh.face(f), corners(f))) ++report.degenerate_faces;
-    std::uint64_t hash = 0xcbf29ce484222325u;  // FNV-1a, by vertices in place of bytes
-    for (const std::uint32_t corner : corners(f)) hash = (hash ^ corner) * 0x100000001b3u;
-    hashes[f] = hash;
+    if (!corners(f).empty()) smallest[f] = corners(f)[0];
   }
-  std::vector<std::size_t> order(mesh.face_count());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto compare = [&](std::size_t a, std::size_t b) {
-    if (hashes[a] != hashes[b]) return hashes[a] < hashes[b];
+  const auto compare = [&](std::uint32_t a, std::uint32_t b) {
     return std::lexicographical_compare(corners(a).begin(), corners(a).end(), corners(b).begin(),
                                         corners(b).end());
   };
-  std::sort(order.begin(), order.end(), compare);
-  for (std::size_t i = 1; i < order.size(); ++i) {
-    if (!compare(order[i - 1], order[i])) ++report.duplicate_faces;
+  Adjacency faces = places_of(smallest, mesh.positions.size() + 1);
+  for (std::size_t v = 0; v < faces.size(); ++v) {
+    const auto begin = faces.items.begin() + faces.starts[v];
+    const auto end = faces.items.begin() + faces.starts[v + 1];
+    std::sort(begin, end, compare);
+    for (auto face = begin; end - face > 1; ++face) {
+      if (!compare(face[0], face[1])) ++report.duplicate_faces;
+    }
   }
 }
 

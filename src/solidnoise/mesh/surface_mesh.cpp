@@ -35,18 +35,11 @@ void check(const PolygonMesh& mesh) {
 }
 
 Adjacency triangles_around(const std::vector<Triangle>& triangles, std::size_t points) {
-  Adjacency around;
-  around.starts.assign(points + 1, 0);
-  for (const Triangle& triangle : triangles) {
-    for (const std::uint32_t point : triangle) ++around.starts[point + 1];
-  }
-  std::partial_sum(around.starts.begin(), around.starts.end(), around.starts.begin());
-  around.items.resize(around.starts.back());
-  std::vector<std::uint32_t> next(around.starts.begin(), around.starts.end() - 1);
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    for (const std::uint32_t point : triangles[t])
-      around.items[next[point]++] = static_cast<std::uint32_t>(t);
-  }
+  std::vector<std::uint32_t> corners;
+  corners.reserve(3 * triangles.size());
+  for (const Triangle& triangle : triangles) corners.insert(corners.end(), triangle.begin(), triangle.end());
+  Adjacency around = places_of(corners, points);
+  for (std::uint32_t& place : around.items) place /= 3;
   return around;
 }
 

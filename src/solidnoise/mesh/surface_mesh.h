@@ -5,22 +5,11 @@
 #include <span>
 #include <vector>
 
+#include "solidnoise/core/adjacency.h"
 #include "solidnoise/core/vec.h"
 #include "solidnoise/geometry/polygon_mesh.h"
 
 namespace solidnoise {
-
-// A list of indices for each element, all in one array: those of element i are
-// items[starts[i]] .. items[starts[i + 1] - 1].
-struct Adjacency {
-  std::vector<std::uint32_t> starts{0};
-  std::vector<std::uint32_t> items;
-
-  std::size_t size() const { return starts.size() - 1; }
-  std::span<const std::uint32_t> operator[](std::size_t element) const {
-    return std::span(items).subspan(starts[element], starts[element + 1] - starts[element]);
-  }
-};
 
 // The surface that a polygon mesh stands for. Files split vertices where texture coordinates or normals jump;
 // a surface has no such seams. So the mesh's vertices at equal positions are one *point* of the surface, and
