@@ -171,6 +171,20 @@ TEST(Curvature, SmoothedByARadiusIsThatOfTheSurfaceNotOfTheMesh) {
   EXPECT_LT(largest_mean(60, rounds), 0.9 * largest_mean(150, rounds));
 }
 
+// Mean curvatures by themselves: no line is in the way of their smoothing, which is to 1e-4.
+TEST(Curvature, HasTheMeanThatIsMeasuredByItself) {
+  const SurfaceMesh torus(torus_mesh(2.0, 0.7, {.n = 40, .jitter = 0.3}));
+  for (const CurvatureOptions& options : {CurvatureOptions{}, {.rounds = 3}, {.radius = 0.4}}) {
+    const Curvature all = measure_curvature(torus, options);
+    SurfaceSmoothing smoothing(torus);
+    std::vector<Vec<3>> normals = torus.normals();
+    smoothing.diffuse(normals, 0.2);
+    const std::vector<double> means = measure_mean_curvature(torus, smoothing, options, nullptr);
+    ASSERT_EQ(means.size(), all.size());
+    for (std::size_t v = 0; v < all.size(); ++v) EXPECT_NEAR(means[v], all.mean(v), 1e-14);
+  }
+}
+
 TEST(Curvature, HasAValueEverywhere) {
   // A fan of three triangles (a boundary all around), a triangle, one without area, and an isolated vertex.
   PolygonMesh mesh;

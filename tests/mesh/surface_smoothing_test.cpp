@@ -28,12 +28,12 @@ TEST(SurfaceSmoothing, DiffusesAsTheHeatEquationDoes) {
   SurfaceSmoothing smoothing(square);
   for (const double radius : {0.0, 0.3, 1.0}) {
     const auto before = [&](std::size_t p) { return std::cos(kPi * (square.positions()[p].x + 1.0)); };
-    std::vector<ShapeOperator> shapes(square.point_count());
-    for (std::size_t p = 0; p < shapes.size(); ++p) shapes[p].mean = before(p);
-    smoothing.diffuse(shapes, radius);
+    std::vector<double> numbers(square.point_count());
+    for (std::size_t p = 0; p < numbers.size(); ++p) numbers[p] = before(p);
+    smoothing.diffuse(numbers, radius);
     const double factor = std::pow(1.0 + kPi * kPi * radius * radius / 8.0, -2.0);
     // Squares of side h make pi^2 a share of (pi h)^2 / 12 = 1e-3 smaller.
-    for (std::size_t p = 0; p < shapes.size(); ++p) EXPECT_NEAR(shapes[p].mean, factor * before(p), 1e-3);
+    for (std::size_t p = 0; p < numbers.size(); ++p) EXPECT_NEAR(numbers[p], factor * before(p), 1e-3);
   }
 }
 
@@ -41,17 +41,22 @@ TEST(SurfaceSmoothing, KeepsConstantsAndParallelLines) {
   const SurfaceMesh cylinder(cylinder_mesh(0.7, 2.0, {.n = 20, .jitter = 0.3}));
   const TangentFrames frames(cylinder.normals());
   SurfaceSmoothing smoothing(cylinder);
-  std::vector<ShapeOperator> shapes(cylinder.point_count());
-  for (std::size_t p = 0; p < shapes.size(); ++p) {
-    shapes[p] = {3.0, line_at(frames[p].in_frame(Vec<3>(0.0, 1.0, 0.0)))};
+  std::vector<double> numbers(cylinder.point_count(), 3.0);
+  std::vector<Line> lines(cylinder.point_count());
+  for (std::size_t p = 0; p < lines.size(); ++p) {
+    lines[p] = line_at(frames[p].in_frame(Vec<3>(0.0, 1.0, 0.0)));
   }
-  const std::vector<ShapeOperator> before = shapes;
-  for (int round = 0; round < 5; ++round) smoothing.average(shapes, cylinder.areas());
-  smoothing.diffuse(shapes, 0.5);
-  for (std::size_t p = 0; p < shapes.size(); ++p) {
-    EXPECT_NEAR(shapes[p].mean, 3.0, 1e-5);
+  const std::vector<Line> before = lines;
+  for (int round = 0; round < 5; ++round) {
+    smoothing.average(numbers, cylinder.areas());
+    smoothing.average(lines, cylinder.areas());
+  }
+  smoothing.diffuse(numbers, 0.5);
+  smoothing.diffuse(lines, 0.5);
+  for (std::size_t p = 0; p < lines.size(); ++p) {
+    EXPECT_NEAR(numbers[p], 3.0, 1e-5);
     // The normals at the ends lean by up to an edge's angle (0.14), there and back.
-    EXPECT_LT(std::abs(shapes[p].line - before[p].line), 0.05);
+    EXPECT_LT(std::abs(lines[p] - before[p]), 0.05);
   }
 }
 
@@ -59,14 +64,14 @@ TEST(SurfaceSmoothing, KeepsConstantsAndParallelLines) {
 TEST(SurfaceSmoothing, KeepsTheIntegralAndTheRange) {
   const SurfaceMesh torus(torus_mesh(2.0, 0.7, {.n = 24, .jitter = 0.35}));
   SurfaceSmoothing smoothing(torus);
-  std::vector<ShapeOperator> shapes(torus.point_count());
-  shapes[100].mean = 1.0;
-  smoothing.diffuse(shapes, 0.3);
+  std::vector<double> numbers(torus.point_count());
+  numbers[100] = 1.0;
+  smoothing.diffuse(numbers, 0.3);
   double integral = 0.0;
-  for (std::size_t p = 0; p < shapes.size(); ++p) {
-    integral += torus.areas()[p] * shapes[p].mean;
-    EXPECT_GT(shapes[p].mean, -1e-4);
-    EXPECT_LT(shapes[p].mean, 0.5);
+  for (std::size_t p = 0; p < numbers.size(); ++p) {
+    integral += torus.areas()[p] * numbers[p];
+    EXPECT_GT(numbers[p], -1e-4);
+    EXPECT_LT(numbers[p], 0.5);
   }
   EXPECT_NEAR(integral, torus.areas()[100], 1e-3 * torus.areas()[100]);
 }
@@ -77,11 +82,11 @@ TEST(SurfaceSmoothing, DiffusesAcrossLongThinTriangles) {
   for (Vec<3>& position : mesh.positions) position.y /= 40.0;
   const SurfaceMesh strip(mesh);
   const auto before = [&](std::size_t p) { return std::cos(kPi * (strip.positions()[p].x + 1.0)); };
-  std::vector<ShapeOperator> shapes(strip.point_count());
-  for (std::size_t p = 0; p < shapes.size(); ++p) shapes[p].mean = before(p);
-  SurfaceSmoothing(strip).diffuse(shapes, 0.3);
+  std::vector<double> numbers(strip.point_count());
+  for (std::size_t p = 0; p < numbers.size(); ++p) numbers[p] = before(p);
+  SurfaceSmoothing(strip).diffuse(numbers, 0.3);
   const double factor = std::pow(1.0 + kPi * kPi * 0.3 * 0.3 / 8.0, -2.0);
-  for (std::size_t p = 0; p < shapes.size(); ++p) EXPECT_NEAR(shapes[p].mean, factor * before(p), 1e-3);
+  for (std::size_t p = 0; p < numbers.size(); ++p) EXPECT_NEAR(numbers[p], factor * before(p), 1e-3);
 }
 
 // Each round of the two steps asks once whether to go on.
@@ -112,10 +117,10 @@ TEST(SurfaceSmoothing, LeavesPointsWithoutFacesAsTheyAre) {
   points.face_starts = {0};
   points.corners.clear();
   const SurfaceMesh surface(points);
-  std::vector<ShapeOperator> shapes(surface.point_count());
-  shapes[7].mean = 1.0;
-  SurfaceSmoothing(surface).diffuse(shapes, 0.5);
-  EXPECT_EQ(shapes[7].mean, 1.0);
+  std::vector<double> numbers(surface.point_count());
+  numbers[7] = 1.0;
+  SurfaceSmoothing(surface).diffuse(numbers, 0.5);
+  EXPECT_EQ(numbers[7], 1.0);
 }
 
 TEST(Transport, IsUndoneByTheWayBackAndKeepsAngles) {

@@ -36,11 +36,17 @@ void gather(const SurfaceMesh& surface, const TangentFrame& frame, std::uint32_t
   }
 }
 
-std::vector<ShapeOperator> fit_shapes(const SurfaceMesh& surface, const TangentFrames& frames,
-                                      Progress& progress) {
+// The shape operators of points, mean curvature and line apart.
+struct Shapes {
+  std::vector<double> means;
+  std::vector<std::complex<double>> lines;
+};
+
+Shapes fit_shapes(const SurfaceMesh& surface, const TangentFrames& frames, Progress& progress) {
   constexpr std::size_t kNeighbours = 16;
   std::atomic<std::size_t> done = 0;
-  std::vector<ShapeOperator> shapes(surface.point_count());
+  Shapes shapes{std::vector<double>(surface.point_count()),
+                std::vector<std::complex<double>>(surface.point_count())};
   tbb::enumerable_thread_specific<RingSearch> searches([&] { return RingSearch(surface.neighbours()); });
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, surface.point_count(), 256),
                     [&](const tbb::blocked_range<std::size_t>& range) {
@@ -50,10 +56,33 @@ std::vector<ShapeOperator> fit_shapes(const SurfaceMesh& surface, const TangentF
                       for (std::size_t p = range.begin(); p < range.end(); ++p) {
                         const auto centre = static_cast<std::uint32_t>(p);
                         gather(surface, frames[p], centre, search.around(centre, kNeighbours), neighbours);
-                        shapes[p] = fit_shape(neighbours);
+                        const ShapeOperator shape = fit_shape(neighbours);
+                        shapes.means[p] = shape.mean;
+                        shapes.lines[p] = shape.line;
                       }
                       progress.advance(done += range.end() - range.begin(), surface.point_count());
                     });
+  return shapes;
+}
+
+// Measures and smooths, the lines only where they are wanted: fitting takes as long as twenty rounds, a
+// radius as ten.
+Shapes measure_shapes(const SurfaceMesh& surface, SurfaceSmoothing& smoothing,
+                      const CurvatureOptions& options, bool lines, Progress* progress) {
+  options.validate();
+  const double all = 20.0 + options.rounds + (options.radius > 0.0 ? 10.0 : 0.0);
+  PartialProgress fitting(progress, 0.0, 20.0 / all);
+  PartialProgress rounds(progress, 20.0 / all, (20.0 + options.rounds) / all);
+  Shapes shapes = fit_shapes(surface, TangentFrames(surface.normals()), fitting);
+  for (int round = 0; round < options.rounds; ++round) {
+    throw_if_cancelled(progress);
+    smoothing.average(shapes.means, surface.areas());
+    if (lines) smoothing.average(shapes.lines, surface.areas());
+    rounds.advance(static_cast<std::uint64_t>(round) + 1, static_cast<std::uint64_t>(options.rounds));
+  }
+  throw_if_cancelled(progress);
+  smoothing.diffuse(shapes.means, options.radius, progress);
+  if (lines) smoothing.diffuse(shapes.lines, options.radius, progress);
   return shapes;
 }
 
@@ -65,38 +94,33 @@ void CurvatureOptions::validate() const {
 }
 
 Curvature measure_curvature(const SurfaceMesh& surface, const CurvatureOptions& options, Progress* progress) {
-  options.validate();
-  // Fitting takes as long as twenty rounds, a radius as ten.
-  const double all = 20.0 + options.rounds + (options.radius > 0.0 ? 10.0 : 0.0);
-  PartialProgress fitting(progress, 0.0, 20.0 / all);
-  PartialProgress rounds(progress, 20.0 / all, (20.0 + options.rounds) / all);
-  const TangentFrames frames(surface.normals());
-  std::vector<ShapeOperator> shapes = fit_shapes(surface, frames, fitting);
-  if (options.rounds > 0 || options.radius > 0.0) {
-    SurfaceSmoothing smoothing(surface);
-    for (int round = 0; round < options.rounds; ++round) {
-      throw_if_cancelled(progress);
-      smoothing.average(shapes, surface.areas());
-      rounds.advance(static_cast<std::uint64_t>(round) + 1, static_cast<std::uint64_t>(options.rounds));
-    }
-    throw_if_cancelled(progress);
-    smoothing.diffuse(shapes, options.radius, progress);
-  }
+  SurfaceSmoothing smoothing(surface);
+  return measure_curvature(surface, smoothing, options, progress);
+}
 
+Curvature measure_curvature(const SurfaceMesh& surface, SurfaceSmoothing& smoothing,
+                            const CurvatureOptions& options, Progress* progress) {
+  const Shapes shapes = measure_shapes(surface, smoothing, options, true, progress);
+  const TangentFrames frames(surface.normals());
   const std::size_t count = surface.vertex_count();
   Curvature curvature{std::vector<double>(count), std::vector<double>(count), std::vector<Vec<3>>(count),
                       std::vector<Vec<3>>(count)};
   tbb::parallel_for(std::size_t{0}, count, [&](std::size_t v) {
-    const TangentFrame frame = frames[surface.point_of(v)];
-    const ShapeOperator& shape = shapes[surface.point_of(v)];
-    const double half_difference = std::abs(shape.line);
-    curvature.k1[v] = shape.mean + half_difference;
-    curvature.k2[v] = shape.mean - half_difference;
-    const std::complex<double> direction = direction_of_line(shape.line);
+    const std::uint32_t p = surface.point_of(v);
+    const double half_difference = std::abs(shapes.lines[p]);
+    curvature.k1[v] = shapes.means[p] + half_difference;
+    curvature.k2[v] = shapes.means[p] - half_difference;
+    const TangentFrame frame = frames[p];
+    const std::complex<double> direction = direction_of_line(shapes.lines[p]);
     curvature.k1_direction[v] = frame.in_space(direction);
     curvature.k2_direction[v] = frame.in_space({-direction.imag(), direction.real()});
   });
   return curvature;
+}
+
+std::vector<double> measure_mean_curvature(const SurfaceMesh& surface, SurfaceSmoothing& smoothing,
+                                           const CurvatureOptions& options, Progress* progress) {
+  return surface.to_vertices(measure_shapes(surface, smoothing, options, false, progress).means);
 }
 
 }  // namespace solidnoise

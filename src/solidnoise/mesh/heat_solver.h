@@ -18,36 +18,32 @@
 
 namespace solidnoise {
 
+inline double product(double a, double b) {
+  return a * b;
+}
 inline double product(const std::complex<double>& a, const std::complex<double>& b) {
   return a.real() * b.real() + a.imag() * b.imag();
 }
 inline double product(const Vec<3>& a, const Vec<3>& b) {
   return glm::dot(a, b);
 }
-inline double product(const ShapeOperator& a, const ShapeOperator& b) {
-  return a.mean * b.mean + product(a.line, b.line);
-}
 
 // A value of one place as it is at another.
 struct Carry {
   const std::vector<std::complex<float>>& turns;
 
+  double operator()(double number, std::size_t) const { return number; }
+  Vec<3> operator()(const Vec<3>& vector, std::size_t) const { return vector; }
   std::complex<double> operator()(const std::complex<double>& line, std::size_t entry) const {
     return turned(line, turns[entry].real(), turns[entry].imag());
   }
-  ShapeOperator operator()(const ShapeOperator& shape, std::size_t entry) const {
-    return {shape.mean, (*this)(shape.line, entry)};
-  }
-  Vec<3> operator()(const Vec<3>& vector, std::size_t) const { return vector; }
 
   // The way back.
+  double back(double number, std::size_t) const { return number; }
+  Vec<3> back(const Vec<3>& vector, std::size_t) const { return vector; }
   std::complex<double> back(const std::complex<double>& line, std::size_t entry) const {
     return turned(line, turns[entry].real(), -turns[entry].imag());
   }
-  ShapeOperator back(const ShapeOperator& shape, std::size_t entry) const {
-    return {shape.mean, back(shape.line, entry)};
-  }
-  Vec<3> back(const Vec<3>& vector, std::size_t) const { return vector; }
 
  private:
   static std::complex<double> turned(const std::complex<double>& line, double c, double s) {
@@ -84,19 +80,13 @@ class HeatMatrix {
     return sum;
   }
 
-  // A round of Jacobi's method for A x = b, damped: with less than 1 every error shrinks, for the eigenvalues
-  // of A over its diagonal lie between 0 and 2. `scratch` has the same size.
-  void relax(const std::vector<Value>& b, std::vector<Value>& x, std::vector<Value>& scratch) const {
-    tbb::parallel_for(std::size_t{0}, size(), [&](std::size_t p) {
-      scratch[p] = x[p] + (kDamping / diagonal_[p]) * (b[p] - row(x, p));
-    });
-    x.swap(scratch);
+  // What a round of Jacobi's method for A x = b makes of x at p, damped: with less than 1 every error
+  // shrinks, for the eigenvalues of A over its diagonal lie between 0 and 2.
+  Value relaxed(const std::vector<Value>& b, const std::vector<Value>& x, std::size_t p) const {
+    return x[p] + relaxed_zero(b[p] - row(x, p), p);
   }
-  // The same from x = 0.
-  void relax_zero(const std::vector<Value>& b, std::vector<Value>& x) const {
-    tbb::parallel_for(std::size_t{0}, size(),
-                      [&](std::size_t p) { x[p] = (kDamping / diagonal_[p]) * b[p]; });
-  }
+  // The same of x = 0, for b at p.
+  Value relaxed_zero(const Value& b, std::size_t p) const { return (kDamping / diagonal_[p]) * b; }
 
  private:
   static constexpr double kDamping = 0.7;
@@ -129,9 +119,13 @@ class HeatSolver {
     const HeatMatrix<Value>& matrix = finest.matrix;
     std::vector<Value>& residual = finest.residual;
     each(x, [&](std::size_t i) { residual[i] = matrix.mass(i) * x[i]; });
-    const double wanted = kError * kError * inner(residual, x);
+    const double wanted =
+        kError * kError * sum_each(x, [&](std::size_t i) { return product(residual[i], x[i]); });
     // From x itself, which constants and isolated values are the solution of, without its finest detail.
-    for (int round = 0; round < kFirstRounds; ++round) matrix.relax(residual, x, finest.scratch);
+    for (int round = 0; round < kFirstRounds; ++round) {
+      each(x, [&](std::size_t i) { finest.scratch[i] = matrix.relaxed(residual, x, i); });
+      x.swap(finest.scratch);
+    }
     each(x, [&](std::size_t i) { residual[i] -= matrix.row(x, i); });
     improve(0, x, {kMostRounds, wanted}, progress);
   }
@@ -165,13 +159,14 @@ class HeatSolver {
     tbb::parallel_for(std::size_t{0}, of.size(), body);
   }
 
-  // The sum of their products, in an order that depends on their number only.
-  static double inner(const std::vector<Value>& a, const std::vector<Value>& b) {
+  // The sum of what the body returns for each, in an order that depends on their number only.
+  template <typename Body>
+  static double sum_each(const std::vector<Value>& of, const Body& body) {
     constexpr std::size_t kGrain = 4096;
     return tbb::parallel_deterministic_reduce(
-        tbb::blocked_range<std::size_t>(0, a.size(), kGrain), 0.0,
+        tbb::blocked_range<std::size_t>(0, of.size(), kGrain), 0.0,
         [&](const tbb::blocked_range<std::size_t>& range, double sum) {
-          for (std::size_t i = range.begin(); i < range.end(); ++i) sum += product(a[i], b[i]);
+          for (std::size_t i = range.begin(); i < range.end(); ++i) sum += body(i);
           return sum;
         },
         std::plus<>());
@@ -186,23 +181,23 @@ class HeatSolver {
   // the flexible kind (Notay 2000), for guesses are not linear in the residual.
   void improve(std::size_t index, std::vector<Value>& x, const Ending& ending, Progress* progress) {
     Level& level = levels_[index];
-    make_guess(index);
+    double norm = make_guess(index);
     level.direction = level.guess;
-    double norm = inner(level.residual, level.guess);
     for (int round = 1; norm > ending.norm; ++round) {
       throw_if_cancelled(progress);
-      each(x, [&](std::size_t i) { level.image[i] = level.matrix.row(level.direction, i); });
-      const double energy = inner(level.direction, level.image);
+      const double energy = sum_each(x, [&](std::size_t i) {
+        level.image[i] = level.matrix.row(level.direction, i);
+        return product(level.direction[i], level.image[i]);
+      });
       if (!(energy > 0.0)) return;  // of what is too small for a square
       const double length = norm / energy;
-      each(x, [&](std::size_t i) {
+      const double left = sum_each(x, [&](std::size_t i) {
         x[i] += length * level.direction[i];
         level.residual[i] -= length * level.image[i];
+        return product(level.residual[i], level.guess[i]);
       });
       if (round == ending.rounds) return;
-      const double left = inner(level.residual, level.guess);
-      make_guess(index);
-      const double next = inner(level.residual, level.guess);
+      const double next = make_guess(index);
       const double ratio = (next - left) / norm;
       norm = next;
       each(x, [&](std::size_t i) { level.direction[i] = level.guess[i] + ratio * level.direction[i]; });
@@ -210,27 +205,34 @@ class HeatSolver {
   }
 
   // An approximation of the solution for a level's residual: relaxed, improved on the coarser levels,
-  // relaxed.
-  void make_guess(std::size_t index) {
+  // relaxed. Returns the sum of the products of the two.
+  double make_guess(std::size_t index) {
     Level& fine = levels_[index];
-    fine.matrix.relax_zero(fine.residual, fine.guess);
-    if (index == coarser_.size()) return;
+    const auto relax_zero = [&](std::size_t p) {
+      fine.guess[p] = fine.matrix.relaxed_zero(fine.residual[p], p);
+      return product(fine.residual[p], fine.guess[p]);
+    };
+    if (index == coarser_.size()) return sum_each(fine.guess, relax_zero);
+    each(fine.guess, relax_zero);
     Level& coarse = levels_[index + 1];
     const CoarserLevel& clusters = coarser_[index];
     const Carry carry{clusters.turns};
-    each(fine.guess, [&](std::size_t p) {
-      fine.scratch[p] = carry.back(fine.residual[p] - fine.matrix.row(fine.guess, p), p);
+    each(coarse.residual, [&](std::size_t c) {
+      coarse.residual[c] = Value();
+      for (const std::uint32_t p : clusters.places[c])
+        coarse.residual[c] += carry.back(fine.residual[p] - fine.matrix.row(fine.guess, p), p);
     });
-    std::fill(coarse.residual.begin(), coarse.residual.end(), Value());
-    for (std::size_t p = 0; p < fine.scratch.size(); ++p) {
-      coarse.residual[clusters.cluster_of[p]] += fine.scratch[p];
-    }
     coarse.correction.assign(coarse.residual.size(), Value());
     const bool is_coarsest = index + 1 == coarser_.size();
     improve(index + 1, coarse.correction, {is_coarsest ? kCoarsestRounds : kCoarseRounds}, nullptr);
     each(fine.guess,
          [&](std::size_t p) { fine.guess[p] += carry(coarse.correction[clusters.cluster_of[p]], p); });
-    fine.matrix.relax(fine.residual, fine.guess, fine.scratch);
+    const double norm = sum_each(fine.guess, [&](std::size_t p) {
+      fine.scratch[p] = fine.matrix.relaxed(fine.residual, fine.guess, p);
+      return product(fine.residual[p], fine.scratch[p]);
+    });
+    fine.guess.swap(fine.scratch);
+    return norm;
   }
 
   std::span<const CoarserLevel> coarser_;

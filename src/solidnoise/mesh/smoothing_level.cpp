@@ -162,41 +162,41 @@ CoarserLevel make_coarser(const SmoothingLevel& fine) {
     float weight;
     std::complex<float> turn;
   };
-  std::vector<std::vector<Edge>> edges(seeds.size());
-  std::vector<std::uint32_t> counts(seeds.size(), 0);
+  result.places = places_of(result.cluster_of, seeds.size());
+  std::vector<std::vector<Edge>> edges(seeds.size());  // one to each of a cluster's neighbours
   coarse.areas.assign(seeds.size(), 0.0);
   coarse.positions.assign(seeds.size(), Vec<3>(0.0));
-  for (std::size_t p = 0; p < fine.size(); ++p) {
-    const std::uint32_t cluster = result.cluster_of[p];
-    coarse.areas[cluster] += fine.areas[p];
-    coarse.positions[cluster] += fine.positions[p];
-    ++counts[cluster];
-    for (std::size_t k = fine.neighbours.starts[p]; k < fine.neighbours.starts[p + 1]; ++k) {
-      const std::uint32_t q = fine.neighbours.items[k];
-      const std::uint32_t other = result.cluster_of[q];
-      if (other == cluster) continue;
-      edges[cluster].push_back(
-          {other, fine.weights[k], std::conj(result.turns[p]) * fine.turns[k] * result.turns[q]});
+  tbb::parallel_for(std::size_t{0}, seeds.size(), [&](std::size_t cluster) {
+    std::vector<Edge> all;
+    for (const std::uint32_t p : result.places[cluster]) {
+      coarse.areas[cluster] += fine.areas[p];
+      coarse.positions[cluster] += fine.positions[p];
+      for (std::size_t k = fine.neighbours.starts[p]; k < fine.neighbours.starts[p + 1]; ++k) {
+        const std::uint32_t q = fine.neighbours.items[k];
+        const std::uint32_t other = result.cluster_of[q];
+        if (other == cluster) continue;
+        all.push_back({other, fine.weights[k], std::conj(result.turns[p]) * fine.turns[k] * result.turns[q]});
+      }
     }
-  }
-  for (std::size_t c = 0; c < seeds.size(); ++c) coarse.positions[c] /= counts[c];
-
-  for (std::vector<Edge>& all : edges) {
+    coarse.positions[cluster] /= result.places[cluster].size();
     std::stable_sort(all.begin(), all.end(), [](const Edge& a, const Edge& b) { return a.other < b.other; });
     for (std::size_t i = 0; i < all.size();) {
-      const std::uint32_t other = all[i].other;
-      float weight = 0.0f;
-      std::complex<float> turn = 0.0f;
-      for (; i < all.size() && all[i].other == other; ++i) {
-        weight += all[i].weight;
-        turn += all[i].weight * all[i].turn;
+      Edge sum{all[i].other, 0.0f, 0.0f};
+      for (; i < all.size() && all[i].other == sum.other; ++i) {
+        sum.weight += all[i].weight;
+        sum.turn += all[i].weight * all[i].turn;
       }
-      coarse.neighbours.items.push_back(other);
-      coarse.weights.push_back(weight);
-      coarse.turns.push_back(weight > 0.0f ? turn / weight : 0.0f);
+      edges[cluster].push_back(sum);
+    }
+  });
+
+  for (const std::vector<Edge>& all : edges) {
+    for (const Edge& edge : all) {
+      coarse.neighbours.items.push_back(edge.other);
+      coarse.weights.push_back(edge.weight);
+      coarse.turns.push_back(edge.weight > 0.0f ? edge.turn / edge.weight : 0.0f);
     }
     coarse.neighbours.starts.push_back(static_cast<std::uint32_t>(coarse.neighbours.items.size()));
-    all = {};
   }
   coarse.mean_edge = mean_edge_of(coarse);
   return result;

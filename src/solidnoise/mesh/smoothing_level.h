@@ -34,6 +34,7 @@ SmoothingLevel level_of_points(const SurfaceMesh& surface, std::span<const Vec<3
 struct CoarserLevel {
   SmoothingLevel level;
   std::vector<std::uint32_t> cluster_of;   // of each place of the finer level
+  Adjacency places;                        // of each cluster
   std::vector<std::complex<float>> turns;  // what the cluster's line is multiplied with at the place
 };
 

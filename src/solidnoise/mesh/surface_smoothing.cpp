@@ -32,12 +32,17 @@ void average_round(const SmoothingLevel& points, std::vector<Value>& values,
 
 }  // namespace
 
-void SurfaceSmoothing::average(std::vector<ShapeOperator>& shapes, const std::vector<double>& weights) const {
-  average_round(points_, shapes, weights);
+const SmoothingLevel& SurfaceSmoothing::points() {
+  if (!points_) points_ = level_of_points(surface_, normals_);
+  return *points_;
 }
 
-void SurfaceSmoothing::average(std::vector<Line>& lines, const std::vector<double>& weights) const {
-  average_round(points_, lines, weights);
+void SurfaceSmoothing::average(std::vector<double>& numbers, const std::vector<double>& weights) {
+  average_round(points(), numbers, weights);
+}
+
+void SurfaceSmoothing::average(std::vector<Line>& lines, const std::vector<double>& weights) {
+  average_round(points(), lines, weights);
 }
 
 template <typename Value>
@@ -49,7 +54,7 @@ void SurfaceSmoothing::spread(std::vector<Value>& values, double radius, Progres
   constexpr double kWorthwhile = 0.8;
   std::size_t depth = 0;
   const auto coarsest = [&]() -> const SmoothingLevel& {
-    return depth > 0 ? coarser_[depth - 1].level : points_;
+    return depth > 0 ? coarser_[depth - 1].level : points();
   };
   while (coarsest().mean_edge > 0.0 && radius > kFewEdges * coarsest().mean_edge) {
     throw_if_cancelled(progress);
@@ -60,12 +65,16 @@ void SurfaceSmoothing::spread(std::vector<Value>& values, double radius, Progres
   }
   // In the plane the mean square of the way is 4 t; in one implicit step of time t as well.
   constexpr int kSteps = 2;
-  HeatSolver<Value> solver(points_, std::span(coarser_).first(depth), 0.25 * radius * radius / kSteps);
+  HeatSolver<Value> solver(points(), std::span(coarser_).first(depth), 0.25 * radius * radius / kSteps);
   for (int i = 0; i < kSteps; ++i) solver.step(values, progress);
 }
 
-void SurfaceSmoothing::diffuse(std::vector<ShapeOperator>& shapes, double radius, Progress* progress) {
-  spread(shapes, radius, progress);
+void SurfaceSmoothing::diffuse(std::vector<double>& numbers, double radius, Progress* progress) {
+  spread(numbers, radius, progress);
+}
+
+void SurfaceSmoothing::diffuse(std::vector<Line>& lines, double radius, Progress* progress) {
+  spread(lines, radius, progress);
 }
 
 void SurfaceSmoothing::diffuse(std::vector<Vec<3>>& vectors, double radius, Progress* progress) {

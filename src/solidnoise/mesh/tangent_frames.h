@@ -82,22 +82,6 @@ class LineMean {
 struct ShapeOperator {
   double mean = 0.0;                // H, 1/world unit
   std::complex<double> line = 0.0;  // 1/world unit
-
-  ShapeOperator& operator+=(const ShapeOperator& other) {
-    mean += other.mean;
-    line += other.line;
-    return *this;
-  }
-  ShapeOperator& operator-=(const ShapeOperator& other) {
-    mean -= other.mean;
-    line -= other.line;
-    return *this;
-  }
-  friend ShapeOperator operator+(ShapeOperator a, const ShapeOperator& b) { return a += b; }
-  friend ShapeOperator operator-(ShapeOperator a, const ShapeOperator& b) { return a -= b; }
-  friend ShapeOperator operator*(double factor, const ShapeOperator& shape) {
-    return {factor * shape.mean, factor * shape.line};
-  }
 };
 
 }  // namespace solidnoise

@@ -127,7 +127,7 @@ std::vector<Vec<3>> curvature_directions(const SurfaceMesh& surface, const Curva
   const TangentFrames frames(surface.normals());
   std::vector<Line> lines = lines_of(surface, frames, curvature);
   const double shortest = shortest_line(surface, curvature);
-  const SurfaceSmoothing smoothing(surface);
+  SurfaceSmoothing smoothing(surface);
   const auto smooth = [&] {
     for (int round = 0; round < rounds; ++round) smoothing.average(lines, surface.areas());
   };
@@ -187,15 +187,15 @@ void weaken_where_they_turn(const SurfaceMesh& surface, std::span<const Vec<3>> 
   std::vector<Vec<3>> normals(surface.point_count());
   for (std::size_t p = 0; p < normals.size(); ++p) normals[p] = planes[surface.vertex_at(p)];
   const TangentFrames frames(normals);
-  std::vector<ShapeOperator> shapes(normals.size());
-  for (std::size_t p = 0; p < shapes.size(); ++p)
-    shapes[p].line = axis_line(frames[p], directions[surface.vertex_at(p)]);
-  SurfaceSmoothing(surface, normals).diffuse(shapes, radius, progress);
+  std::vector<Line> lines(normals.size());
+  for (std::size_t p = 0; p < lines.size(); ++p)
+    lines[p] = axis_line(frames[p], directions[surface.vertex_at(p)]);
+  SurfaceSmoothing(surface, normals).diffuse(lines, radius, progress);
   for (std::size_t v = 0; v < directions.size(); ++v) {
     const std::uint32_t p = surface.point_of(v);
     if (surface.triangles_at(p).empty()) continue;
-    const Line line = shapes[p].line;
-    directions[v] = std::min(1.0, std::abs(line) / kMost) * frames[p].in_space(direction_of_line(line));
+    directions[v] =
+        std::min(1.0, std::abs(lines[p]) / kMost) * frames[p].in_space(direction_of_line(lines[p]));
   }
 }
 
@@ -220,10 +220,11 @@ std::vector<Vec<3>> normals_of(const PolygonMesh& mesh, const SurfaceMesh& surfa
 }
 
 // Where opposite normals meet there is no plane between them, and the surface's own normal stays.
-std::vector<Vec<3>> smooth_normals(const SurfaceMesh& surface, double radius, Progress* progress) {
+std::vector<Vec<3>> smooth_normals(const SurfaceMesh& surface, SurfaceSmoothing& smoothing, double radius,
+                                   Progress* progress) {
   constexpr double kShortest = 1e-3;
   std::vector<Vec<3>> smooth = surface.normals();
-  SurfaceSmoothing(surface).diffuse(smooth, radius, progress);
+  smoothing.diffuse(smooth, radius, progress);
   for (std::size_t p = 0; p < smooth.size(); ++p) {
     const double length = glm::length(smooth[p]);
     smooth[p] = length > kShortest ? smooth[p] / length : surface.normals()[p];
@@ -270,24 +271,28 @@ VertexGuides measure_guides(const PolygonMesh& mesh, const SurfaceMesh& surface,
   PartialProgress stop(progress, 0.0, 0.0);  // how far it is nobody can tell
   VertexGuides guides;
   const double radius = smoothing_radius(recipe, frequency);
+  SurfaceSmoothing smoothing(surface);
   guides.normals = normals_of(mesh, surface);
   if (radius > 0.0 && has_plane(recipe.noise) && !surface.triangles().empty())
-    guides.smooth_normals = smooth_normals(surface, radius, &stop);
+    guides.smooth_normals = smooth_normals(surface, smoothing, radius, &stop);
   const bool oriented = has_direction(recipe.noise);
   const bool steered_by_curvature = recipe.steers() && recipe.by.source != SteeringSource::attribute &&
                                     recipe.by.source != SteeringSource::height;
   const bool directed_by_curvature = oriented && recipe.direction.source != DirectionRecipe::Source::axis;
+  const CurvatureOptions options{.rounds = recipe.smooth, .radius = radius};
+  const bool by_mean_alone =
+      steered_by_curvature && !directed_by_curvature && recipe.by.source == SteeringSource::mean_curvature;
   Curvature curvature;
-  if (steered_by_curvature || directed_by_curvature) {
-    curvature = measure_curvature(surface, {.rounds = recipe.smooth, .radius = radius}, &stop);
-  }
+  if ((steered_by_curvature || directed_by_curvature) && !by_mean_alone)
+    curvature = measure_curvature(surface, smoothing, options, &stop);
   if (oriented) guides.directions = make_directions(surface, guides.planes(), curvature, recipe);
   if (recipe.noise.kind == SurfaceNoiseKind::oriented && radius > 0.0 && !surface.triangles().empty())
     weaken_where_they_turn(surface, guides.planes(), radius, &stop, guides.directions);
   if (recipe.noise.kind == SurfaceNoiseKind::spectrum) turn_upright(guides.planes(), guides.directions);
   throw_if_cancelled(progress);
   if (recipe.steers()) {
-    guides.numbers = steering_numbers(mesh, curvature, recipe.by, recipe.up);
+    guides.numbers = by_mean_alone ? measure_mean_curvature(surface, smoothing, options, &stop)
+                                   : steering_numbers(mesh, curvature, recipe.by, recipe.up);
     guides.steering = make_weights(guides.numbers, recipe.by, vertex_areas(surface));
   }
   return guides;
