@@ -3,7 +3,7 @@ octave."""
 
 import numpy as np
 import solidnoise
-from scipy import optimize
+from scipy import optimize, special
 
 from papers.gabor import Isotropic, Oriented, a_of, mean_cosine, nodes
 
@@ -54,3 +54,36 @@ class Overlap:
         balanced = optimize.brentq(self.share, 0.05, 3)
         count = max(1, round(density * balanced**self.n))
         return (count / density) ** (1 / self.n), count
+
+
+class Cumulants:
+    """The fourth and the sixth of strata, over powers of the variance: the integrals by sums over a lattice, on which cubes are smoothed with by their transforms."""
+
+    def __init__(self, n, kind):
+        self.n, kernel = n, kernel_of(n, kind)
+        self.count = {1: 2048, 2: 256, 3: 96, 4: 40}[n]
+        self.step = 3 / kernel.a / self.count
+        axis = (np.arange(self.count) - self.count // 2) * self.step
+        square = mean_square(kernel, np.sqrt(sum(x**2 for x in np.meshgrid(*[axis] * n, indexing="ij", sparse=True))))
+        # The means over phases of the fourth and sixth powers of a wave are 3/2 and 5/2 of the powers of its mean square.
+        self.square, self.fourth, self.sixth = square, (1.0, 1.5)[kind] * square**2, (1.0, 2.5)[kind] * square**3
+
+    def integral(self, values):
+        return values.sum() * self.step**self.n
+
+    def __call__(self, side, count):
+        frequencies = [np.fft.fftfreq(self.count, self.step)] * (self.n - 1) + [np.fft.rfftfreq(self.count, self.step)]
+        cube = np.prod(np.meshgrid(*[np.sinc(side * f) for f in frequencies], indexing="ij"), 0)
+        smooth, smooth_fourth = (np.fft.irfftn(cube * np.fft.rfftn(values), values.shape) for values in (self.square, self.fourth))
+        density = count / side**self.n
+        fourth = density * self.integral(self.fourth - 3 * smooth**2)
+        sixth = density * self.integral(self.sixth - 15 * smooth_fourth * smooth + 30 * smooth**3)
+        variance = density * self.integral(self.square)
+        return fourth / variance**2, sixth / variance**3
+
+
+def beyond(limit, fourth, sixth):
+    """The share of values beyond a limit over that of a Gaussian field, of these cumulants, by Edgeworth's series."""
+    hermite = [special.hermitenorm(degree)(limit) for degree in (3, 5, 7)]
+    terms = np.dot(hermite, (fourth / 24, sixth / 720, fourth**2 / 1152))
+    return 1 + terms * np.exp(-0.5 * limit**2) / np.sqrt(2 * np.pi) / special.ndtr(-limit)

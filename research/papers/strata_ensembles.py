@@ -8,7 +8,7 @@ import solidnoise
 
 from papers.data import columns, mean_of
 from papers.gabor import a_of
-from papers.strata import Overlap, library
+from papers.strata import Cumulants, Overlap, beyond, library
 
 BATCHES, SEEDS = 20, 400
 MOMENTS = [name + error for name in ("mean", "variance", "kurtosis", "beyond_3", "beyond_4") for error in ("", "_error")]
@@ -40,10 +40,13 @@ def ensembles():
             for poisson in (False, True):
                 noise = library(n, kind, poisson=poisson)
                 about = noise.description
-                side = math.nan if poisson else Overlap(n, kind).cubes(about["impulse_density"])[0] * a_of(1.0)
+                side, tails = math.nan, (math.nan, math.nan)
+                if not poisson:  # whose cumulants are too large for a series
+                    side, count = Overlap(n, kind).cubes(about["impulse_density"])
+                    tails = [beyond(limit, *Cumulants(n, kind)(side, count)) for limit in (3, 4)]
                 found = np.ravel(np.transpose(measure_ensemble(n, kind, poisson)))
-                rows.append([n, kind, poisson, about["impulses_per_kernel"], side, noise.excess_kurtosis, *found])
-    return {"strata_ensembles": columns(["n", "kind", "poisson", "impulses", "side", "closed", *MOMENTS], rows)}
+                rows.append([n, kind, poisson, about["impulses_per_kernel"], side * a_of(1.0), noise.excess_kurtosis, *tails, *found])
+    return {"strata_ensembles": columns(["n", "kind", "poisson", "impulses", "side", "closed", "closed_3", "closed_4", *MOMENTS], rows)}
 
 
 def on_plane(random, step):

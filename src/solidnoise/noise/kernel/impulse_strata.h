@@ -29,8 +29,9 @@ namespace solidnoise {
 //   kappa_6 = density (integral of S  -  15 integral of (h * Q) (h * M)  +  30 integral of (h * M)^3):
 // over the cube of the variance, of waves under exp(-pi a^2 r^2) in balanced cubes, 0.18, 0.64 and 1.02 times
 // (a^n / density)^2 in 2, 3 and 4 dimensions; 3.3, 3.8 and 4.4 times of a Poisson process. By Edgeworth's
-// series there are 1 + 9.2 kurtosis + 2.6 kappa_6 times as many such values as a Gaussian field has: 1.25
-// with one impulse in each cube in 3D, and the nearer to 1 the more there are.
+// series there are 1 + 9.2 kurtosis + 2.6 kappa_6 times as many such values as a Gaussian field has: with one
+// impulse in each cube in 3D 1.25 of waves, and of isotropic kernels 1.43 at a bandwidth of one octave and
+// 1.84 at two; the nearer to 1 the more there are.
 //
 // Weights whose signs, or phases, are balanced in each cube would gain nothing: kappa_4 is of how the power,
 // the sum of squared kernels, differs from place to place, and squares stay what they are; but impulses of
