@@ -44,9 +44,10 @@ SampleMoments measured(const ExemplarModel& model, int count, double left = 1.0)
   std::normal_distribution<double> normal;
   std::vector<Vec<3>> colors;
   std::vector<double> values(model.channels.size());
+  const ChannelColors color_of(model, std::vector(values.size(), left * left));
   for (int i = 0; i < count; ++i) {
     for (double& value : values) value = left * normal(engine);
-    colors.push_back(model.color(values, std::vector(values.size(), left * left)));
+    colors.push_back(color_of(values));
   }
   SampleMoments moments{std::vector<double>(3), std::vector<double>(9)};
   for (const Vec<3>& color : colors) {

@@ -71,8 +71,7 @@ struct Phasor {
 };
 
 struct ExemplarColors {
-  ExemplarModel model;
-  std::vector<double> variances;  // of the noises
+  ChannelColors color_of;
 
   int channels() const { return 3; }
   void operator()(std::span<const float> source, std::span<float> values) const {
@@ -80,7 +79,7 @@ struct ExemplarColors {
     std::vector<double> sample(source.size() / count);
     for (std::size_t i = 0; i < count; ++i) {
       for (std::size_t k = 0; k < sample.size(); ++k) sample[k] = source[k * count + i];
-      const Vec<3> color = model.color(sample, variances);
+      const Vec<3> color = color_of(sample);
       for (int c = 0; c < 3; ++c) {
         values[static_cast<std::size_t>(c) * count + i] = static_cast<float>(color[c]);
       }
@@ -164,7 +163,7 @@ FieldPtr exemplar_colors_of(std::vector<FieldPtr> noises, const ExemplarModel& m
     variances.push_back(statistics ? statistics->variance : 1.0);
   }
   return std::make_shared<DerivedField<ExemplarColors>>(side_by_side(std::move(noises)),
-                                                        ExemplarColors{model, std::move(variances)});
+                                                        ExemplarColors{ChannelColors(model, variances)});
 }
 
 }  // namespace solidnoise

@@ -1,5 +1,6 @@
 #include "solidnoise/mesh/bake_values.h"
 
+#include <array>
 #include <cstddef>
 #include <stdexcept>
 #include <utility>
@@ -69,14 +70,15 @@ std::vector<Color> exemplar_colors(const BakePlan& plan, const BakeRecipe& recip
   std::vector<double> variances;
   for (const BakedLayers& channel : channels)
     variances.push_back(recipe.contrast * recipe.contrast * channel.variance);
+  const ChannelColors color_of(exemplar, variances);
   std::vector<Color> colors(channels.front().values.size());
-  std::vector<double> values(channels.size());
-  for (std::size_t i = 0; i < colors.size(); ++i) {
+  tbb::parallel_for(std::size_t{0}, colors.size(), [&](std::size_t i) {
+    std::array<double, 3> values{};
     for (std::size_t k = 0; k < channels.size(); ++k)
       values[k] = recipe.contrast * static_cast<double>(channels[k].values[i]);
-    const Color color(exemplar.color(values, variances));
+    const Color color(color_of(values));
     colors[i] = exemplar.raw_values ? linear_from_srgb(color) : color;
-  }
+  });
   return colors;
 }
 

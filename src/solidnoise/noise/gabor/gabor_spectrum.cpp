@@ -188,15 +188,20 @@ Vec<3> ExemplarModel::mean_color() const {
   return squares ? mean * mean + variances() : mean;
 }
 
-Vec<3> ExemplarModel::color(std::span<const double> values, std::span<const double> variances) const {
-  Vec<3> sum = mean;
-  Vec<3> taken(0.0);
-  for (std::size_t k = 0; k < channels.size(); ++k) {
-    const double variance = channels[k].variance();
-    sum += std::sqrt(variance) * values[k] * axes[k];
-    if (!variances.empty()) taken += (1.0 - variances[k]) * variance * axes[k] * axes[k];
+ChannelColors::ChannelColors(const ExemplarModel& model, std::span<const double> variances)
+    : mean_(model.mean), squares_(model.squares) {
+  for (std::size_t k = 0; k < model.channels.size(); ++k) {
+    const double variance = model.channels[k].variance();
+    channels_.push_back({std::sqrt(variance), model.axes[k]});
+    if (!variances.empty()) taken_ += (1.0 - variances[k]) * variance * model.axes[k] * model.axes[k];
   }
-  return squares ? sum * sum + taken : sum;
+}
+
+Vec<3> ChannelColors::operator()(std::span<const double> values) const {
+  Vec<3> sum = mean_;
+  for (std::size_t k = 0; k < channels_.size(); ++k)
+    sum += channels_[k].deviation * values[k] * channels_[k].axis;
+  return squares_ ? sum * sum + taken_ : sum;
 }
 
 void ExemplarModel::validate() const {

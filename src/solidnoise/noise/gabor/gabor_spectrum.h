@@ -78,14 +78,31 @@ struct ExemplarModel {
   Vec<3> variances() const;
   Vec<3> mean_color() const;
 
-  // The color that noises of unit variance make, one value per channel, or of these variances, where a filter
-  // has taken some: the mean of the colours stays then, of squares too. Not clamped. Precondition: valid.
-  Vec<3> color(std::span<const double> values, std::span<const double> variances = {}) const;
-
   // Throws std::invalid_argument: as GaborSpectrum::validate, and where numbers or dimensions do not agree.
   void validate() const;
 
   friend bool operator==(const ExemplarModel&, const ExemplarModel&) = default;
+};
+
+// The colors that noises of a model's channels make. Precondition: a valid model.
+class ChannelColors {
+ public:
+  // Of noises of unit variance, or of these variances, where a filter has taken some: the mean of the colours
+  // stays then, of squares too.
+  explicit ChannelColors(const ExemplarModel& model, std::span<const double> variances = {});
+
+  // One value per channel. Not clamped.
+  Vec<3> operator()(std::span<const double> values) const;
+
+ private:
+  struct Channel {
+    double deviation;
+    Vec<3> axis;
+  };
+  std::vector<Channel> channels_;
+  Vec<3> mean_;
+  Vec<3> taken_{0.0};  // by the filter, of the squares' mean
+  bool squares_;
 };
 
 }  // namespace solidnoise

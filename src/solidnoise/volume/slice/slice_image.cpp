@@ -4,6 +4,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include <fmt/format.h>
@@ -109,6 +110,8 @@ Image color_image(const SliceField& field, std::span<const DenseField<2>> channe
   const double low = shown.first;
   const double high = shown.second;
   const auto& exemplar = field.exemplar;
+  std::optional<ChannelColors> color_of;
+  if (exemplar) color_of.emplace(*exemplar, field.variances);
   const glm::ivec2 count = channels[0].count;
   Image image(count.x, count.y, 3);
   for (int y = 0; y < image.height; ++y) {
@@ -117,7 +120,7 @@ Image color_image(const SliceField& field, std::span<const DenseField<2>> channe
       for (std::size_t c = 0; c < 3; ++c) values[c] = value_at(channels[c], x, image.height - 1 - y);
       Color color;
       if (exemplar) {
-        color = Color(exemplar->color(values, field.variances));
+        color = Color((*color_of)(values));
         if (!floats && !exemplar->raw_values) color = srgb_from_linear(color);
       } else {
         for (int c = 0; c < 3; ++c) {
