@@ -43,7 +43,8 @@ def ensembles():
                 side, tails = math.nan, (math.nan, math.nan)
                 if not poisson:  # whose cumulants are too large for a series
                     side, count = Overlap(n, kind).cubes(about["impulse_density"])
-                    tails = [beyond(limit, *Cumulants(n, kind)(side, count)) for limit in (3, 4)]
+                    cumulants = Cumulants(n, kind)(side, count)
+                    tails = [beyond(limit, *cumulants) for limit in (3, 4)]
                 found = np.ravel(np.transpose(measure_ensemble(n, kind, poisson)))
                 rows.append([n, kind, poisson, about["impulses_per_kernel"], side * a_of(1.0), noise.excess_kurtosis, *tails, *found])
     return {"strata_ensembles": columns(["n", "kind", "poisson", "impulses", "side", "closed", "closed_3", "closed_4", *MOMENTS], rows)}

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
 #include "commands.h"
 #include "solidnoise/core/field.h"
@@ -30,8 +29,7 @@ struct SliceSubject {
   SliceSourcePtr source;
   SlicePlane plane;
   double sigma = 0.0;                     // of a noise alone
-  std::optional<ExemplarModel> exemplar;  // whose colours the channels make
-  std::vector<double> variances;          // of the channels then
+  std::optional<ChannelColors> color_of;  // by an exemplar, whose channels the source has
   Json shown;                             // what is known of the values: see make_slice()
 };
 // Made anew only where recipe, grid, time, plane or "draft" differ from the last question's.

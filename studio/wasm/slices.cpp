@@ -39,19 +39,20 @@ void add_noise(const VolumeRecipe& grid, SliceSubject& subject) {
   const bool color = !is_scalar(grid);
   const NoiseRecipe noise_of_all = single.noise;
   std::vector<SliceSourcePtr> channels;
+  std::vector<double> variances;
   for (int channel = 0; channel < (color ? 3 : 1); ++channel) {
     if (color) single.noise = channel_of(noise_of_all, channel);
     const NoiseSlice noise = make_noise_slice(single, subject.plane);
     channels.push_back(noise.source);
     subject.sigma = noise.sigma;
-    subject.variances.push_back(variance_of(single, noise));
+    variances.push_back(variance_of(single, noise));
     if (subject.shown.empty() && noise.sigma > 0.0) {
       subject.shown = {{"low", noise.shown.first}, {"high", noise.shown.second}};
     }
   }
   subject.source = side_by_side(std::move(channels));
   if (const ExemplarModel* const exemplar = exemplar_of_colors(grid); exemplar && color)
-    subject.exemplar = *exemplar;
+    subject.color_of.emplace(*exemplar, variances);
 }
 
 SliceSubject make_subject(const Json& question) {
@@ -141,10 +142,10 @@ Answer make_slice(const Json& question, std::span<const unsigned char>) {
     const auto begin_of_channel = values.begin() + static_cast<std::ptrdiff_t>(c * pixels);
     answer.floats.emplace_back(begin_of_channel, begin_of_channel + static_cast<std::ptrdiff_t>(pixels));
   }
-  if (subject.exemplar) {  // whose colours are a mixture of the channels
+  if (subject.color_of) {
     for (std::size_t i = 0; i < pixels; ++i) {
       const std::array<double, 3> values{answer.floats[0][i], answer.floats[1][i], answer.floats[2][i]};
-      const Vec<3> color = subject.exemplar->color(values, subject.variances);
+      const Vec<3> color = (*subject.color_of)(values);
       for (std::size_t c = 0; c < 3; ++c)
         answer.floats[c][i] = static_cast<float>(color[static_cast<int>(c)]);
     }

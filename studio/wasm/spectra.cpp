@@ -31,7 +31,7 @@ struct LinearRange {
 
 // None where they are of more than a noise, or a range cuts much of it off.
 std::optional<LinearRange> linear_range(const SliceSubject& subject, const VolumeRecipe& grid) {
-  if (subject.exemplar) return {};
+  if (subject.color_of) return {};
   const double sigma = subject.sigma;
   const RawShaping::Range range = std::get<RawShaping>(grid.shaping).range;
   if (sigma == 0.0 || (range != RawShaping::Range::raw && sigma > kMostSigmaInRange)) return {};

@@ -61,16 +61,18 @@ TEST(InspectMesh, CountsEveryFault) {
   mesh.add_face(std::array{9u, 0u, 4u});  // on one line
   mesh.add_face(std::array{3u, 3u, 9u});  // a vertex twice
   mesh.add_face(std::array{5u, 9u});      // two corners
+  mesh.add_face(std::array{5u});          // one
+  for (int none = 0; none < 2; ++none) mesh.add_face(std::span<const std::uint32_t>());
   const MeshReport report = inspect_mesh(mesh);
-  EXPECT_EQ(report.duplicate_faces, 2u);
+  EXPECT_EQ(report.duplicate_faces, 2u + 1u);
   EXPECT_EQ(report.zero_length_edges, 1u);
-  EXPECT_EQ(report.degenerate_faces, 4u);
+  EXPECT_EQ(report.degenerate_faces, 4u + 3u);
   EXPECT_EQ(report.isolated_vertices, 0u);
   // In more than two faces: 0 1 (five); 0 4 (three); 0 9 and 1 9 (four and three).
   EXPECT_EQ(report.non_manifold_edges, 4u);
   EXPECT_FALSE(report.is_closed());
   EXPECT_EQ(mesh_warnings(report).front(), "4 edges are between more than two faces");
-  EXPECT_EQ(mesh_warnings(report).back(), "2 faces repeat an earlier one");
+  EXPECT_EQ(mesh_warnings(report).back(), "3 faces repeat an earlier one");
 }
 
 TEST(InspectMesh, CountsEdgesOfFacesThatAreInsideOut) {

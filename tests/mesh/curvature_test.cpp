@@ -11,6 +11,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "solidnoise/mesh/surface_smoothing.h"
 #include "support/known_curvature.h"
 #include "support/surfaces.h"
 

@@ -3,9 +3,11 @@
 import numpy as np
 import pytest
 from papers.data import mean_of
+from papers.gabor import a_of
 from papers.impulses_in_strata import closed_at_place, fourth_moments, measure_windows
 from papers.strata import Cumulants, Overlap, beyond, library
 from papers.strata_ensembles import measure_elsewhere, measure_ensemble, measure_spectra
+from scipy import optimize
 
 
 def test_estimates_have_the_error_of_their_mean():
@@ -52,10 +54,22 @@ def test_the_sixth_cumulant_is_that_of_the_closed_form():
     assert abs(found - sixth) < 5 * error and error < 0.1 and abs(sixth) > 1
 
 
+@pytest.mark.parametrize("n, kind, sixth, tail", [(2, 1, 0.18, None), (3, 1, 0.64, 1.25), (4, 1, 1.02, None), (3, 0, None, 1.43)])
+def test_cumulants_of_one_impulse_in_each_balanced_cube(n, kind, sixth, tail):
+    """The figures of src/solidnoise/noise/kernel/impulse_strata.h, of the cube of the variance times (a^n / density)^2."""
+    cumulants, a = Cumulants(n, kind), a_of(1.0)
+    side = optimize.brentq(Overlap(n, kind).share, 0.05, 3)
+    found = cumulants(side, 1)
+    assert abs(found[0]) < 2e-3
+    assert sixth is None or abs(found[1] / (a * side) ** (2 * n) - sixth) < 0.01
+    assert tail is None or abs(beyond(4, *found) - tail) < 0.01
+
+
 def test_tails_are_those_of_a_gaussian_without_cumulants_and_grow_with_them():
     assert beyond(4, 0, 0) == 1
     # 9.2 and 2.6, the share's derivatives at 4.
     assert abs(beyond(4, 1e-6, 0) - 1 - 9.2e-6) < 1e-7 and abs(beyond(4, 0, 1e-6) - 1 - 2.6e-6) < 1e-7
+    assert abs(beyond(4, 0.1, 0) - 1 - 0.91555 - 0.0433) < 1e-4
 
 
 @pytest.mark.parametrize("name", ["surface, varying", "oriented, varying", "solid, varying", "by example, 2D", "four octaves, 3D isotropic kernels",

@@ -20,6 +20,7 @@ struct Adjacency {
 };
 
 // For each number below `count`: at which places in `numbers` it is, in ascending order.
+// Precondition: all are below `count`.
 Adjacency places_of(std::span<const std::uint32_t> numbers, std::size_t count);
 
 }  // namespace solidnoise

@@ -65,14 +65,16 @@ Shapes fit_shapes(const SurfaceMesh& surface, const TangentFrames& frames, Progr
   return shapes;
 }
 
-// Measures and smooths, the lines only where they are wanted: fitting takes as long as twenty rounds, a
-// radius as ten.
+// Measures and smooths, the lines only where they are wanted. Fitting takes as long as forty rounds, a radius
+// as thirty, of lines as seventy more.
 Shapes measure_shapes(const SurfaceMesh& surface, SurfaceSmoothing& smoothing,
                       const CurvatureOptions& options, bool lines, Progress* progress) {
   options.validate();
-  const double all = 20.0 + options.rounds + (options.radius > 0.0 ? 10.0 : 0.0);
-  PartialProgress fitting(progress, 0.0, 20.0 / all);
-  PartialProgress rounds(progress, 20.0 / all, (20.0 + options.rounds) / all);
+  constexpr double kFitting = 40.0;
+  const double diffusion = lines ? 100.0 : 30.0;
+  const double all = kFitting + options.rounds + (options.radius > 0.0 ? diffusion : 0.0);
+  PartialProgress fitting(progress, 0.0, kFitting / all);
+  PartialProgress rounds(progress, kFitting / all, (kFitting + options.rounds) / all);
   Shapes shapes = fit_shapes(surface, TangentFrames(surface.normals()), fitting);
   for (int round = 0; round < options.rounds; ++round) {
     throw_if_cancelled(progress);

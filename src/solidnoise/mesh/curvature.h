@@ -6,9 +6,10 @@
 #include "solidnoise/core/progress.h"
 #include "solidnoise/core/vec.h"
 #include "solidnoise/mesh/surface_mesh.h"
-#include "solidnoise/mesh/surface_smoothing.h"
 
 namespace solidnoise {
+
+class SurfaceSmoothing;
 
 // Smoothing of measured curvature. What is averaged are shape operators, as tensors carried along the
 // surface, not principal curvatures: opposite bends cancel.

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <complex>
 #include <cstddef>
 #include <functional>
@@ -14,7 +13,6 @@
 
 #include "solidnoise/core/progress.h"
 #include "solidnoise/mesh/smoothing_level.h"
-#include "solidnoise/mesh/tangent_frames.h"
 
 namespace solidnoise {
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <type_traits>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
@@ -130,6 +131,12 @@ void add_products(std::span<const WeightedRow<Size>> rows, Eigen::Matrix<double,
   if constexpr (Column + 1 < Size) add_products<Size, Column + 1>(rows, sums);
 }
 
+// What systems of equations are solved in: ten at each point, fewer at few, in types that others use, too.
+template <int Size>
+using SystemMatrix = std::conditional_t<Size == 10, Eigen::Matrix<double, Size, Size>, Eigen::MatrixXd>;
+template <int Size>
+using SystemVector = std::conditional_t<Size == 10, Eigen::Matrix<double, Size, 1>, Eigen::VectorXd>;
+
 // No value if the neighbours do not determine the polynomial.
 template <int Size>
 std::optional<Jet> fit_polynomial(std::span<const Neighbour> neighbours, const RoundCoordinates& round) {
@@ -153,11 +160,11 @@ std::optional<Jet> fit_polynomial(std::span<const Neighbour> neighbours, const R
     }
     add_products<Size>(std::span(rows).first(count), normal_matrix);
   }
-  const Eigen::LDLT<Eigen::Matrix<double, Size, Size>> factors(normal_matrix);
+  const Eigen::LDLT<SystemMatrix<Size>> factors(normal_matrix);
   constexpr double kSingular = 1e-7;
   const auto pivots = factors.vectorD();
   if (!(pivots.minCoeff() > kSingular * pivots.maxCoeff())) return std::nullopt;
-  const Eigen::Matrix<double, Size, 1> c = factors.solve(right);
+  const SystemVector<Size> c = factors.solve(SystemVector<Size>(right));
   return round.in_plane({c[1], c[2]}, c[3], c[4], c[5]);
 }
 
@@ -173,7 +180,7 @@ Jet fit_without_slope(std::span<const Neighbour> neighbours, const RoundCoordina
   // Decides what the neighbours do not, and changes the rest by its share only.
   constexpr double kRidge = 1e-6;
   normal_matrix.diagonal().array() += kRidge * normal_matrix.trace();
-  const Eigen::Vector3d c = normal_matrix.ldlt().solve(right);
+  const Eigen::VectorXd c = Eigen::MatrixXd(normal_matrix).ldlt().solve(Eigen::VectorXd(right));
   return round.in_plane(Eigen::Vector2d::Zero(), c[0], c[1], c[2]);
 }
 

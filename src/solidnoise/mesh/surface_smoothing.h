@@ -17,9 +17,9 @@ namespace solidnoise {
 // finds out when it is first used.
 class SurfaceSmoothing {
  public:
-  // Keeps references.
+  // Keeps a reference to the surface.
   explicit SurfaceSmoothing(const SurfaceMesh& surface) : SurfaceSmoothing(surface, surface.normals()) {}
-  // Lines lie in the planes of these unit normals, one per point, and not in the surface's.
+  // Lines lie in the planes of these unit normals, one per point, and not in the surface's; keeps them, too.
   SurfaceSmoothing(const SurfaceMesh& surface, std::span<const Vec<3>> normals)
       : surface_(surface), normals_(normals) {}
 

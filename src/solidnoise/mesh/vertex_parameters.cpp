@@ -4,7 +4,9 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -119,6 +121,12 @@ std::vector<Vec<3>> axis_directions(std::span<const Vec<3>> normals, const Vec<3
 
 std::vector<Vec<3>> curvature_directions(const SurfaceMesh& surface, const Curvature& curvature,
                                          PrincipalDirection which, int rounds) {
+  SurfaceSmoothing smoothing(surface);
+  return curvature_directions(surface, smoothing, curvature, which, rounds);
+}
+
+std::vector<Vec<3>> curvature_directions(const SurfaceMesh& surface, SurfaceSmoothing& smoothing,
+                                         const Curvature& curvature, PrincipalDirection which, int rounds) {
   require_in_range("the rounds of smoothing", rounds, 0, 10000);
   if (curvature.size() != surface.vertex_count()) {
     throw std::invalid_argument(
@@ -127,7 +135,6 @@ std::vector<Vec<3>> curvature_directions(const SurfaceMesh& surface, const Curva
   const TangentFrames frames(surface.normals());
   std::vector<Line> lines = lines_of(surface, frames, curvature);
   const double shortest = shortest_line(surface, curvature);
-  SurfaceSmoothing smoothing(surface);
   const auto smooth = [&] {
     for (int round = 0; round < rounds; ++round) smoothing.average(lines, surface.areas());
   };
@@ -165,8 +172,9 @@ double larger(double k1, double k2) {
   return std::abs(k1) >= std::abs(k2) ? k1 : k2;
 }
 
-std::vector<Vec<3>> make_directions(const SurfaceMesh& surface, std::span<const Vec<3>> planes,
-                                    const Curvature& curvature, const BakeRecipe& recipe) {
+std::vector<Vec<3>> make_directions(const SurfaceMesh& surface, SurfaceSmoothing& smoothing,
+                                    std::span<const Vec<3>> planes, const Curvature& curvature,
+                                    const BakeRecipe& recipe) {
   const DirectionRecipe& direction = recipe.direction;
   if (direction.source == DirectionRecipe::Source::axis) {
     return axis_directions(planes, recipe.direction_axis());
@@ -174,7 +182,7 @@ std::vector<Vec<3>> make_directions(const SurfaceMesh& surface, std::span<const 
   const PrincipalDirection which = direction.source == DirectionRecipe::Source::max_curvature
                                        ? PrincipalDirection::larger
                                        : PrincipalDirection::smaller;
-  return curvature_directions(surface, curvature, which, direction.smooth);
+  return curvature_directions(surface, smoothing, curvature, which, direction.smooth);
 }
 
 // Near a point around which directions turn, waves of one length would turn within a fraction of it. Smoothed
@@ -266,33 +274,41 @@ std::vector<double> steering_numbers(const PolygonMesh& mesh, const Curvature& c
   return numbers;
 }
 
+CurvatureNeeded curvature_needed(const BakeRecipe& recipe) {
+  const bool by_direction =
+      has_direction(recipe.noise) && recipe.direction.source != DirectionRecipe::Source::axis;
+  const bool by_number = recipe.steers() && recipe.by.source != SteeringSource::attribute &&
+                         recipe.by.source != SteeringSource::height;
+  if (by_direction) return CurvatureNeeded::all;
+  if (!by_number) return CurvatureNeeded::none;
+  return recipe.by.source == SteeringSource::mean_curvature ? CurvatureNeeded::mean : CurvatureNeeded::all;
+}
+
 VertexGuides measure_guides(const PolygonMesh& mesh, const SurfaceMesh& surface, const BakeRecipe& recipe,
                             const ParameterRange& frequency, Progress* progress) {
   PartialProgress stop(progress, 0.0, 0.0);  // how far it is nobody can tell
   VertexGuides guides;
   const double radius = smoothing_radius(recipe, frequency);
-  SurfaceSmoothing smoothing(surface);
+  std::optional<SurfaceSmoothing> smoothing(std::in_place, surface);
   guides.normals = normals_of(mesh, surface);
   if (radius > 0.0 && has_plane(recipe.noise) && !surface.triangles().empty())
-    guides.smooth_normals = smooth_normals(surface, smoothing, radius, &stop);
-  const bool oriented = has_direction(recipe.noise);
-  const bool steered_by_curvature = recipe.steers() && recipe.by.source != SteeringSource::attribute &&
-                                    recipe.by.source != SteeringSource::height;
-  const bool directed_by_curvature = oriented && recipe.direction.source != DirectionRecipe::Source::axis;
+    guides.smooth_normals = smooth_normals(surface, *smoothing, radius, &stop);
   const CurvatureOptions options{.rounds = recipe.smooth, .radius = radius};
-  const bool by_mean_alone =
-      steered_by_curvature && !directed_by_curvature && recipe.by.source == SteeringSource::mean_curvature;
+  const CurvatureNeeded needed = curvature_needed(recipe);
   Curvature curvature;
-  if ((steered_by_curvature || directed_by_curvature) && !by_mean_alone)
-    curvature = measure_curvature(surface, smoothing, options, &stop);
-  if (oriented) guides.directions = make_directions(surface, guides.planes(), curvature, recipe);
+  if (needed == CurvatureNeeded::mean)
+    guides.numbers = measure_mean_curvature(surface, *smoothing, options, &stop);
+  if (needed == CurvatureNeeded::all) curvature = measure_curvature(surface, *smoothing, options, &stop);
+  if (has_direction(recipe.noise))
+    guides.directions = make_directions(surface, *smoothing, guides.planes(), curvature, recipe);
+  smoothing.reset();  // lines in smooth planes have one of their own
   if (recipe.noise.kind == SurfaceNoiseKind::oriented && radius > 0.0 && !surface.triangles().empty())
     weaken_where_they_turn(surface, guides.planes(), radius, &stop, guides.directions);
   if (recipe.noise.kind == SurfaceNoiseKind::spectrum) turn_upright(guides.planes(), guides.directions);
   throw_if_cancelled(progress);
   if (recipe.steers()) {
-    guides.numbers = by_mean_alone ? measure_mean_curvature(surface, smoothing, options, &stop)
-                                   : steering_numbers(mesh, curvature, recipe.by, recipe.up);
+    if (needed != CurvatureNeeded::mean)
+      guides.numbers = steering_numbers(mesh, curvature, recipe.by, recipe.up);
     guides.steering = make_weights(guides.numbers, recipe.by, vertex_areas(surface));
   }
   return guides;

@@ -36,6 +36,9 @@ enum class PrincipalDirection {
 // +Y. Throws std::invalid_argument: rounds out of range, curvature of another mesh.
 std::vector<Vec<3>> curvature_directions(const SurfaceMesh& surface, const Curvature& curvature,
                                          PrincipalDirection which, int rounds);
+// With the smoothing of this surface, which may have been used for others.
+std::vector<Vec<3>> curvature_directions(const SurfaceMesh& surface, SurfaceSmoothing& smoothing,
+                                         const Curvature& curvature, PrincipalDirection which, int rounds);
 
 // What a recipe makes of a mesh before any noise: its normals, and what its parameters follow.
 struct VertexGuides {
@@ -49,6 +52,10 @@ struct VertexGuides {
   // Normals of the planes that noise of the tangent plane lies in.
   const std::vector<Vec<3>>& planes() const { return smooth_normals.empty() ? normals : smooth_normals; }
 };
+
+// What a recipe's directions and ranges follow of the curvature.
+enum class CurvatureNeeded { none, mean, all };
+CurvatureNeeded curvature_needed(const BakeRecipe& recipe);
 
 // Measures the mesh, for a noise of these frequencies. Throws std::invalid_argument: an attribute that the
 // vertices do not have (the message names those they have); Cancelled.
