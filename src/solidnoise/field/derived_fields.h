@@ -22,8 +22,7 @@ FieldPtr value_and_gradient_of(FieldPtr field);
 FieldPtr phasor_of(FieldPtr real, FieldPtr imaginary);
 
 // The colours of an exemplar: three channels of noises of unit variance, one for each channel of its model,
-// put together as ChannelColors says. In the exemplar's own values: linear light, unless the model's
-// are raw.
+// put together as ChannelColors says. In the exemplar's own values: linear light, unless the model's are raw.
 FieldPtr exemplar_colors_of(std::vector<FieldPtr> noises, const ExemplarModel& model);
 
 }  // namespace solidnoise

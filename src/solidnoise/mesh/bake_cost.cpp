@@ -84,7 +84,7 @@ Smoothings smoothings_of(const BakeRecipe& recipe) {
           curvature_needed(recipe)};
 }
 
-// For a vertex, what is measured of the curvature besides; on a million vertices, with radii of 10 to 90
+// Of one core for each vertex, the fit of the curvature included. Of a million vertices and radii of 10 to 90
 // edges.
 double smoothing_seconds(const BakeRecipe& recipe) {
   constexpr double kNormals = 3e-6;
