@@ -26,12 +26,11 @@ std::shared_ptr<const solidnoise::Noise<3>> like_kensler(Options options) {
 
 // Of a Poisson process the excess kurtosis goes with the reciprocal of the impulses.
 template <typename Noise, typename Options>
-std::shared_ptr<const solidnoise::Noise<3>> poisson_like_strata(Options options) {
-  constexpr double kKurtosis = 0.03;
+std::shared_ptr<const solidnoise::Noise<3>> poisson_like_strata(Options options, double kurtosis) {
   constexpr double kSome = 100.0;
   options.impulses_process = ImpulseSpread::poisson;
   options.impulses = kSome;
-  options.impulses *= like_kensler<Noise>(options)->excess_kurtosis() / kKurtosis;
+  options.impulses *= like_kensler<Noise>(options)->excess_kurtosis() / kurtosis;
   return like_kensler<Noise>(options);
 }
 
@@ -42,9 +41,9 @@ std::shared_ptr<const Noise<3>> make(Generator generator, double error) {
     case Generator::directions:
       return like_kensler<OrientedGaborNoise<3>>(OrientedGaborNoiseOptions{.error = error});
     case Generator::isotropic_poisson:
-      return poisson_like_strata<GaborNoise<3>>(GaborNoiseOptions{.error = error});
+      return poisson_like_strata<GaborNoise<3>>(GaborNoiseOptions{.error = error}, 0.01);
     case Generator::directions_poisson:
-      return poisson_like_strata<OrientedGaborNoise<3>>(OrientedGaborNoiseOptions{.error = error});
+      return poisson_like_strata<OrientedGaborNoise<3>>(OrientedGaborNoiseOptions{.error = error}, 0.03);
     case Generator::kensler:
       break;
   }

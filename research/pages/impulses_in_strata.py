@@ -17,26 +17,34 @@ def draw_sides(data, page):
     figure, axes = plt.subplots(1, 2, figsize=(10, 3.4), sharey=True, constrained_layout=True)
     for axis, name, kind in zip(axes, ("isotropic", "directions"), KINDS):
         for n in range(1, 5):
-            axis.plot(sides["side"], sides[f"{name}{n}"], label=f"n = {n}")
+            line, = axis.plot(sides["side"], sides[f"{name}{n}"], label=f"n = {n}")
+            axis.plot(sides["side"], sides[f"{name}{n}_mirrored"], color=line.get_color(), linestyle="dashed")
         axis.axhline(0, color="black", linewidth=1)
-        axis.set(title=kind, xlabel="side of the cubes, times a", xlim=(0, 2))
+        axis.set(title=kind, xlabel="side of an impulse's own cube, times a", xlim=(0, 2))
     axes[0].set(ylabel="fourth cumulant / Poisson's", ylim=(-2.1, 1.1))
     axes[0].legend()
     page.write("""
 ## Theory
 A Gabor noise is the sum of w g(x - x_i) at random places x_i, their weights w or phases independent and of mean 0. The papers take the
-places from a Poisson process. Here space is cut into cubes of side c with the same number m of impulses each, at independent uniform places; planes, rows and cubes of them are shifted at
-random, so that the process is stationary over the seeds. Directions are spread over the impulses of a cube, each uniform over all. Two different impulses are independent in their signs or phases and never correlate, so
+places from a Poisson process. Here space is cut into cubes of side c with the same number m of impulses each, at independent uniform places or in pairs of a place and its mirror image
+at the cube's centre (isotropic kernels and waves of a given direction, from three dimensions on); planes, rows and cubes of them are shifted at random, so that the process is stationary over the seeds. Directions are spread over the impulses of a cube, each uniform over all. Two different impulses are independent in their signs or phases and never correlate, so
 
 - the covariance, and so the spectrum, is density x autocorrelation of g, exactly that of the Poisson process;
 - the fourth cumulant is not. With M(x) = E g(x)^2 and Q(x) = E g(x)^4, means over the marks, and h the uniform density of a cube,
 
       kappa_4 = density (integral of Q - 3 integral of (h * M)^2),
 
-  for of the pairs of impulses that a Poisson process has in a cube, m^2 on the mean, strata have m (m - 1).
+  of independent places, for of the pairs of impulses that a Poisson process has in a cube, m^2 on the mean, strata have m (m - 1); and with P(p) the mean over places x in a cube of M(p - x) M(p + x)
 
-The second integral falls as the cubes grow, from infinitely fine ones, which are too even, to none at all, which is the Poisson process. Where the two terms cancel, the cubes are *balanced*: the
-excess kurtosis is 0 whatever the density. Below, kappa_4 over that of a Poisson process, in closed form (`research/papers/strata.py`, again), F0 = 1, one octave. Narrow peaks of isotropic kernels need smaller cubes.
+      kappa_4 = density (integral of Q - 3 integral of (2 (h * M)^2 - P))
+
+  of mirrored ones.
+
+What is taken falls as the cubes grow, from infinitely fine ones, which are too even, to none at all, which is the Poisson process. Where the two terms cancel, the cubes are *balanced*: the
+excess kurtosis is 0 whatever the density. Below, kappa_4 over that of a Poisson process, in closed form (`research/papers/strata.py`, again), F0 = 1, one octave, against density^(-1/n); dashed lines are of mirrored impulses. Narrow peaks of isotropic kernels need smaller cubes.
+
+Two impulses that are mirrored are farther apart than two that are not, the square of their distance is twice as large: of mirrored ones larger cubes are balanced. Isotropic kernels take 0.83 times the impulses in 3D and 0.69 times in 4D, waves of random phase
+0.71 and 0.54 times, 0.69 times on surfaces. In two dimensions they would take 0.95 times, with tails that are too short (0.4 of a Gaussian's values past four standard deviations, or fewer), on a line more. Waves in random directions are not mirrored: fewer of them leave the values as near to Gaussian, but not their directions. Folds of single waves would be seen.
 """)
     page.picture(figure, "sides", "The fourth cumulant against the side of the cubes")
     page.write("""
@@ -50,16 +58,17 @@ What enters is M, Q and S(x) = E g(x)^6, means over the marks:
 - **Surfaces** take kernels of the tangent plane from a layer around it: M is that of the plane times the square of a window of the distance. The layer lies in any direction in the cubes: the overlap is the mean over all, the kurtosis given the place that of a layer along the planes, where it is most.
 - **Parameters that vary** have impulses in two grids of sides 2 : 1, which fade into each other as the frequency changes. A cell has one impulse in each of its 2^n orthants, and one with its turn in each 2^-n-th of the fade; which orthant has which turn is random (narrow bands: of 4^n or 8^n pieces).
   So what fades together is as even as in large cubes, all of it as in small ones, with F the mean of fade^2 over the turns and V the variance of its means over the parts: density x 3 ((F^2 - V / (2^n - 1)) o(c / 2) + 2^n / (2^n - 1) V o(c)), o(c) the integral of (h * M)^2 for cubes of side c. Cubes are balanced on the mean over an octave of
-  frequencies; within it the excess kurtosis goes up and down by 0.06 in three dimensions and 0.02 in four. Whole cubes with turns in parts would need more than twice the impulses for that.
+  frequencies; within it the excess kurtosis goes up and down by 0.06 in three dimensions and 0.02 in four. Whole cubes with turns in parts would need more than twice the impulses for that; impulses are not mirrored here, which would save a fifth of them, but with ups and downs twice as large.
 
 The sixth cumulant adds up cube by cube, too:
 
-    kappa_6 = density (integral of S - 15 integral of (h * Q)(h * M) + 30 integral of (h * M)^3).
+    kappa_6 = density (integral of S - 15 integral of (h * Q)(h * M) + 30 integral of (h * M)^3)
 
-Over the cube of the variance, of waves in balanced cubes: 0.18, 0.64 and 1.02 times (a^n / density)^2 in 2, 3 and 4 dimensions; 3.3, 3.8 and 4.4 times of a Poisson process. By Edgeworth's series there are 1 + 9.2 kurtosis + 2.6 kappa_6 times as many values beyond four
+of independent places, of mirrored ones density x the integral of S + 15 R - 30 (h * Q)(h * M) - 90 P (h * M) + 120 (h * M)^3, R(p) the mean of Q(p - x) M(p + x).
+Over the cube of the variance, of waves in balanced cubes: 0.18, 0.64 and 1.02 times (a^n / density)^2 in 2, 3 and 4 dimensions, mirrored 0.16 and 0.62 times in 3 and 4; 3.3, 3.8 and 4.4 times of a Poisson process. By Edgeworth's series there are 1 + 9.2 kurtosis + 2.6 kappa_6 times as many values beyond four
 standard deviations as a Gaussian field has.
 
-*What gave nothing*: signs or phases that are balanced in each cube. kappa_4 is of how the sum of squared kernels differs from place to place, and squares stay what they are, while impulses of one cube would correlate and change the spectrum. *What was not needed*: counts that are not whole. Any density is met by the side,
+*What gave nothing*: signs or phases that are balanced in each cube. kappa_4 is of how the sum of squared kernels differs from place to place, and squares stay what they are, while impulses of one cube would correlate and change the spectrum. Nor did four or eight impulses that are each other's images in planes or by half turns, which take more impulses, or pairs half a cube apart, which take fewer, but leave 1.5 (random directions) and 1.7 times (isotropic kernels) a Gaussian's values past four standard deviations in 3D. *What was not needed*: counts that are not whole. Any density is met by the side,
 (count / density)^(1/n) with the count rounded, off from balanced by half an impulse in a cube at most. *Where it ends*: narrow bands of isotropic kernels, most in 4D, would need cubes far smaller than a wave. Where balanced cubes would take more than twice the impulses of a Poisson process of excess kurtosis 1/2, four times where parameters vary, there are as many as leave
 0.02, but at most ten times, which is enough in three dimensions from 0.1 octaves on, where parameters vary from 0.2, and leaves 0.05 at most. What is left is told as the noise's excess kurtosis.
 """)

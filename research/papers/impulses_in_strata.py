@@ -10,11 +10,14 @@ from papers.strata_ensembles import BATCHES, elsewhere, ensembles, spectra
 
 
 def sides():
+    """By the side of the cube that one impulse has on the mean."""
     table = {"side": np.arange(0.05, 2.01, 0.05)}
     for kind, name in enumerate(("isotropic", "directions")):
         for n in range(1, 5):
             overlap = Overlap(n, kind)
-            table[f"{name}{n}"] = np.array([overlap.share(side / a_of(1.0)) for side in table["side"]])
+            for mirrored, suffix in ((False, ""), (True, "_mirrored")):
+                larger = (2 if mirrored else 1) ** (1 / n) / a_of(1.0)
+                table[f"{name}{n}{suffix}"] = np.array([overlap.share(larger * side, mirrored) for side in table["side"]])
     return {"strata_sides": table}
 
 
@@ -56,7 +59,7 @@ def places():
     place, rows = (np.arange(12) + 0.5) / 12, []
     for kind in (0, 1):
         density = library(2, kind).description["impulse_density"]
-        side, _ = Overlap(2, kind).cubes(density)
+        side = Overlap(2, kind).cubes(density)[0]
         random = np.random.default_rng(kind)
         found = mean_of([fourth_moments(kind, density, side, place, random) - 3 for _ in range(BATCHES)])
         rows += zip(np.full(12, kind), place, closed_at_place(kind, density, side, place), *found)

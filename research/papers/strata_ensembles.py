@@ -42,8 +42,8 @@ def ensembles():
                 about = noise.description
                 side, tails = math.nan, (math.nan, math.nan)
                 if not poisson:  # whose cumulants are too large for a series
-                    side, count = Overlap(n, kind).cubes(about["impulse_density"])
-                    cumulants = Cumulants(n, kind)(side, count)
+                    cubes = Overlap(n, kind).cubes(about["impulse_density"])
+                    side, cumulants = cubes[0], Cumulants(n, kind)(*cubes)
                     tails = [beyond(limit, *cumulants) for limit in (3, 4)]
                 found = np.ravel(np.transpose(measure_ensemble(n, kind, poisson)))
                 rows.append([n, kind, poisson, about["impulses_per_kernel"], side * a_of(1.0), noise.excess_kurtosis, *tails, *found])

@@ -25,10 +25,10 @@ void expect_impulses(double bandwidth, double isotropic, double oriented) {
 TEST(CheapestGenerator, ImpulsesForTheSameLikenessToAGaussianField) {
   expect_impulses<1>(1.0, 5, 5);
   expect_impulses<2>(1.0, 23, 9);
-  expect_impulses<3>(1.0, 64, 19);
-  expect_impulses<4>(1.0, 299, 79);
-  expect_impulses<3>(0.3, 1187, 19);
-  expect_impulses<4>(0.3, 12460, 79);
+  expect_impulses<3>(1.0, 53.2, 19);
+  expect_impulses<4>(1.0, 204.2, 79);
+  expect_impulses<3>(0.3, 974, 19);
+  expect_impulses<4>(0.3, 9669, 79);
   expect_impulses<3>(4.0, 6, 19);
 }
 

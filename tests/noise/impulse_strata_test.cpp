@@ -24,6 +24,15 @@ double gaussian_share(double g) {
   return std::erf(std::sqrt(kPi) * g) / g + std::expm1(-kPi * g * g) / (kPi * g * g);
 }
 
+// The same of the mean of exp(-4 pi x^2) over x in the side: of places that are each other's mirror image.
+double mirrored_share(double g) {
+  return std::erf(std::sqrt(kPi) * g) / (2.0 * g);
+}
+
+int least_count(const Strata& strata) {
+  return strata.mirrored ? 2 : 1;
+}
+
 RandomPhaseGaborKernel<3> some_waves() {
   return {1.0, 0.8, Vec<3>(3.0, 0.0, 0.0)};
 }
@@ -32,8 +41,11 @@ TEST(CubeAverages, OfWavesAreTheClosedForm) {
   const auto kernel = some_waves();
   const StrataChoice choice = strata_choice(kernel);
   for (const double g : {0.1, 0.4, 0.73, 1.5}) {
-    const double expected = 2.0 / 3.0 * kernel.fourth_moment() * std::pow(gaussian_share(g), 3);
-    EXPECT_NEAR(choice.averages->overlap(g / kernel.a()), expected, 1e-3 * expected) << g;
+    const double all = 2.0 / 3.0 * kernel.fourth_moment();
+    const double independent = all * std::pow(gaussian_share(g), 3);
+    EXPECT_NEAR(choice.averages->overlap({g / kernel.a()}), independent, 1e-3 * independent) << g;
+    const double mirrored = 2.0 * independent - all * std::pow(mirrored_share(g), 3);
+    EXPECT_NEAR(choice.averages->overlap({g / kernel.a(), true}), mirrored, 1e-3 * independent) << g;
   }
 }
 
@@ -43,11 +55,11 @@ TEST(CubeAverages, OfARadialMeanSquareAreThoseOfTheProduct) {
   const auto check = [&]<int Dim>() {
     const auto radial = RadialAverages::of(Dim, square, 1.6, 3.2);
     const ProductAverages product(Dim, square, 1.6, 1.0);
-    for (const double side : {0.2, 0.7, 1.3}) {
-      SCOPED_TRACE(testing::Message() << Dim << "D, side " << side);
-      EXPECT_NEAR(radial.overlap(side), product.overlap(side), 2e-3 * product.overlap(side));
-      for (const int k : {1, 2}) {
-        EXPECT_NEAR(radial.harmonic(side, k), product.harmonic(side, k), 2e-3 * product.overlap(side)) << k;
+    for (const Cubes cubes : {Cubes{0.2}, Cubes{0.7}, Cubes{1.3}, Cubes{0.3, true}, Cubes{1.0, true}}) {
+      SCOPED_TRACE(testing::Message() << Dim << "D, side " << cubes.side << ", mirrored " << cubes.mirrored);
+      for (const int k : {0, 1, 2, 3}) {
+        EXPECT_NEAR(radial.harmonic(cubes, k), product.harmonic(cubes, k), 2e-3 * product.overlap(cubes))
+            << k;
       }
     }
   };
@@ -59,7 +71,7 @@ TEST(CubeAverages, OfTinyCubesAreTheFourthMoment) {
   for_each_dimension([]<int Dim>() {
     for (const double bandwidth : {0.5, 1.0, 2.0}) {
       const EvenGaborKernel<Dim> kernel(gaussian_parameter(1.0, bandwidth), 1.0);
-      EXPECT_NEAR(strata_choice(kernel).averages->overlap(1e-3) / kernel.fourth_moment(), 1.0, 2e-3)
+      EXPECT_NEAR(strata_choice(kernel).averages->overlap({1e-3}) / kernel.fourth_moment(), 1.0, 2e-3)
           << Dim << "D, bandwidth " << bandwidth;
     }
   });
@@ -72,41 +84,53 @@ TEST(CubeAverages, AgreeWithSumsOverCubes) {
   const double side = 0.4;
   constexpr int kParts = 40;  // of a cube, along an axis
   constexpr int kCubes = 4;   // on either side
-  const auto mean_in_cube = [&](double x, double y) {
-    double sum = 0.0;
+  // The mean of the square in a cube, and of its product at two places of which one is the other's image.
+  const auto means_in_cube = [&](double x, double y) {
+    const auto square = [&](int i, int j) {
+      return std::pow(kernel.value(std::hypot(x + (i + 0.5) * side / kParts, y + (j + 0.5) * side / kParts)),
+                      2);
+    };
+    std::array<double, 2> sums{};
     for (int i = 0; i < kParts; ++i) {
       for (int j = 0; j < kParts; ++j) {
-        sum += std::pow(
-            kernel.value(std::hypot(x + (i + 0.5) * side / kParts, y + (j + 0.5) * side / kParts)), 2);
+        const double here = square(i, j);
+        sums[0] += here;
+        sums[1] += here * square(kParts - 1 - i, kParts - 1 - j);
       }
     }
-    return sum / (kParts * kParts);
+    return std::array{sums[0] / (kParts * kParts), sums[1] / (kParts * kParts)};
   };
   // Mean over places along the planes; of the place across them, three harmonics.
   constexpr int kPlaces = 8;
-  std::array<double, kPlaces> at{};
+  std::array<double, kPlaces> of_independent{};
+  std::array<double, kPlaces> of_mirrored{};
   for (int p = 0; p < kPlaces; ++p) {
     for (int q = 0; q < kPlaces; ++q) {
       for (int i = -kCubes; i < kCubes; ++i) {
         for (int j = -kCubes; j < kCubes; ++j) {
-          const double mean = mean_in_cube((i + static_cast<double>(p) / kPlaces) * side,
-                                           (j + static_cast<double>(q) / kPlaces) * side);
-          at[static_cast<std::size_t>(p)] += side * side * mean * mean / kPlaces;
+          const auto [mean, product] = means_in_cube((i + static_cast<double>(p) / kPlaces) * side,
+                                                     (j + static_cast<double>(q) / kPlaces) * side);
+          const double independent = side * side * mean * mean / kPlaces;
+          of_independent[static_cast<std::size_t>(p)] += independent;
+          of_mirrored[static_cast<std::size_t>(p)] += 2.0 * independent - side * side * product / kPlaces;
         }
       }
     }
   }
-  double mean = 0.0;
-  for (const double value : at) mean += value / kPlaces;
-  EXPECT_NEAR(choice.averages->overlap(side), mean, 2e-3 * mean);
-  for (const int k : {1, 2}) {
-    double cosine = 0.0;
-    for (int p = 0; p < kPlaces; ++p) {
-      // The cube's middle is half a side further.
-      cosine +=
-          at[static_cast<std::size_t>(p)] * std::cos(2.0 * kPi * k * (p + 0.5 * kPlaces) / kPlaces) / kPlaces;
+  for (const bool mirrored : {false, true}) {
+    const auto& at = mirrored ? of_mirrored : of_independent;
+    double mean = 0.0;
+    for (const double value : at) mean += value / kPlaces;
+    EXPECT_NEAR(choice.averages->overlap({side, mirrored}), mean, 2e-3 * mean) << mirrored;
+    for (const int k : {1, 2}) {
+      double cosine = 0.0;
+      for (int p = 0; p < kPlaces; ++p) {
+        // The cube's middle is half a side further.
+        cosine += at[static_cast<std::size_t>(p)] * std::cos(2.0 * kPi * k * (p + 0.5 * kPlaces) / kPlaces) /
+                  kPlaces;
+      }
+      EXPECT_NEAR(choice.averages->harmonic({side, mirrored}, k), cosine, 3e-3 * mean) << mirrored << k;
     }
-    EXPECT_NEAR(choice.averages->harmonic(side, k), cosine, 3e-3 * mean) << k;
   }
 }
 
@@ -125,13 +149,13 @@ TEST(StrataChoice, TakesTheFewestImpulsesOfLittleKurtosisAnywhere) {
       const Strata strata = choice.fewest();
       const double density = strata.count / std::pow(strata.side, Dim);
       KernelMoments moments = choice.moments;
-      moments.overlap = choice.averages->overlap(strata.side);
+      moments.overlap = choice.averages->overlap(strata);
       SCOPED_TRACE(testing::Message() << Dim << "D, bandwidth " << bandwidth << ", " << strata.count);
       EXPECT_LT(std::abs(noise_excess_kurtosis(density, moments)), 0.02);
-      EXPECT_LE(kurtosis_given_place(density, moments, *choice.averages, strata.side), 0.25);
-      const double one_less = density * (strata.count - 1) / strata.count;
-      if (strata.count > 1) {
-        EXPECT_GT(kurtosis_given_place(one_less, moments, *choice.averages, strata.side), 0.25);
+      EXPECT_LE(kurtosis_given_place(density, moments, *choice.averages, strata), 0.25);
+      const double one_less = density * (strata.count - least_count(strata)) / strata.count;
+      if (one_less > 0.0) {
+        EXPECT_GT(kurtosis_given_place(one_less, moments, *choice.averages, strata), 0.25);
       }
     }
   });
@@ -147,7 +171,7 @@ TEST(StrataChoice, NarrowBandsAreWithinTheMeanKurtosis) {
         const StrataChoice choice = strata_choice(kernel, weights);
         const auto kurtosis_of = [&](const Strata& strata) {
           KernelMoments moments = choice.moments;
-          moments.overlap = choice.averages->overlap(strata.side);
+          moments.overlap = choice.averages->overlap(strata);
           return noise_excess_kurtosis(strata.count / std::pow(strata.side, Dim), moments, weights);
         };
         const Strata strata = choice.fewest();
@@ -158,8 +182,8 @@ TEST(StrataChoice, NarrowBandsAreWithinTheMeanKurtosis) {
         const double over_poisson = strata.count / std::pow(strata.side, Dim) / choice.poisson_density();
         EXPECT_LT(over_poisson, StrataChoice::kMostOverPoisson);
         if (over_poisson > 1.001 * StrataChoice::kPlentyOverPoisson) {
-          EXPECT_EQ(strata.count, 1);
-          EXPECT_GT(kurtosis_of({1.01 * strata.side, 1}), 0.02);
+          EXPECT_EQ(strata.count, least_count(strata));
+          EXPECT_GT(kurtosis_of({{1.01 * strata.side, strata.mirrored}, strata.count}), 0.02);
         }
       }
     }
@@ -180,9 +204,9 @@ TEST(StrataChoice, TakesFewerImpulsesWhereTheMeanMayBeMore) {
         const Strata strata = choice.fewest();
         const double density = strata.count / std::pow(strata.side, Dim);
         KernelMoments moments = choice.moments;
-        moments.overlap = choice.averages->overlap(strata.side);
+        moments.overlap = choice.averages->overlap(strata);
         EXPECT_LT(std::abs(noise_excess_kurtosis(density, moments, choice.weights)), 1.02 * kurtosis);
-        const double given_place = kurtosis_given_place(density, moments, *choice.averages, strata.side);
+        const double given_place = kurtosis_given_place(density, moments, *choice.averages, strata);
         EXPECT_LT(given_place, 1.01 * StrataChoice::kPlaceKurtosis);
         EXPECT_LE(density, before);
         before = density;
@@ -197,18 +221,32 @@ TEST(StrataChoice, OfADensityHasIt) {
   for (const double density : {0.01, 1.0, 3.7, 200.0}) {
     const Strata strata = choice.of_density(density);
     EXPECT_NEAR(strata.count / std::pow(strata.side, 3), density, 1e-12 * density);
-    if (strata.count > 1) {
-      EXPECT_NEAR(strata.side, choice.balanced_side(), 0.2 * choice.balanced_side());
+    if (strata.count > least_count(strata)) {
+      EXPECT_NEAR(strata.side, choice.balanced().side, 0.2 * choice.balanced().side);
     }
   }
 }
 
-// Plain strata on a line, with weights of 1 and -1: what is left of the fourth cumulant.
-TEST(ImpulseStatistics, KurtosisOfStrataAgreesWithASimulation) {
+// Of isotropic kernels and of waves whose direction is given, from three dimensions on.
+TEST(StrataChoice, MirroredImpulsesBalanceLargerCubes) {
+  const auto saved = [](const StrataChoice& choice) {
+    const Strata strata = choice.balanced();
+    EXPECT_EQ(strata.mirrored, choice.mirrors);
+    return choice.density_of(strata) * std::pow(choice.balanced_side(), choice.dimensions);
+  };
+  const double a = gaussian_parameter(1.0, 1.0);
+  EXPECT_NEAR(saved(strata_choice(IsotropicGaborKernel<3>::with_unit_peak(1.0, a), {})), 0.83, 0.01);
+  EXPECT_NEAR(saved(strata_choice(EvenGaborKernel<3>(a, 1.0))), 0.71, 0.01);
+  EXPECT_NEAR(saved(strata_choice(IsotropicGaborKernel<4>::with_unit_peak(1.0, a), {})), 0.69, 0.01);
+  EXPECT_NEAR(saved(strata_choice(EvenGaborKernel<4>(a, 1.0))), 0.54, 0.01);
+  EXPECT_NEAR(saved(strata_choice(EvenGaborKernel<2>(a, 1.0))), 1.0, 1e-12);
+  EXPECT_NEAR(saved(strata_choice(RandomPhaseGaborKernel<4>(1.0, a, Vec<4>(0.0)))), 1.0, 1e-12);
+}
+
+// Strata on a line, with weights of 1 and -1: what is left of the fourth cumulant.
+void expect_simulated_kurtosis(const Strata& strata) {
   const auto kernel = IsotropicGaborKernel<1>::with_unit_peak(1.0, gaussian_parameter(1.0, 1.0));
   const StrataChoice choice = strata_choice(kernel, {});
-  constexpr double kSide = 0.5;
-  constexpr int kCount = 1;
   constexpr int kTrials = 200000;
   RandomStream stream(derive_seed(3, 1));
   double second = 0.0;
@@ -217,22 +255,30 @@ TEST(ImpulseStatistics, KurtosisOfStrataAgreesWithASimulation) {
     const double shift = stream.next_unit();
     double value = 0.0;
     for (int cube = -7; cube < 7; ++cube) {
-      for (int i = 0; i < kCount; ++i) {
+      double place = 0.0;
+      for (int i = 0; i < strata.count; ++i) {
         const double weight = stream.next_unit() < 0.5 ? -1.0 : 1.0;
-        value += weight * kernel.value(kSide * (cube + shift + stream.next_unit()));
+        place = strata.mirrored && i % 2 == 1 ? 1.0 - place : stream.next_unit();
+        value += weight * kernel.value(strata.side * (cube + shift + place));
       }
     }
     second += value * value / kTrials;
     fourth += std::pow(value, 4) / kTrials;
   }
   KernelMoments moments = choice.moments;
-  moments.overlap = choice.averages->overlap(kSide);
-  const double density = kCount / kSide;
+  moments.overlap = choice.averages->overlap(strata);
+  const double density = strata.count / strata.side;
   const double kurtosis = noise_excess_kurtosis(density, moments);
   // Four standard errors of a Gaussian's; the cumulant here is negative, and tails are shorter.
   EXPECT_NEAR(second / noise_variance(density, kernel.energy()), 1.0, 4.0 * std::sqrt(2.0 / kTrials));
   EXPECT_NEAR(fourth / (second * second) - 3.0, kurtosis, 4.0 * std::sqrt(24.0 / kTrials));
-  EXPECT_LT(kurtosis, -0.3);  // far enough from 0 for this to be a test
+  EXPECT_LT(kurtosis, -0.1);  // far enough from 0 for this to be a test
+}
+
+TEST(ImpulseStatistics, KurtosisOfStrataAgreesWithASimulation) {
+  expect_simulated_kurtosis({{0.5, false}, 1});
+  expect_simulated_kurtosis({{0.5, true}, 2});
+  expect_simulated_kurtosis({{0.8, true}, 4});
 }
 
 }  // namespace

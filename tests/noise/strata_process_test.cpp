@@ -35,6 +35,15 @@ ImpulseProcess<Dim> make_pieces(int halvings, std::uint64_t seed, std::int64_t p
   return {axes, {std::exp2(Dim * halvings), true, halvings}, derive_seed(seed, 1)};
 }
 
+// Pairs of impulses that are each other's mirror image, in strata or in pieces of them.
+template <int Dim>
+ImpulseProcess<Dim> make_mirrored(int pairs, int halvings, std::uint64_t seed, std::int64_t period = 0) {
+  std::array<CellAxis, Dim> axes;
+  for (CellAxis& axis : axes) axis = CellAxis(1.0, period);
+  const double places = halvings > 0 ? std::exp2(Dim * halvings) : pairs;
+  return {axes, {2.0 * places, true, halvings, true}, derive_seed(seed, 1)};
+}
+
 TEST(Strata, HoldTheirNumberOfImpulsesInACubeThatIsShiftedByUpToACell) {
   for_each_dimension([]<int Dim>() {
     const auto process = make_strata<Dim>(3, 9);
@@ -194,6 +203,46 @@ TEST(Strata, WhatIsOutOfReachIsLeftOut) {
     expect_what_is_in_reach(ImpulseProcess<Dim>(make_strata<Dim>(1, 11, 9).axes(), {2.5, false}, 3));
     expect_what_is_in_reach(make_pieces<Dim>(1, 11, 9));
     if (Dim < 4) expect_what_is_in_reach(make_pieces<Dim>(2, 11, 9));
+    expect_what_is_in_reach(make_mirrored<Dim>(1, 0, 11));
+    expect_what_is_in_reach(make_mirrored<Dim>(1, 0, 11, 9), false);
+    expect_what_is_in_reach(make_mirrored<Dim>(3, 0, 11, 9));
+    expect_what_is_in_reach(make_mirrored<Dim>(1, 1, 11, 9));
+  });
+}
+
+// Where a stratum is, is where its pairs' middles are: in strata, one place for all, of which each impulse is
+// anywhere around; in pieces one for each piece. The signs of two impulses of a pair are independent.
+TEST(Strata, MirroredImpulsesLieOppositeEachOther) {
+  for_each_dimension([]<int Dim>() {
+    for (const int halvings : {0, 1}) {
+      const int places = halvings > 0 ? 1 << Dim : 3;
+      const auto process = make_mirrored<Dim>(places, halvings, 3);
+      double alike = 0.0;
+      std::vector<double> found(16, 0.0);  // of how far an impulse is from the middle, along an axis
+      constexpr int kStrata = 2000;
+      for (int number = 0; number < kStrata; ++number) {
+        const auto impulses = impulses_of(process, Index<Dim>(3 * number));
+        ASSERT_EQ(impulses.size(), 2u * static_cast<std::size_t>(places));
+        std::set<std::array<std::int32_t, Dim>> middles;
+        for (std::size_t i = 0; i < impulses.size() / 2; ++i) {
+          const Impulse<Dim>& one = impulses[i];
+          const Impulse<Dim>& other = impulses[i + impulses.size() / 2];
+          std::array<std::int32_t, Dim> middle;
+          for (std::size_t axis = 0; axis < Dim; ++axis) {
+            middle[axis] = one.position[axis] + other.position[axis] + 1;
+            const std::int32_t across = one.position[axis] - other.position[axis];
+            ASSERT_LT(std::abs(across), CellAxis::kQuantaPerCell >> halvings);
+            found[static_cast<std::size_t>(8 + (across * 8 >> (CellAxis::kFractionBits - halvings)))] += 1.0;
+          }
+          middles.insert(middle);
+          alike += (one.mark >> 63) == (other.mark >> 63) ? 1.0 : 0.0;
+        }
+        ASSERT_EQ(middles.size(), halvings > 0 ? impulses.size() / 2 : 1u);
+      }
+      const double pairs = kStrata * places;
+      EXPECT_NEAR(alike, 0.5 * pairs, 4.0 * std::sqrt(0.25 * pairs));
+      expect_chi_square(found, std::vector<double>(16, pairs * Dim / 16.0));
+    }
   });
 }
 

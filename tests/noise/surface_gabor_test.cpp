@@ -114,11 +114,12 @@ TEST(SurfaceGaborNoise, AgreesWithTheReferenceForEveryInstructionSet) {
                                                          .count = scales.count,
                                                          .layer = layer,
                                                          .seed = 11});
-      const reference::VaryingGaborProcedure<3> stationary({.impulses = static_cast<double>(strata.count),
-                                                            .nominal = family.nominal_share(),
-                                                            .layer = layer,
-                                                            .side = strata.side,
-                                                            .seed = 11});
+      const reference::VaryingGaborProcedure<3> stationary(
+          {.nominal = family.nominal_share(),
+           .count = {static_cast<double>(strata.count), true, 0, strata.mirrored},
+           .layer = layer,
+           .side = strata.side,
+           .seed = 11});
       std::vector<double> expected_varying, expected_stationary;
       for (std::size_t i = 0; i < scattered.size(); ++i) {
         const double magnitude = scattered.magnitude[i];

@@ -119,10 +119,11 @@ TEST(VaryingGaborNoise, WithoutVaryingParametersAgreesWithTheReferenceOnOneGrid)
     const KernelFamily family(Dim, waves, 1.0, 0.02);
     const StrataChoice choice = strata_of<Dim>(noise.options());
     const Strata strata = choice.of_density(impulse_density(Dim, kImpulses, choice.radius));
-    const reference::VaryingGaborProcedure<Dim> procedure({.impulses = static_cast<double>(strata.count),
-                                                           .nominal = family.nominal_share(),
-                                                           .side = strata.side,
-                                                           .seed = 7});
+    const reference::VaryingGaborProcedure<Dim> procedure(
+        {.nominal = family.nominal_share(),
+         .count = {static_cast<double>(strata.count), true, 0, strata.mirrored},
+         .side = strata.side,
+         .seed = 7});
     const std::vector<float> values = values_of<Dim>(noise, scattered);
     for (std::size_t i = 0; i < values.size(); ++i) {
       const double expected = reference_value<Dim>(procedure, family, scattered, i, 8.0, 1.0);

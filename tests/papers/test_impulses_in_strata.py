@@ -7,7 +7,6 @@ from papers.gabor import a_of
 from papers.impulses_in_strata import closed_at_place, fourth_moments, measure_windows
 from papers.strata import Cumulants, Overlap, beyond, library
 from papers.strata_ensembles import measure_elsewhere, measure_ensemble, measure_spectra
-from scipy import optimize
 
 
 def test_estimates_have_the_error_of_their_mean():
@@ -24,8 +23,8 @@ def test_the_library_has_the_closed_forms_again(n, kind):
     for poisson in (False, True):
         noise = library(n, kind, poisson=poisson)
         density = noise.description["impulse_density"]
-        side = np.inf if poisson else overlap.cubes(density)[0]
-        share = 1.0 if poisson else overlap.share(side)
+        side, _, mirrored = overlap.cubes(density)
+        share = 1.0 if poisson else overlap.share(side, mirrored)
         closed = share * overlap.kernel.fourth / (density * overlap.kernel.energy**2)
         assert abs(noise.excess_kurtosis - closed) < 0.02
 
@@ -54,15 +53,19 @@ def test_the_sixth_cumulant_is_that_of_the_closed_form():
     assert abs(found - sixth) < 5 * error and error < 0.1 and abs(sixth) > 1
 
 
-@pytest.mark.parametrize("n, kind, sixth, tail", [(2, 1, 0.18, None), (3, 1, 0.64, 1.25), (4, 1, 1.02, None), (3, 0, None, 1.43)])
-def test_cumulants_of_one_impulse_in_each_balanced_cube(n, kind, sixth, tail):
-    """The figures of src/solidnoise/noise/kernel/impulse_strata.h, of the cube of the variance times (a^n / density)^2."""
-    cumulants, a = Cumulants(n, kind), a_of(1.0)
-    side = optimize.brentq(Overlap(n, kind).share, 0.05, 3)
-    found = cumulants(side, 1)
+@pytest.mark.parametrize("n, kind, mirrored, ratio, sixth, tail", [(2, 1, False, 1, 0.18, None), (3, 1, False, 1, 0.64, 1.25), (4, 1, False, 1, 1.02, None),
+                                                                   (3, 1, True, 0.71, 0.16, None), (4, 1, True, 0.54, 0.62, None), (3, 0, True, 0.83, None, 0.93),
+                                                                   (4, 0, True, 0.69, None, 1.30)])
+def test_cumulants_of_balanced_cubes(n, kind, mirrored, ratio, sixth, tail):
+    """With one impulse or one pair in each, the figures of src/solidnoise/noise/kernel/impulse_strata.h: the density over that of independent impulses, of the cube of the
+    variance times (a^n / density)^2, and past four standard deviations."""
+    overlap, a = Overlap(n, kind), a_of(1.0)
+    side, count = overlap.balanced(mirrored), 2 if mirrored else 1
+    assert abs(count * (overlap.balanced(False) / side) ** n - ratio) < 0.01
+    found = Cumulants(n, kind)(side, count, mirrored)
     assert abs(found[0]) < 2e-3
-    assert sixth is None or abs(found[1] / (a * side) ** (2 * n) - sixth) < 0.01
-    assert tail is None or abs(beyond(4, *found) - tail) < 0.01
+    assert sixth is None or abs(found[1] * (count / (a * side) ** n) ** 2 - sixth) < 0.01
+    assert tail is None or abs(beyond(4, *found) - tail) < 0.015
 
 
 def test_tails_are_those_of_a_gaussian_without_cumulants_and_grow_with_them():
@@ -100,7 +103,7 @@ def test_windows_are_more_alike_than_those_of_a_poisson_process():
 def test_the_excess_kurtosis_given_the_place_is_the_closed_form(kind):
     """In a simulation of 16 parts that shares nothing with the library: in the planes' middle and between two of them."""
     density = library(2, kind).description["impulse_density"]
-    side, _ = Overlap(2, kind).cubes(density)
+    side = Overlap(2, kind).cubes(density)[0]
     place = np.array([0.02, 0.5])
     random = np.random.default_rng(5)
     measured, error = mean_of([fourth_moments(kind, density, side, place, random, along=200) - 3 for _ in range(16)])

@@ -19,7 +19,7 @@ struct VaryingSetting {
   double impulses = 20.0;  // N, or of one grid those of a cell
   double nominal = 1.0;    // the radius that N and a layer's thickness are measured by, in radii
   double scale = 0.0;      // that tells the level of grids in strata, in radii; 0: a Poisson process
-  ImpulseCount count{};    // of the cells of these
+  ImpulseCount count{};    // of the cells of strata, of one grid or of more
   double layer = 0.0;      // half thickness of a surface's layer, in nominal radii; 0: the kernel is a ball
   double side = 0.0;       // of the cells of one grid in strata, in world units; 0: a hierarchy of grids
   std::uint64_t seed = 0;
@@ -83,8 +83,8 @@ class VaryingGaborProcedure {
       reach = std::hypot(1.0, setting_.layer * setting_.nominal);
     }
     if (setting_.side > 0.0) {
-      const double density = setting_.impulses / std::pow(setting_.side, Dim);
-      return sum_of_grid(point, grid(0, setting_.side, setting_.impulses), reach) /
+      const double density = setting_.count.mean / std::pow(setting_.side, Dim);
+      return sum_of_grid(point, grid(0, setting_.side, setting_.count.mean), reach) /
              std::sqrt(density * energy);
     }
     const double scale = scale_ * point.radius;
@@ -106,8 +106,8 @@ class VaryingGaborProcedure {
     // Keys: stream 1 of the seed, and of that one stream per level from 2^20 on.
     const std::uint64_t key =
         derive_seed(derive_seed(setting_.seed, 1), (1u << 20) + static_cast<std::uint64_t>(level));
-    if (setting_.scale > 0.0) return ImpulseProcess<Dim>(axes, setting_.count, key);
-    return ImpulseProcess<Dim>(axes, {mean, setting_.side > 0.0}, key);
+    if (setting_.count.is_fixed) return ImpulseProcess<Dim>(axes, setting_.count, key);
+    return ImpulseProcess<Dim>(axes, {mean, false}, key);
   }
 
   double sum_of_grid(const VaryingPoint<Dim>& point, const ImpulseProcess<Dim>& process, double reach) const {

@@ -47,6 +47,10 @@ inline std::uint64_t PlaceCandidates(const CandidateBox& box, ImpulseCandidates&
       state = MixBits(d, state);
       hn::StoreU(state, d, candidates.key.data() + i);
     }
+    // The mirror image of a place has all of its bits inverted.
+    const VI number = hn::BitCast(di, hn::LoadU(du, candidates.number.data() + i));
+    const VI image = hn::VecFromMask(di, hn::Gt(number, hn::Set(di, box.places - 1)));
+    const VI inverted = hn::And(image, hn::Set(di, (1 << bits) - 1));
     V uniform = state;
     VF distance = hn::Zero(df);
     for (int axis = 0; axis < box.dimensions; ++axis) {
@@ -58,7 +62,8 @@ inline std::uint64_t PlaceCandidates(const CandidateBox& box, ImpulseCandidates&
         uniform = hn::ShiftLeft<32>(uniform);
       }
       std::int32_t* const position = candidates.position[a].data() + i;
-      const VI place = hn::BitCast(di, hn::TruncateTo(du, hn::ShiftRightSame(uniform, 64 - bits)));
+      const VI drawn = hn::BitCast(di, hn::TruncateTo(du, hn::ShiftRightSame(uniform, 64 - bits)));
+      const VI place = hn::Xor(drawn, inverted);
       VI at = hn::Add(hn::LoadU(di, position), place);
       if (box.halvings > 0) {
         const VI piece = hn::BitCast(di, hn::LoadU(du, candidates.piece.data() + i));

@@ -15,6 +15,7 @@ struct CandidateBox {
   bool is_ball = true;           // the support; else a box
   float most = 1.0f;             // squared distance, in radii, of what is in reach
   int halvings = 0;              // of strata into pieces (ImpulseCount)
+  std::int32_t places = 1;       // of a stratum: impulses of this number and higher are mirror images
   bool mixes_keys = false;       // which are hashes of strata, unmixed
 };
 
@@ -23,7 +24,7 @@ struct ImpulseCandidates {
   static constexpr std::size_t kMost = 64;
 
   std::size_t count = 0;
-  std::array<std::uint64_t, kMost> key;     // of the stream that the position is drawn from
+  std::array<std::uint64_t, kMost> key;     // of the stream that the place is drawn from
   std::array<std::uint32_t, kMost> piece;   // of its stratum, where that is cut into pieces
   std::array<std::uint32_t, kMost> number;  // in its stratum
   // Along each axis, of the stratum's corner in 2^-20 of a cell; then of the impulse itself.

@@ -43,7 +43,10 @@ template <int Dim>
 ImpulseProcess<Dim>::ImpulseProcess(const std::array<CellAxis, Dim>& axes, const ImpulseCount& count,
                                     std::uint64_t key)
     : axes_(axes), count_(count), key_(key) {
-  if (count.is_fixed) return;
+  if (count.is_fixed) {
+    places_ = static_cast<int>(count.mirrored ? count.mean / 2.0 : count.mean);
+    return;
+  }
   cumulative_ = cumulative_poisson(count.mean);
   guide_ = static_cast<int>(count.mean);
 }
@@ -87,6 +90,7 @@ struct ImpulseProcess<Dim>::Search {
             .is_ball = what.is_ball,
             .most = ImpulseReach<Dim>::kMost,
             .halvings = of.count_.halvings,
+            .places = of.places_,
             .mixes_keys = of.count_.is_single()} {}
 
   // Of strata with this hash of their coordinates on the axes before, which are at least this squared
@@ -133,24 +137,31 @@ struct ImpulseProcess<Dim>::Search {
             static_cast<std::int64_t>(to) + (to > 0.0f ? 1 : 0)};
   }
 
-  // The single impulses of strata side by side, as many of `wanted` as there is room for; how many.
+  // The single impulses, or pairs, of strata side by side, of as many of `wanted` as there is room for; how
+  // many.
   std::int64_t add_row(std::uint64_t hash, std::int64_t at, std::int64_t wanted) {
     if (candidates.full()) take();
     const std::size_t begin = candidates.count;
-    const auto room = static_cast<std::int64_t>(ImpulseCandidates::kMost - begin);
-    const auto count = static_cast<std::size_t>(std::min(wanted, room));
-    for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t each = process.count_.mirrored ? 2 : 1;
+    const auto room = static_cast<std::int64_t>((ImpulseCandidates::kMost - begin) / each);
+    const auto strata = static_cast<std::size_t>(std::min(wanted, room));
+    for (std::size_t i = 0; i < strata; ++i) {
       const auto along = static_cast<std::int64_t>(i);
-      candidates.key[begin + i] = unmixed_hash(hash, process.axes_[Dim - 1].wrap(at + along));
-      candidates.number[begin + i] = 0;
-      candidates.position[Dim - 1][begin + i] =
+      const std::uint64_t key = unmixed_hash(hash, process.axes_[Dim - 1].wrap(at + along));
+      const std::int32_t position =
           corner[Dim - 1] + static_cast<std::int32_t>(along * CellAxis::kQuantaPerCell);
+      for (std::size_t number = 0; number < each; ++number) {
+        const std::size_t to = begin + i * each + number;
+        candidates.key[to] = key;
+        candidates.number[to] = static_cast<std::uint32_t>(number);
+        candidates.position[Dim - 1][to] = position;
+      }
     }
     for (std::size_t axis = 0; axis + 1 < Dim; ++axis) {
-      std::fill_n(candidates.position[axis].begin() + begin, count, corner[axis]);
+      std::fill_n(candidates.position[axis].begin() + begin, strata * each, corner[axis]);
     }
-    candidates.count += count;
-    return static_cast<std::int64_t>(count);
+    candidates.count += strata * each;
+    return static_cast<std::int64_t>(strata);
   }
 
   // Those of a stratum.
@@ -159,8 +170,9 @@ struct ImpulseProcess<Dim>::Search {
     for (int i = begin; i < end; ++i) {
       if (candidates.full()) take();
       const std::size_t to = candidates.count++;
-      candidates.key[to] = draws.key_of(i);
-      candidates.piece[to] = draws.piece_of(i);
+      const int place = draws.place_of(i);
+      candidates.key[to] = draws.key_of(place);
+      candidates.piece[to] = draws.piece_of(place);
       candidates.number[to] = static_cast<std::uint32_t>(i);
       for (std::size_t axis = 0; axis < Dim; ++axis) candidates.position[axis][to] = corner[axis];
     }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -50,8 +51,12 @@ struct ImpulseCount {
   // Of a fixed count: strata are cut in halves so often along each axis, 0 to 3 times, and have one impulse
   // in each of the 2^(Dim halvings) pieces. 0: anywhere in the stratum.
   int halvings = 0;
+  // Of a fixed count, an even one: impulse i lies where impulse i - mean / 2 is mirrored at the centre of the
+  // stratum, or of the piece, which then has both.
+  bool mirrored = false;
 
-  bool is_single() const { return is_fixed && mean == 1.0; }
+  // A stratum is one impulse, or one and its mirror image.
+  bool is_single() const { return is_fixed && halvings == 0 && mean == (mirrored ? 2.0 : 1.0); }
 };
 
 // In which of a stratum's 2^bits pieces, 0 to 12 bits, each impulse lies: impulse i, whose share is in part
@@ -104,9 +109,9 @@ struct ImpulseReach {
 };
 
 // A marked point process in Dim dimensions, cell by cell: strata, which hold a fixed number of impulses each,
-// or a Poisson process. Positions are independent and uniform, in the cell or in its pieces, and a cell's
-// impulses are a function of its coordinates and the key alone (Lagae et al. 2009, section 4; we use an exact
-// Poisson count and a hash that does not repeat).
+// or a Poisson process. Positions are independent and uniform, in the cell or in its pieces, or in pairs of a
+// place and its mirror image, and a cell's impulses are a function of its coordinates and the key alone
+// (Lagae et al. 2009, section 4; we use an exact Poisson count and a hash that does not repeat).
 //
 // Strata are as large as cells but not where cells are: along the first axis all are shifted by one random
 // number, along the second by one for each plane of strata, along the third by one for each row, and so on.
@@ -143,8 +148,9 @@ class ImpulseProcess {
     }
     const Draws draws(*this, hash);
     for (int i = 0; i < draws.count; ++i) {
-      sink(Impulse<Dim>{position(draws.key_of(i), draws.piece_of(i), shift),
-                        mark(draws.key_of(i), static_cast<std::uint32_t>(i))});
+      const int place = draws.place_of(i);
+      sink(Impulse<Dim>{position(draws.key_of(place), draws.piece_of(place), place != i, shift),
+                        mark(draws.key_of(place), static_cast<std::uint32_t>(i))});
     }
   }
 
@@ -178,14 +184,15 @@ class ImpulseProcess {
     return count_.is_fixed ? static_cast<std::int32_t>(hash >> (64 - CellAxis::kFractionBits)) : 0;
   }
 
-  // `key` is that of the impulse, Draws::key_of(i); its piece has so many bits of each axis as there are
+  // `key` is that of the place, Draws::key_of(); its piece has so many bits of each axis as there are
   // halvings, those of the first axis lowest.
-  std::array<std::int32_t, Dim> position(std::uint64_t key, std::uint32_t piece,
+  std::array<std::int32_t, Dim> position(std::uint64_t key, std::uint32_t piece, bool is_image,
                                          const std::array<std::int32_t, Dim>& shift) const {
     const int bits = CellAxis::kFractionBits - count_.halvings;  // of a place in its piece
     RandomStream stream(key);
     std::array<std::int32_t, Dim> result;
     const auto place = [&](int axis, std::uint64_t uniform) {  // of 32 bits
+      if (is_image) uniform ^= 0xffffffffULL;
       const std::uint32_t corner = piece >> (axis * count_.halvings) & ((1u << count_.halvings) - 1u);
       result[axis] = shift[axis] + static_cast<std::int32_t>(uniform >> (32 - bits)) +
                      static_cast<std::int32_t>(corner << bits);
@@ -200,10 +207,12 @@ class ImpulseProcess {
 
   static constexpr int kPairs = (Dim + 1) / 2;  // of axes
 
-  // What follows in its stream: the mark, of a stratum's impulses with the share in the part of its number.
+  // What follows in the place's stream: the mark, and that of its mirror image; of a stratum's impulses with
+  // the share in the part of its number.
   std::uint64_t mark(std::uint64_t key, std::uint32_t number) const {
-    const std::uint64_t mark = RandomStream(key + kPairs * kGoldenGamma).next();
-    if (!count_.is_fixed || count_.is_single()) return mark;
+    const int before = kPairs + (static_cast<int>(number) < places_ ? 0 : 1);
+    const std::uint64_t mark = RandomStream(key + static_cast<std::uint64_t>(before) * kGoldenGamma).next();
+    if (!count_.is_fixed || count_.mean == 1.0) return mark;
     const std::uint64_t within = mark & kShareMask;
     const std::uint64_t share =
         ((std::uint64_t{number} << kShareBits) + within) / static_cast<std::uint64_t>(count_.mean);
@@ -211,10 +220,13 @@ class ImpulseProcess {
   }
 
   // The random numbers of the stratum with this hash: of a Poisson process the count, of pieces how they are
-  // taken; then for each impulse its position, two axes to a number, and its mark.
+  // taken; then for each place the position, two axes to a number, and the mark, or both marks.
   struct Draws {
     Draws(const ImpulseProcess& process, std::uint64_t hash)
-        : key(hash), count(static_cast<int>(process.count_.mean)), in_parts(process.count_.is_fixed) {
+        : key(hash),
+          count(static_cast<int>(process.count_.mean)),
+          places(process.places_),
+          in_parts(process.count_.is_fixed) {
       if (in_parts && process.count_.halvings == 0) return;
       const std::uint64_t first = RandomStream(key).next();
       key += kGoldenGamma;
@@ -233,13 +245,18 @@ class ImpulseProcess {
       return {static_cast<int>((least * m) >> kShareBits), std::min(count, static_cast<int>(last) + 1)};
     }
 
-    // Of impulse i's own stream.
-    std::uint64_t key_of(int i) const {
-      return key + static_cast<std::uint64_t>(i * (kPairs + 1)) * kGoldenGamma;
+    // Where impulse i is, itself or as an image.
+    int place_of(int i) const { return i < places ? i : i - places; }
+
+    // Of a place's own stream.
+    std::uint64_t key_of(int place) const {
+      const int marks = places < count ? 2 : 1;
+      return key + static_cast<std::uint64_t>(place * (kPairs + marks)) * kGoldenGamma;
     }
 
     std::uint64_t key;
     int count;
+    int places;
     bool in_parts;
     PieceMap piece_of;
   };
@@ -259,6 +276,8 @@ class ImpulseProcess {
   std::array<CellAxis, Dim> axes_;
   ImpulseCount count_;
   std::uint64_t key_;
+  // How many places are drawn for a stratum: those of impulses that are not mirror images.
+  int places_ = std::numeric_limits<int>::max();
   std::vector<std::uint64_t> cumulative_;  // of counts 0, 1, ... in 2^-64
   int guide_ = 0;                          // where the search starts
 };

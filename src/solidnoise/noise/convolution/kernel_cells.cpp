@@ -58,7 +58,7 @@ ImpulseLayout<Dim> make_layout(const StrataChoice& choice, double density, Impul
   const int halvings = choice.halvings(strata);
   const auto axes = make_cells<Dim>(std::ldexp(strata.side, halvings), radius, period);
   const double count = std::ldexp(strata.count, Dim * halvings);
-  return {axes, {count, true, halvings}, count / volume_of<Dim>(axes)};
+  return {axes, {count, true, halvings, strata.mirrored}, count / volume_of<Dim>(axes)};
 }
 
 RadialPolynomial to_single_precision(const CompactKernel& kernel, int most_degree) {

@@ -26,9 +26,9 @@ struct ImpulseLayout {
     for (int axis = 0; axis < Dim; ++axis) cells[axis] = radius / axes[axis].size();
     return cells;
   }
-  // Of a cube as large as a cell, and of one as large as its pieces, if it has any: of strata.
+  // Of a cube as large as a cell, and the cubes as large as its pieces, if it has any: of strata.
   double cell_side() const { return std::pow(count.mean / density, 1.0 / Dim); }
-  double side() const { return std::ldexp(cell_side(), -count.halvings); }
+  Cubes cubes() const { return {std::ldexp(cell_side(), -count.halvings), count.mirrored}; }
 };
 
 // The layout of impulses of a density (world units^-Dim; 0: the fewest that look Gaussian,

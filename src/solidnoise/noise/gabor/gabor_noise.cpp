@@ -135,7 +135,7 @@ GaborNoise<Dim>::GaborNoise(const GaborNoiseOptions& options)
   std::shared_ptr<const ImpulseKernel> kernel;
   if (options.filter == 0.0 || filter_kernel()) {
     variance_ = compact_.energy() / unfiltered_energy_;
-    if (layout.count.is_fixed) side_ = layout.side();
+    if (layout.count.is_fixed) cubes_ = layout.cubes();
     kernel =
         std::make_shared<WeightedKernel>(RadialSum{support_scale<Dim>(layout.in_cells(compact_.radius())),
                                                    to_single_precision(compact_, RadialSum::kMostDegree)},
@@ -159,7 +159,7 @@ bool GaborNoise<Dim>::filter_kernel() {
 
 // A compact kernel is about as steep as it is smooth at its end: it has no higher frequencies than this.
 template <int Dim>
-RadialAverages GaborNoise<Dim>::cubes() const {
+RadialAverages GaborNoise<Dim>::averages() const {
   return RadialAverages::of(
       Dim, [this](double r) { return std::pow(compact_.value(r), 2); }, compact_.radius(),
       2.0 * kernel_.frequency() + 3.2 * kernel_.a());
@@ -169,15 +169,15 @@ template <int Dim>
 double GaborNoise<Dim>::excess_kurtosis() const {
   if (variance_ == 0.0) return 0.0;
   KernelMoments moments{compact_.energy(), compact_.fourth_moment()};
-  if (side_ > 0.0) moments.overlap = cubes().overlap(side_);
+  if (cubes_.side > 0.0) moments.overlap = averages().overlap(cubes_);
   return noise_excess_kurtosis(density_, moments, moments_of_weights(options_));
 }
 
 template <int Dim>
 double GaborNoise<Dim>::kurtosis_given_place() const {
-  if (variance_ == 0.0 || side_ == 0.0) return 0.0;
+  if (variance_ == 0.0 || cubes_.side == 0.0) return 0.0;
   const KernelMoments moments{compact_.energy(), compact_.fourth_moment()};
-  return solidnoise::kurtosis_given_place(density_, moments, cubes(), side_);
+  return solidnoise::kurtosis_given_place(density_, moments, averages(), cubes_);
 }
 
 template <int Dim>

@@ -69,7 +69,7 @@ class GaborNoise final : public Noise<Dim> {
 
  private:
   bool filter_kernel();
-  RadialAverages cubes() const;
+  RadialAverages averages() const;
 
   GaborNoiseOptions options_;
   IsotropicGaborKernel<Dim> kernel_;
@@ -78,7 +78,7 @@ class GaborNoise final : public Noise<Dim> {
   double density_ = 0.0;
   double unfiltered_energy_ = 0.0;  // of the compact kernel
   double variance_ = 0.0;
-  double side_ = 0.0;  // of the cubes of strata; 0: there are none
+  Cubes cubes_;  // of strata; of side 0 if there are none
   std::shared_ptr<const SparseConvolution<Dim>> convolution_;
 };
 

@@ -120,8 +120,8 @@ OrientedGaborNoise<Dim>::OrientedGaborNoise(const OrientedGaborNoiseOptions& opt
     variance_ = std::pow(kernel_.amplitude(), 2) * filtered.second / moments.second;
     if (layout.count.is_fixed) {
       const ProductAverages cubes = wave_averages(envelope_, Dim);
-      filtered.overlap = cubes.overlap(layout.side());
-      kurtosis_given_place_ = solidnoise::kurtosis_given_place(density_, filtered, cubes, layout.side());
+      filtered.overlap = cubes.overlap(layout.cubes());
+      kurtosis_given_place_ = solidnoise::kurtosis_given_place(density_, filtered, cubes, layout.cubes());
     }
     excess_kurtosis_ = noise_excess_kurtosis(density_, filtered);
     kernel = std::make_shared<WaveKernel<Dim, WaveDraw<Dim>>>(

@@ -26,7 +26,7 @@ double fewest_impulses(std::span<const BandShare> bands, ImpulseSpread spread) {
       kurtosis += variance * moments.fourth / moments.second;
     } else {
       kurtosis += density * std::pow(moments.second, 2) *
-                  kurtosis_given_place(1.0, choice.moments, *choice.averages, choice.balanced_side());
+                  kurtosis_given_place(1.0, choice.moments, *choice.averages, choice.balanced());
     }
   }
   const double wanted = spread == ImpulseSpread::poisson ? kExampleKurtosis : kExamplePlaceKurtosis;
@@ -42,9 +42,8 @@ ImpulseBudget share_impulses(std::span<const BandShare> bands, double impulses, 
   ImpulseBudget budget;
   for (const BandShare& band : bands) {
     const double shared = wanted / count * band.variance / band.choice.moments.second;
-    const double least = spread == ImpulseSpread::poisson
-                             ? kLeastImpulses / band.support
-                             : std::pow(band.choice.balanced_side(), -band.choice.dimensions);
+    const double least = spread == ImpulseSpread::poisson ? kLeastImpulses / band.support
+                                                          : band.choice.density_of(band.choice.balanced());
     const double density = std::max(shared, least);
     budget.densities.push_back(density);
     budget.impulses += density * band.support;
@@ -56,9 +55,9 @@ double kurtosis_given_place(std::span<const BandShare> bands, std::span<const do
   double sum = 0.0;
   for (std::size_t b = 0; b < densities.size(); ++b) {
     const auto& [variance, support, choice] = bands[b];
-    sum += variance * variance *
-           kurtosis_given_place(densities[b], choice.moments, *choice.averages,
-                                choice.of_density(densities[b]).side);
+    sum +=
+        variance * variance *
+        kurtosis_given_place(densities[b], choice.moments, *choice.averages, choice.of_density(densities[b]));
   }
   return sum;
 }

@@ -72,7 +72,7 @@ std::shared_ptr<const BandSetting> setting_of(const SpectrumBand& band, const Sp
   thread_local Memo<std::tuple<double, double, double>, BandSetting> known;
   return known.get({band.a, options.error, slope}, [&] {
     StrataChoice choice = strata_choice(RandomPhaseGaborKernel<Dim>(1.0, band.a, Vec<Dim>(0.0)));
-    choice.known_side = choice.balanced_side();
+    choice.known = choice.balanced();
     return BandSetting{envelope_of<Dim>(band, options, options.error), choice};
   });
 }
@@ -114,7 +114,7 @@ class BandNoise final : public Noise<Dim> {
       spectrum_ = with_variance(std::move(spectrum_), variance_);
     }
     weights_ = weights;
-    if (layout.count.is_fixed) side_ = layout.side();
+    if (layout.count.is_fixed) cubes_ = layout.cubes();
     const double reach = envelope_.radius();
     auto kernel = std::make_shared<WaveKernel<Dim, SpectrumWaveDraw<Dim>>>(
         OrientedSum{support_scale<Dim>(layout.in_cells(reach)),
@@ -138,7 +138,7 @@ class BandNoise final : public Noise<Dim> {
   double excess_kurtosis() const override {
     if (variance_ == 0.0) return 0.0;
     KernelMoments moments = wave_moments(envelope_, Dim);
-    if (side_ > 0.0) moments.overlap = wave_averages(envelope_, Dim).overlap(side_);
+    if (cubes_.side > 0.0) moments.overlap = wave_averages(envelope_, Dim).overlap(cubes_);
     return noise_excess_kurtosis(density_, moments, weights_);
   }
 
@@ -193,7 +193,7 @@ class BandNoise final : public Noise<Dim> {
   double variance_;
   double density_;
   WeightMoments weights_;
-  double side_ = 0.0;  // of the cubes of strata; 0: there are none
+  Cubes cubes_;  // of strata; of side 0 if there are none
   std::unique_ptr<const SparseConvolution<Dim>> convolution_;
 };
 

@@ -75,7 +75,7 @@ SurfaceGaborNoise::SurfaceGaborNoise(const SurfaceGaborOptions& options)
   impulses_ = layout.density * support_;
   const bool fixed = layout.count.is_fixed;
   density_ = layout.density;
-  if (fixed) side_ = layout.side();
+  if (fixed) cubes_ = layout.cubes();
   scales_ = scale_layout(choice_, wanted, options.impulses_process);
   scale_in_radii_ = scales_.scale / r;
 
@@ -89,7 +89,7 @@ SurfaceGaborNoise::SurfaceGaborNoise(const SurfaceGaborOptions& options)
   varying_excess_kurtosis_ = scales_.excess_kurtosis(choice_, moments);
   if (fixed) {
     moments.overlap =
-        choice_.averages->overlap(layout.side()) * std::pow(moments.second / choice_.moments.second, 2);
+        choice_.averages->overlap(layout.cubes()) * std::pow(moments.second / choice_.moments.second, 2);
   }
   excess_kurtosis_ = noise_excess_kurtosis(layout.density, moments, choice_.weights);
   settings.side = layout.cell_side();
@@ -98,8 +98,9 @@ SurfaceGaborNoise::SurfaceGaborNoise(const SurfaceGaborOptions& options)
 }
 
 double SurfaceGaborNoise::kurtosis_given_place() const {
-  return side_ > 0.0 ? solidnoise::kurtosis_given_place(density_, choice_.moments, *choice_.averages, side_)
-                     : 0.0;
+  return cubes_.side > 0.0
+             ? solidnoise::kurtosis_given_place(density_, choice_.moments, *choice_.averages, cubes_)
+             : 0.0;
 }
 
 double SurfaceGaborNoise::radius() const {

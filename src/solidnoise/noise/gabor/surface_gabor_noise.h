@@ -120,7 +120,7 @@ class SurfaceGaborNoise {
   double excess_kurtosis_ = 0.0;
   StrataChoice choice_;
   double density_ = 0.0;
-  double side_ = 0.0;  // of strata; 0: there are none
+  Cubes cubes_;  // of strata; of side 0 if there are none
   double varying_excess_kurtosis_ = 0.0;
   ScaleLayout scales_;           // of impulses in a hierarchy of grids
   double scale_in_radii_ = 1.0;  // that these follow

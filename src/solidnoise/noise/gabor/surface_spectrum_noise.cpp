@@ -161,7 +161,7 @@ SurfaceSpectrumNoise::SurfaceSpectrumNoise(const SpectrumNoiseOptions& options, 
       amplitude *= filter.amplitude(2);
       spectrum_.bands.push_back(left);
     }
-    if (layout.count.is_fixed) moments.overlap = choice.averages->overlap(layout.side());
+    if (layout.count.is_fixed) moments.overlap = choice.averages->overlap(layout.cubes());
     const double left = amplitude * amplitude * noise_variance(layout.density, moments.second, weights);
     const double scale = left / variance_of(spectrum_.bands.back());
     for (SpectrumComponent& component : spectrum_.bands.back().components) component.variance *= scale;

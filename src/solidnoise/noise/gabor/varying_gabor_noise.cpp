@@ -92,7 +92,7 @@ VaryingGaborNoise<Dim>::VaryingGaborNoise(const VaryingGaborOptions& options)
   varying_excess_kurtosis_ = scales.excess_kurtosis(choice, moments);
   if (layout.count.is_fixed) {
     moments.overlap =
-        choice.averages->overlap(layout.side()) * std::pow(moments.second / choice.moments.second, 2);
+        choice.averages->overlap(layout.cubes()) * std::pow(moments.second / choice.moments.second, 2);
   }
   excess_kurtosis_ = noise_excess_kurtosis(layout.density, moments, choice.weights);
   settings.side = layout.cell_side();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <functional>
 #include <utility>
 
 #include "solidnoise/core/numerics.h"
@@ -17,44 +18,13 @@ double sinc(double x) {
   return x == 0.0 ? 1.0 : std::sin(kPi * x) / (kPi * x);
 }
 
-// Mean over the unit directions d of n dimensions of the product of sinc^2(u d_i), with a rule of as many
-// nodes as four cycles take. In four dimensions the squared length in the first two coordinates is uniform,
-// in three a coordinate is.
-double mean_response(int n, double u) {
-  static const QuadratureRule rule = gauss_legendre(12);
-  const auto mean = [](const auto& function) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
-      sum += 0.5 * rule.weights[i] * function(0.5 + 0.5 * rule.nodes[i]);
-    }
-    return sum;
-  };
-  switch (n) {
-    case 1:
-      return squared(sinc(u));
-    case 2:
-      return mean([u](double turn) {
-        const double angle = 0.25 * kPi * turn;
-        return squared(sinc(u * std::cos(angle)) * sinc(u * std::sin(angle)));
-      });
-    case 3:
-      return mean([u](double height) {
-        return squared(sinc(u * height)) * mean_response(2, u * std::sqrt(1.0 - height * height));
-      });
-    default:
-      return mean([u](double share) {
-        return mean_response(2, u * std::sqrt(share)) * mean_response(2, u * std::sqrt(1.0 - share));
-      });
-  }
-}
-
-// The same from a table that is made once, to 1e-4; 0 from u = kMost on.
+// A function of frequency times side from a table, to 1e-4; 0 from u = kMost on.
 class ResponseTable {
  public:
-  static const ResponseTable& of(int n) {
-    static const std::array<ResponseTable, 4> tables{ResponseTable(1), ResponseTable(2), ResponseTable(3),
-                                                     ResponseTable(4)};
-    return tables[static_cast<std::size_t>(n - 1)];
+  explicit ResponseTable(const std::function<double(double)>& response) {
+    for (int k = 0; k <= kMost * kPerUnit; ++k) {
+      values_.push_back(response(static_cast<double>(k) / kPerUnit));
+    }
   }
 
   double operator()(double u) const {
@@ -67,16 +37,49 @@ class ResponseTable {
 
  private:
   static constexpr int kMost = 6;
-  static constexpr int kPerUnit = 128;
-
-  explicit ResponseTable(int n) {
-    for (int k = 0; k <= kMost * kPerUnit; ++k) {
-      values_.push_back(mean_response(n, static_cast<double>(k) / kPerUnit));
-    }
-  }
+  static constexpr int kPerUnit = 256;
 
   std::vector<double> values_;
 };
+
+double of_line(Places places, double u) {
+  return places == Places::independent ? squared(sinc(u)) : sinc(2.0 * u);
+}
+
+// Means over the unit directions d of n dimensions of the product of sinc^2(u d_i), of independent places, or
+// of sinc(2 u d_i). In four dimensions the squared length in the first two coordinates is uniform, in three a
+// coordinate is.
+std::vector<ResponseTable> response_tables(Places places) {
+  const QuadratureRule rule = gauss_legendre(32);  // of more nodes than the cycles take
+  const auto mean = [&rule](const auto& function) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+      sum += 0.5 * rule.weights[i] * function(0.5 + 0.5 * rule.nodes[i]);
+    }
+    return sum;
+  };
+  const auto line = [places](double u) { return of_line(places, u); };
+  const ResponseTable plane([&](double u) {
+    return mean([&](double turn) {
+      const double angle = 0.25 * kPi * turn;
+      return line(u * std::cos(angle)) * line(u * std::sin(angle));
+    });
+  });
+  const ResponseTable space([&](double u) {
+    return mean(
+        [&](double height) { return line(u * height) * plane(u * std::sqrt(1.0 - height * height)); });
+  });
+  const ResponseTable four([&](double u) {
+    return mean(
+        [&](double share) { return plane(u * std::sqrt(share)) * plane(u * std::sqrt(1.0 - share)); });
+  });
+  return {ResponseTable(line), plane, space, four};
+}
+
+const ResponseTable& response_of(int n, Places places) {
+  static const std::array tables{response_tables(Places::independent), response_tables(Places::mirrored)};
+  return tables[static_cast<std::size_t>(places)][static_cast<std::size_t>(n - 1)];
+}
 
 }  // namespace
 
@@ -124,8 +127,8 @@ double RadialAverages::transform(double frequency) const {
 }
 
 // Trapezoids over frequencies: the integrand is smooth, and ends at 0.
-double RadialAverages::overlap(double side) const {
-  const ResponseTable& response = ResponseTable::of(dimensions_);
+double RadialAverages::mean(double side, Places places) const {
+  const ResponseTable& response = response_of(dimensions_, places);
   double sum = dimensions_ == 1 ? 0.5 * squared(transform_[0]) : 0.0;
   for (std::size_t k = 1; k < transform_.size(); ++k) {
     const double f = static_cast<double>(k) * step_;
@@ -136,8 +139,10 @@ double RadialAverages::overlap(double side) const {
   return unit_sphere_area(dimensions_) * step_ * sum;
 }
 
-// The transform of (h * M)^2 at a frequency along an axis is the convolution of that of h * M with itself.
-double RadialAverages::harmonic(double side, int k) const {
+// The transform of (h * M)^2 at a frequency along an axis is the convolution of that of h * M with itself; of
+// mirrored places that of M's with itself, times the cube's at the difference of the two frequencies.
+double RadialAverages::coefficient(double side, Places places, int k) const {
+  if (k == 0) return mean(side, places);
   std::vector<double> across;  // weights of the frequencies across
   for (std::size_t j = 0; j < transform_.size(); ++j) {
     const double f = static_cast<double>(j) * step_;
@@ -146,7 +151,7 @@ double RadialAverages::harmonic(double side, int k) const {
     } else {
       const double trapezoid = j == 0 && dimensions_ == 2 ? 0.5 : 1.0;
       across.push_back(trapezoid * step_ * unit_sphere_area(dimensions_ - 1) * std::pow(f, dimensions_ - 2) *
-                       ResponseTable::of(dimensions_ - 1)(f * side));
+                       response_of(dimensions_ - 1, places)(f * side));
     }
   }
   const int size = static_cast<int>(transform_.size());
@@ -172,56 +177,65 @@ double RadialAverages::harmonic(double side, int k) const {
       if (distance / step_ >= size - 1) break;
       around += row[j] * transform(distance);
     }
-    sum += sinc(side * along) * sinc(side * other) * around;
+    const double response = places == Places::independent ? sinc(side * along) * sinc(side * other)
+                                                          : sinc(side * (other - along));
+    sum += response * around;
   }
   return sum * step_;
 }
 
 namespace {
 
-// The square of h * M of one axis, times the step: at equal steps, some number of them to a side.
+// Of one axis, the mean of M around one place of a cube times M around the other, times the step: at equal
+// steps, some number of them to a side.
 struct AxisMeans {
-  AxisMeans(const std::function<double(double)>& mean_square, double reach, double side) {
+  AxisMeans(const std::function<double(double)>& mean_square, double reach, double side, Places places) {
     constexpr int kLeast = 256;  // steps over the reach
     const int per_side = std::max(8, static_cast<int>(std::ceil(kLeast * side / reach)));
     step = side / per_side;
     const int half = static_cast<int>(std::ceil(reach / step));
-    std::vector<double> sums{0.0};  // integrals up to each step, by the midpoint rule
+    std::vector<double> values;  // at the midpoints of steps
     for (int k = -half; k < half; ++k) {
       const double x = std::abs((k + 0.5) * step);
-      sums.push_back(sums.back() + (x < reach ? step * mean_square(x) : 0.0));
+      values.push_back(x < reach ? mean_square(x) : 0.0);
     }
-    const auto sum_to = [&](int k) { return sums[static_cast<std::size_t>(std::clamp(k, 0, 2 * half))]; };
+    const auto value = [&](int k) {
+      return k < 0 || k >= 2 * half ? 0.0 : values[static_cast<std::size_t>(k)];
+    };
+    double sum = 0.0;  // of the values of a side
     for (int k = 0; k <= 2 * half + per_side; ++k) {
-      squares.push_back(step * squared((sum_to(k) - sum_to(k - per_side)) / side));
+      double mean = 0.0;
+      if (places == Places::independent) {
+        mean = squared(sum / per_side);
+        sum += value(k) - value(k - per_side);
+      } else {
+        for (int i = 1; i <= per_side; ++i) mean += value(k - i) * value(k - per_side + i - 1) / per_side;
+      }
+      means.push_back(step * mean);
     }
   }
 
   double sum() const {
     double total = 0.0;
-    for (const double value : squares) total += value;
+    for (const double value : means) total += value;
     return total;
   }
 
   double step;
-  std::vector<double> squares;
+  std::vector<double> means;
 };
 
 }  // namespace
 
-double ProductAverages::overlap(double side) const {
-  return factor_ * factor_ * std::pow(AxisMeans(of_axis_, reach_, side).sum(), dimensions_);
-}
-
-double ProductAverages::harmonic(double side, int k) const {
-  const AxisMeans means(of_axis_, reach_, side);
-  const double middle = 0.5 * static_cast<double>(means.squares.size() - 1);
+double ProductAverages::coefficient(double side, Places places, int k) const {
+  const AxisMeans axis(of_axis_, reach_, side, places);
+  const double middle = 0.5 * static_cast<double>(axis.means.size() - 1);
   double sum = 0.0;
-  for (std::size_t i = 0; i < means.squares.size(); ++i) {
-    const double x = (static_cast<double>(i) - middle) * means.step;
-    sum += means.squares[i] * std::cos(2.0 * kPi * k * x / side);
+  for (std::size_t i = 0; i < axis.means.size(); ++i) {
+    const double x = (static_cast<double>(i) - middle) * axis.step;
+    sum += axis.means[i] * std::cos(2.0 * kPi * k * x / side);
   }
-  return factor_ * factor_ * sum * std::pow(means.sum(), dimensions_ - 1);
+  return factor_ * factor_ * sum * std::pow(axis.sum(), dimensions_ - 1);
 }
 
 LayerAverages::LayerAverages(RadialAverages in_plane, const std::function<double(double)>& across,
@@ -230,24 +244,21 @@ LayerAverages::LayerAverages(RadialAverages in_plane, const std::function<double
       across_(RadialAverages::of(1, across, thickness, kHighestAcross / thickness)) {}
 
 // Mean over the orientations of the layer, that is over directions of frequencies.
-double LayerAverages::overlap(double side) const {
-  const ResponseTable& response = ResponseTable::of(3);
+double LayerAverages::coefficient(double side, Places places, int k) const {
+  if (k > 0) return in_plane_.mean(side, places) * across_.coefficient(side, places, k);
+  const ResponseTable& response = response_of(3, places);
   const std::vector<double>& plane = in_plane_.transform_;
   const std::vector<double>& normal = across_.transform_;
   double sum = 0.0;
   for (std::size_t i = 0; i < normal.size(); ++i) {
     const double z = static_cast<double>(i) * across_.step_;
     const double both_signs = i == 0 ? 1.0 : 2.0;
-    for (std::size_t k = 1; k < plane.size(); ++k) {
-      const double f = static_cast<double>(k) * in_plane_.step_;
-      sum += both_signs * squared(normal[i]) * f * squared(plane[k]) * response(side * std::hypot(f, z));
+    for (std::size_t j = 1; j < plane.size(); ++j) {
+      const double f = static_cast<double>(j) * in_plane_.step_;
+      sum += both_signs * squared(normal[i]) * f * squared(plane[j]) * response(side * std::hypot(f, z));
     }
   }
   return 2.0 * kPi * in_plane_.step_ * across_.step_ * sum;
-}
-
-double LayerAverages::harmonic(double side, int k) const {
-  return in_plane_.overlap(side) * across_.harmonic(side, k);
 }
 
 }  // namespace solidnoise

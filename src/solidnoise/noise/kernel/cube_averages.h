@@ -6,18 +6,38 @@
 
 namespace solidnoise {
 
-// What cubes make of the mean square M of a kernel in `dimensions` dimensions, for cubes of a side in world
-// units.
+// Cubes with impulses at uniform places in them: independent of each other, or in pairs, of which the places
+// are each other's mirror image at the cube's centre.
+struct Cubes {
+  double side = 0.0;  // world units
+  bool mirrored = false;
+};
+
+// Of two impulses of a cube.
+enum class Places { independent, mirrored };
+
+// What cubes make of the mean square M of a kernel in `dimensions` dimensions. With h the uniform density of
+// a cube around 0 the mean of M around one place times M around the other is (h * M)^2 of two independent
+// ones, and the mean over places x in the cube of M(p - x) M(p + x) of mirrored ones.
 class CubeAverages {
  public:
   virtual ~CubeAverages() = default;
 
-  // Integral over space of (h * M)^2.
-  virtual double overlap(double side) const = 0;
+  // What strata take from the integral of E g^4, three times over, in the fourth cumulant: the integral over
+  // space of that mean of independent places; of pairs, which are two impulses where independent ones would
+  // be one, twice as much, less that of mirrored places.
+  double overlap(const Cubes& cubes) const { return harmonic(cubes, 0); }
 
-  // Coefficient k >= 1 of the Fourier series of the same integrand, summed over planes of cubes, along their
+  // Coefficient k of the Fourier series of the same integrand, summed over planes of cubes, along their
   // normal, of which overlap() is coefficient 0: planes are all that is not shifted at random in one noise.
-  virtual double harmonic(double side, int k) const = 0;
+  double harmonic(const Cubes& cubes, int k) const {
+    const double independent = coefficient(cubes.side, Places::independent, k);
+    if (!cubes.mirrored) return independent;
+    return 2.0 * independent - coefficient(cubes.side, Places::mirrored, k);
+  }
+
+ private:
+  virtual double coefficient(double side, Places places, int k) const = 0;
 };
 
 // Of a mean square that is radial, or has any orientation, by its Fourier transform.
@@ -31,11 +51,10 @@ class RadialAverages final : public CubeAverages {
   RadialAverages(int dimensions, double reach, double highest,
                  const std::function<double(double)>& transform);
 
-  double overlap(double side) const override;
-  double harmonic(double side, int k) const override;
-
  private:
   friend class LayerAverages;
+  double coefficient(double side, Places places, int k) const override;
+  double mean(double side, Places places) const;
   double transform(double frequency) const;  // between nodes, linearly
 
   int dimensions_;
@@ -49,10 +68,9 @@ class ProductAverages final : public CubeAverages {
   ProductAverages(int dimensions, std::function<double(double)> of_axis, double reach, double factor)
       : dimensions_(dimensions), of_axis_(std::move(of_axis)), reach_(reach), factor_(factor) {}
 
-  double overlap(double side) const override;
-  double harmonic(double side, int k) const override;
-
  private:
+  double coefficient(double side, Places places, int k) const override;
+
   int dimensions_;
   std::function<double(double)> of_axis_;
   double reach_;
@@ -66,11 +84,11 @@ class LayerAverages final : public CubeAverages {
   // In the plane, of two dimensions; `across` ends at `thickness` on either side.
   LayerAverages(RadialAverages in_plane, const std::function<double(double)>& across, double thickness);
 
-  double overlap(double side) const override;  // mean over all orientations
-  double harmonic(double side,
-                  int k) const override;  // of a layer along the planes of cubes, where it is most
-
  private:
+  // The integral is the mean over all orientations, harmonics are those of a layer along the planes of cubes,
+  // where they are most.
+  double coefficient(double side, Places places, int k) const override;
+
   static constexpr double kHighestAcross =
       4.0;  // cycles in the thickness: of smooth windows nothing is above
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <type_traits>
 
 #include "solidnoise/core/numerics.h"
 
@@ -39,11 +40,18 @@ RadialAverages radial_averages(const EvenGaborKernel<Dim>& kernel) {
 
 template <typename Kernel>
 StrataChoice radial_choice(int dimensions, const Kernel& kernel, const WeightMoments& weights) {
-  return {dimensions,
-          {kernel.energy(), kernel.fourth_moment()},
-          weights,
-          std::make_shared<RadialAverages>(radial_averages(kernel)),
-          kernel.radius_for_error(kNominalError)};
+  constexpr int kLeastMirrored = 3;
+  return {.dimensions = dimensions,
+          .moments = {kernel.energy(), kernel.fourth_moment()},
+          .weights = weights,
+          .averages = std::make_shared<RadialAverages>(radial_averages(kernel)),
+          .radius = kernel.radius_for_error(kNominalError),
+          .mirrors = dimensions >= kLeastMirrored};
+}
+
+// Of independent impulses, or a pair of mirrored ones.
+Strata one_in_each(double side, bool mirrored) {
+  return {{side, mirrored}, mirrored ? 2 : 1};
 }
 
 }  // namespace
@@ -77,18 +85,19 @@ StrataChoice layer_strata_choice(const Kernel& in_plane, double half_thickness,
                            half_thickness, 4);
   };
   auto averages = std::make_shared<LayerAverages>(radial_averages(in_plane), square, half_thickness);
-  return {3,
-          {in_plane.energy() * moment(2.0), in_plane.fourth_moment() * moment(4.0)},
-          {},
-          averages,
-          in_plane.radius_for_error(kNominalError)};
+  return {.dimensions = 3,
+          .moments = {in_plane.energy() * moment(2.0), in_plane.fourth_moment() * moment(4.0)},
+          .weights = {},
+          .averages = averages,
+          .radius = in_plane.radius_for_error(kNominalError),
+          .mirrors = !std::is_same_v<Kernel, RandomPhaseGaborKernel<2>>};
 }
 
 double kurtosis_given_place(double density, const KernelMoments& kernel, const CubeAverages& averages,
-                            double side) {
-  constexpr int kHarmonics = 2;  // further ones are a thousandth of these
+                            const Cubes& cubes) {
+  const int harmonics = cubes.mirrored ? 4 : 2;  // further ones are a thousandth of these
   double sum = 0.0;
-  for (int k = 1; k <= kHarmonics; ++k) sum += 2.0 * std::abs(averages.harmonic(side, k));
+  for (int k = 1; k <= harmonics; ++k) sum += 2.0 * std::abs(averages.harmonic(cubes, k));
   return 3.0 * sum / (density * kernel.second * kernel.second);
 }
 
@@ -115,18 +124,31 @@ double balanced_side(const std::function<double(double side)>& cumulant, double 
   return 0.5 * (least + most);
 }
 
-double StrataChoice::balanced_side() const {
-  if (known_side > 0.0) return known_side;
+Strata StrataChoice::balanced(bool mirrored) const {
+  if (known && known->mirrored == mirrored) return *known;
   const auto cumulant = [&](double side) {
-    return weights.fourth * moments.fourth - 3.0 * weights.second * weights.second * averages->overlap(side);
+    return weights.fourth * moments.fourth -
+           3.0 * weights.second * weights.second * averages->overlap({side, mirrored});
   };
-  return solidnoise::balanced_side(cumulant, 0.02 * radius, 4.0 * radius);
+  return one_in_each(solidnoise::balanced_side(cumulant, 0.02 * radius, 4.0 * radius), mirrored);
+}
+
+Strata StrataChoice::balanced() const {
+  if (known) return *known;
+  const Strata independent = balanced(false);
+  if (!mirrors) return independent;
+  const Strata pairs = balanced(true);
+  return density_of(pairs) < density_of(independent) ? pairs : independent;
 }
 
 double StrataChoice::excess_kurtosis(const Strata& strata) const {
   KernelMoments kept = moments;
-  kept.overlap = averages->overlap(strata.side);
+  kept.overlap = averages->overlap(strata);
   return noise_excess_kurtosis(density_of(strata), kept, weights);
+}
+
+double StrataChoice::given_place(const Strata& strata) const {
+  return kurtosis_given_place(density_of(strata), moments, *averages, strata);
 }
 
 double StrataChoice::density_of(const Strata& strata) const {
@@ -137,39 +159,47 @@ double StrataChoice::side_of(double density, int count) const {
   return std::pow(count / density, 1.0 / dimensions);
 }
 
-Strata StrataChoice::fewest_balanced() const {
-  const double side = balanced_side();
-  const double one_per_cube = std::pow(side, -dimensions);
-  const double count =
-      std::max(1.0, std::ceil(kurtosis_given_place(one_per_cube, moments, *averages, side) / kPlaceKurtosis));
+Strata StrataChoice::fewest_balanced(bool mirrored) const {
+  Strata strata = balanced(mirrored);
+  const int least = strata.count;
+  strata.count *= std::max(1, static_cast<int>(std::ceil(given_place(strata) / kPlaceKurtosis)));
   const double poisson = poisson_density();
-  if (count * one_per_cube <= kPlentyOverPoisson * poisson) return of_density(count * one_per_cube);
-  const auto over_mean = [&](double one_each) { return excess_kurtosis({one_each, 1}) - kMeanKurtosis; };
-  const double enough = solidnoise::balanced_side(over_mean, side_of(kMostOverPoisson * poisson, 1),
-                                                  side_of(kPlentyOverPoisson * poisson, 1));
-  return of_density(density_of({enough, 1}));
+  if (density_of(strata) <= kPlentyOverPoisson * poisson) return of_density(density_of(strata), mirrored);
+  const auto over_mean = [&](double side) {
+    return excess_kurtosis(one_in_each(side, mirrored)) - kMeanKurtosis;
+  };
+  const double enough = solidnoise::balanced_side(over_mean, side_of(kMostOverPoisson * poisson, least),
+                                                  side_of(kPlentyOverPoisson * poisson, least));
+  return of_density(density_of(one_in_each(enough, mirrored)), mirrored);
 }
 
-Strata StrataChoice::fewest() const {
-  const Strata balanced = fewest_balanced();
-  if (kurtosis <= kMeanKurtosis) return balanced;
+Strata StrataChoice::fewest(bool mirrored) const {
+  Strata best = fewest_balanced(mirrored);
+  if (kurtosis <= kMeanKurtosis) return best;
   constexpr int kMostInCube = 8;
-  Strata best = balanced;
-  for (int count = 1; count <= std::min(kMostInCube, 2 * balanced.count); ++count) {
+  const int most = std::min(kMostInCube, 2 * best.count);
+  const int least = one_in_each(1.0, mirrored).count;
+  for (int count = least; count <= most; count += least) {
     const auto over = [&](double side) {
-      const double density = density_of({side, count});
-      return std::max(excess_kurtosis({side, count}) - kurtosis,
-                      solidnoise::kurtosis_given_place(density, moments, *averages, side) - kPlaceKurtosis);
+      const Strata strata{{side, mirrored}, count};
+      return std::max(excess_kurtosis(strata) - kurtosis, given_place(strata) - kPlaceKurtosis);
     };
     const double as_many = side_of(density_of(best), count);
-    const Strata larger{solidnoise::balanced_side(over, as_many, 4.0 * radius), count};
+    const Strata larger{{solidnoise::balanced_side(over, as_many, 4.0 * radius), mirrored}, count};
     if (larger.side > as_many && fits(larger) && excess_kurtosis(larger) >= -kurtosis) best = larger;
   }
   return best;
 }
 
+Strata StrataChoice::fewest() const {
+  const Strata independent = fewest(false);
+  if (!mirrors) return independent;
+  const Strata pairs = fewest(true);
+  return density_of(pairs) < density_of(independent) ? pairs : independent;
+}
+
 int StrataChoice::halvings(const Strata& strata) const {
-  if (strata.count > 1) return 0;
+  if (strata.count > one_in_each(strata.side, strata.mirrored).count) return 0;
   int halvings = 0;
   while (halvings < kMostHalvings && std::ldexp(strata.side, halvings) < smallest_cell()) ++halvings;
   return halvings;
@@ -184,13 +214,19 @@ bool StrataChoice::fits(const Strata& strata) const {
 }
 
 Strata StrataChoice::of_density(double density) const {
-  const auto in_cubes = [&](double side) { return density * std::pow(side, dimensions); };
+  return of_density(density, balanced().mirrored);
+}
+
+Strata StrataChoice::of_density(double density, bool mirrored) const {
+  const Strata balanced_one = balanced(mirrored);
+  const int least = balanced_one.count;
+  const auto in_cubes = [&](double side) { return density * std::pow(side, dimensions) / least; };
   const auto of_count = [&](double count) {
-    count = std::clamp(count, 1.0, 1e9);
-    return Strata{side_of(density, static_cast<int>(count)), static_cast<int>(count)};
+    const int impulses = least * static_cast<int>(std::clamp(count, 1.0, 1e9 / least));
+    return Strata{{side_of(density, impulses), mirrored}, impulses};
   };
-  const Strata balanced = of_count(std::round(in_cubes(balanced_side())));
-  return fits(balanced) ? balanced : of_count(std::ceil(in_cubes(smallest_cell())));
+  const Strata nearest = of_count(std::round(in_cubes(balanced_one.side)));
+  return fits(nearest) ? nearest : of_count(std::ceil(in_cubes(smallest_cell())));
 }
 
 template StrataChoice strata_choice(const IsotropicGaborKernel<1>&, const WeightMoments&);

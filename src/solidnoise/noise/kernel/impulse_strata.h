@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "solidnoise/noise/kernel/cube_averages.h"
 #include "solidnoise/noise/kernel/gabor_kernel.h"
@@ -11,35 +12,45 @@
 namespace solidnoise {
 
 // Impulses in strata. Space is cut into cubes of one side c, each of which holds the same number m of
-// impulses, at independent uniform places; planes, rows and cubes of them are shifted at random
-// (ImpulseProcess), so that the process is stationary. The marks of impulses (weight, phase, direction) are
-// independent and of mean 0. Then the covariance of the noise, and so its spectrum, is that of the Poisson
-// process of the same density, exactly: two different impulses never correlate. The fourth cumulant is not.
-// With M(x) = E g(x)^2 and Q(x) = E g(x)^4, means over the marks, and h the uniform density of a cube around
-// 0,
-//   kappa_4 = density (integral of Q  -  3 integral of (h * M)^2):
-// of the pairs of impulses that a Poisson process has in a cube, m strata have m (m - 1) in place of m^2. The
-// second integral, the overlap, falls as the side grows; where the two terms cancel, the side is balanced.
+// impulses, at independent uniform places or in pairs of a place and its mirror image at the cube's centre;
+// planes, rows and cubes of them are shifted at random (ImpulseProcess), so that the process is stationary.
+// The marks of impulses (weight, phase, direction) are independent and of mean 0. Then the covariance of the
+// noise, and so its spectrum, is that of the Poisson process of the same density, exactly: two different
+// impulses never correlate. The fourth cumulant is not. With M(x) = E g(x)^2 and Q(x) = E g(x)^4, means over
+// the marks, and h the uniform density of a cube around 0,
+//   kappa_4 = density (integral of Q  -  3 integral of (h * M)^2)
+// of independent places: of the pairs of impulses that a Poisson process has in a cube, m strata have
+// m (m - 1) in place of m^2. Each of 2 j mirrored impulses has 2 j - 2 independent others, and its image:
+//   kappa_4 = density (integral of Q  -  3 integral of (2 (h * M)^2 - P)),
+// P(p) the mean over places x in the cube of M(p - x) M(p + x). What is taken from Q, the overlap, falls as
+// the side grows; where the two terms cancel, the side is balanced. The squared distance of two impulses that
+// are mirrored is twice that of two that are not, so that larger cubes with two are balanced: of isotropic
+// kernels of an octave of 0.83 times the density in 3D and 0.69 times in 4D, of waves of random phase 0.71
+// and 0.54 times, and 0.69 times in the layers of surfaces. In 2D it would be 0.95 times, with tails that are
+// too short, in 1D more. Waves of random directions are not mirrored: so few of them would be seen one by
+// one, as folds that cross, though the values are Gaussian.
+//
 // Impulses in the cubes of a wave of random phase, g = E(x) cos: kappa_4 is 1 - 2 T of the Poisson process',
-// T the share of the integral of E^4 that (h * E^2)^2 keeps. Of a wave of phase 0 the square of the wave is
-// in both integrals, which is next to nothing up to an octave and a fifth of them at two.
+// T the share of the integral of E^4 that the overlap is of E^2. Of a wave of phase 0 the square of the wave
+// is in both integrals, which is next to nothing up to an octave and a fifth of them at two.
 //
 // The sixth cumulant, which values past four standard deviations go with, adds up cube by cube, too. With
-// S(x) = E g(x)^6,
-//   kappa_6 = density (integral of S  -  15 integral of (h * Q) (h * M)  +  30 integral of (h * M)^3):
-// over the cube of the variance, of waves under exp(-pi a^2 r^2) in balanced cubes, 0.18, 0.64 and 1.02 times
-// (a^n / density)^2 in 2, 3 and 4 dimensions; 3.3, 3.8 and 4.4 times of a Poisson process. By Edgeworth's
-// series there are 1 + 9.2 kurtosis + 2.6 kappa_6 times as many such values as a Gaussian field has: with one
-// impulse in each cube in 3D 1.25 of waves, and of isotropic kernels 1.43 at a bandwidth of one octave and
-// 1.84 at two; the nearer to 1 the more there are.
+// S(x) = E g(x)^6, of independent places
+//   kappa_6 = density (integral of S  -  15 integral of (h * Q) (h * M)  +  30 integral of (h * M)^3),
+// of mirrored ones, with R the mean of Q(p - x) M(p + x),
+//   kappa_6 = density (integral of S + 15 R - 30 (h * Q) (h * M) - 90 P (h * M) + 120 (h * M)^3).
+// Over the cube of the variance, of waves under exp(-pi a^2 r^2) in balanced cubes, 0.18, 0.64 and 1.02 times
+// (a^n / density)^2 in 2, 3 and 4 dimensions, mirrored 0.16 and 0.62 times in 3 and 4; 3.3, 3.8 and 4.4 times
+// of a Poisson process. By Edgeworth's series there are 1 + 9.2 kurtosis + 2.6 kappa_6 times as many such
+// values as a Gaussian field has: in 3D 1.25 of waves, one in each cube, and 0.93 of isotropic kernels of an
+// octave, a pair in each, in 4D 1.30 of these.
 //
 // Weights whose signs, or phases, are balanced in each cube would gain nothing: kappa_4 is of how the power,
 // the sum of squared kernels, differs from place to place, and squares stay what they are; but impulses of
 // one cube would correlate, and change the spectrum.
 
-// Cubes with a number of impulses in each.
-struct Strata {
-  double side = 1.0;  // world units
+// Cubes with a number of impulses in each, which is even if they are mirrored.
+struct Strata : Cubes {
   int count = 1;
 };
 
@@ -50,22 +61,29 @@ struct StrataChoice {
   KernelMoments moments;  // of unlimited support
   WeightMoments weights;
   std::shared_ptr<const CubeAverages> averages;
-  double radius = 0.0;              // that holds nearly all of a kernel, world units
-  double known_side = 0.0;          // balanced_side(), where it has been found
-  double kurtosis = kMeanKurtosis;  // that the mean over all places may have
+  double radius = 0.0;               // that holds nearly all of a kernel, world units
+  bool mirrors = false;              // impulses, where that takes fewer
+  std::optional<Strata> known = {};  // balanced(), where it has been found
+  double kurtosis = kMeanKurtosis;   // that the mean over all places may have
 
-  // Balanced cubes with the fewest impulses in each for which the excess kurtosis given the place is within
-  // kPlaceKurtosis; or, where the mean may be more than kMeanKurtosis, the fewest for which both are within.
-  // The peaks of narrow bands of isotropic kernels, most of all, only cubes far smaller than a wave would
-  // balance: where that takes more than kPlentyOverPoisson times the impulses of poisson_density(), as many,
-  // or one in each of the largest cubes of a mean within kMeanKurtosis, at most kMostOverPoisson times.
+  // Balanced cubes, of independent or mirrored impulses, with the fewest impulses for which the excess
+  // kurtosis given the place is within kPlaceKurtosis; or, where the mean may be more than kMeanKurtosis, the
+  // fewest for which both are within. The peaks of narrow bands of isotropic kernels, most of all, only cubes
+  // far smaller than a wave would balance: where that takes more than kPlentyOverPoisson times the impulses
+  // of poisson_density(), as many, or one, or a pair, in each of the largest cubes of a mean within
+  // kMeanKurtosis, at most kMostOverPoisson times.
   Strata fewest() const;
 
-  // Cubes as near to balanced ones as whole numbers allow, of this density.
+  // Cubes as near to balanced ones as whole numbers allow, of this density; mirrored if those are that have
+  // the fewest impulses.
   Strata of_density(double density) const;
 
+  // One impulse, or a pair, in each of the cubes in which the excess kurtosis is 0, whatever the density; of
+  // independent and mirrored ones those with fewer impulses.
+  Strata balanced() const;
+
   // How often cells have to be cut in halves along each axis to be these strata, which are one each or pieces
-  // with one impulse each (ImpulseCount): so that cells are not smaller than smallest_cell().
+  // with one impulse, or one pair, each (ImpulseCount): so that cells are not smaller than smallest_cell().
   int halvings(const Strata& strata) const;
 
   // Positions are exact in single precision where a kernel is over less than 16 cells (CellAxis).
@@ -76,18 +94,23 @@ struct StrataChoice {
   static constexpr double kPlentyOverPoisson = 2.0;
   static constexpr double kMostOverPoisson = 10.0;
 
+  double density_of(const Strata& strata) const;
+
   // Of a Poisson process of excess kurtosis kDefaultKurtosis.
   double poisson_density() const;
 
-  // Where the excess kurtosis is 0, whatever the density.
-  double balanced_side() const;
+  // Where the excess kurtosis of independent impulses is 0, whatever the density.
+  double balanced_side() const { return balanced(false).side; }
 
  private:
+  Strata balanced(bool mirrored) const;
+  Strata fewest_balanced(bool mirrored) const;
+  Strata fewest(bool mirrored) const;
+  Strata of_density(double density, bool mirrored) const;
   bool fits(const Strata& strata) const;
-  double density_of(const Strata& strata) const;
   double side_of(double density, int count) const;
   double excess_kurtosis(const Strata& strata) const;
-  Strata fewest_balanced() const;
+  double given_place(const Strata& strata) const;
 };
 
 // Of isotropic Gabor kernels, of waves of random phase, of waves of phase 0 with random signs, and of kernels
@@ -110,6 +133,6 @@ double balanced_side(const std::function<double(double side)>& cumulant, double 
 // How far the excess kurtosis at a place in the planes of cubes may be from its mean, a bound: twice the
 // harmonics' sum. Of waves of phase 0 it is that of all directions together.
 double kurtosis_given_place(double density, const KernelMoments& kernel, const CubeAverages& averages,
-                            double side);
+                            const Cubes& cubes);
 
 }  // namespace solidnoise

@@ -97,7 +97,7 @@ double ScaleLayout::excess_kurtosis(const StrataChoice& choice, const KernelMome
   const ScaleFade fade(dimensions);
   KernelMoments faded{moments.second * fade.second_moment, moments.fourth * fade.fourth_moment};
   for (int i = 0; count.is_fixed && i < kScales; ++i) {
-    const auto of_side = [&](double side) { return choice.averages->overlap(side * scale); };
+    const auto of_side = [&](double side) { return choice.averages->overlap({side * scale}); };
     faded.overlap +=
         kept(fade, count, cell_of(i), of_side) / kScales * squared(moments.second / choice.moments.second);
   }
@@ -112,7 +112,9 @@ double ScaleLayout::kurtosis_given_place(const StrataChoice& choice) const {
   for (int i = 0; i < kScales; ++i) {
     double sum = 0.0;
     for (int k = 1; k <= kHarmonics; ++k) {
-      const auto of_side = [&](double side) { return std::abs(choice.averages->harmonic(side * scale, k)); };
+      const auto of_side = [&](double side) {
+        return std::abs(choice.averages->harmonic({side * scale}, k));
+      };
       sum += 2.0 * kept(fade, count, cell_of(i), of_side);
     }
     most = std::max(most, sum);

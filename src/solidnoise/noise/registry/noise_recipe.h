@@ -33,7 +33,7 @@ std::uint64_t seed_of(const NoiseRecipe& recipe);
 Vec<4> period_of(const NoiseRecipe& recipe);
 
 // Changes whenever any noise's values do, for the same recipe; stored in every file that is written.
-inline constexpr int kAlgorithmVersion = 19;
+inline constexpr int kAlgorithmVersion = 20;
 
 // The error that a recipe allows against the noise of kernels of infinite support, relative to its standard
 // deviation: the `error` of its options, which ErrorBudget splits; 0 for noises without kernels to truncate.
@@ -89,10 +89,10 @@ std::unique_ptr<Noise<Dim>> make_quadrature(const NoiseRecipe& recipe);
 // likeness to a Gaussian field. By default, without excess kurtosis (0.02 in the first line from three
 // dimensions on), isotropic kernels and random directions:
 //   dimensions        1         2           3             4
-//   0.3 octaves     5,  5    45,  9    1187, 19    12460, 79
-//   1 octave        5,  5    23,  9      64, 19      299, 79
-//   2 octaves       4,  5    17,  9      20, 19       68, 79
-//   4 octaves       5,  5    12,  9       6, 19       23, 79
+//   0.3 octaves     5,  5    45,  9     974, 19     9669, 79
+//   1 octave        5,  5    23,  9      53, 19      204, 79
+//   2 octaves       4,  5    17,  9      20, 19       46, 79
+//   4 octaves       5,  5    12,  9       6, 19       15, 79
 //
 // There is a choice for isotropic Gabor noise, but for weights in [-1, 1], which random phases have no use
 // for, and for oriented Gabor noise without anisotropy.
