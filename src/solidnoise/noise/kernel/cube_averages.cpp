@@ -19,66 +19,53 @@ double sinc(double x) {
 }
 
 // A function of frequency times side from a table, to 1e-4; 0 from u = kMost on.
-class ResponseTable {
- public:
-  explicit ResponseTable(const std::function<double(double)>& response) {
-    for (int k = 0; k <= kMost * kPerUnit; ++k) {
-      values_.push_back(response(static_cast<double>(k) / kPerUnit));
-    }
-  }
+struct ResponseTable {
+  static constexpr int kMost = 6;
+  static constexpr int kPerUnit = 256;
 
   double operator()(double u) const {
     if (u >= kMost) return 0.0;
     const double at = u * kPerUnit;
     const auto k = static_cast<std::size_t>(at);
     const double blend = at - static_cast<double>(k);
-    return (1.0 - blend) * values_[k] + blend * values_[k + 1];
+    return (1.0 - blend) * values[k] + blend * values[k + 1];
   }
 
- private:
-  static constexpr int kMost = 6;
-  static constexpr int kPerUnit = 256;
-
-  std::vector<double> values_;
+  std::array<double, kMost * kPerUnit + 1> values;
 };
 
-double of_line(Places places, double u) {
-  return places == Places::independent ? squared(sinc(u)) : sinc(2.0 * u);
-}
+// Means over the unit directions d of n dimensions, 1 to 4, of the product of sinc^2(u d_i), of independent
+// places, or of sinc(2 u d_i): of two factors of fewer dimensions. In four dimensions the squared length in
+// the first two coordinates is uniform, in three a coordinate is.
+struct Responses {
+  explicit Responses(Places places);
 
-// Means over the unit directions d of n dimensions of the product of sinc^2(u d_i), of independent places, or
-// of sinc(2 u d_i). In four dimensions the squared length in the first two coordinates is uniform, in three a
-// coordinate is.
-std::vector<ResponseTable> response_tables(Places places) {
-  const QuadratureRule rule = gauss_legendre(32);  // of more nodes than the cycles take
-  const auto mean = [&rule](const auto& function) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
-      sum += 0.5 * rule.weights[i] * function(0.5 + 0.5 * rule.nodes[i]);
-    }
-    return sum;
+  std::array<ResponseTable, 4> tables;
+};
+Responses::Responses(Places places) {
+  const auto factor = [&](std::size_t n, double u) {
+    if (n > 1) return tables[n - 1](u);
+    return places == Places::independent ? squared(sinc(u)) : sinc(2.0 * u);
   };
-  const auto line = [places](double u) { return of_line(places, u); };
-  const ResponseTable plane([&](double u) {
-    return mean([&](double turn) {
-      const double angle = 0.25 * kPi * turn;
-      return line(u * std::cos(angle)) * line(u * std::sin(angle));
-    });
-  });
-  const ResponseTable space([&](double u) {
-    return mean(
-        [&](double height) { return line(u * height) * plane(u * std::sqrt(1.0 - height * height)); });
-  });
-  const ResponseTable four([&](double u) {
-    return mean(
-        [&](double share) { return plane(u * std::sqrt(share)) * plane(u * std::sqrt(1.0 - share)); });
-  });
-  return {ResponseTable(line), plane, space, four};
+  const QuadratureRule rule = gauss_legendre(32);  // of more nodes than the cycles take
+  for (std::size_t n = 1; n <= tables.size(); ++n) {
+    for (int k = 0; k <= ResponseTable::kMost * ResponseTable::kPerUnit; ++k) {
+      const double u = static_cast<double>(k) / ResponseTable::kPerUnit;
+      double mean = n == 1 ? factor(1, u) : 0.0;
+      for (std::size_t i = 0; n > 1 && i < rule.nodes.size(); ++i) {
+        const double t = 0.5 + 0.5 * rule.nodes[i];
+        const double one = n == 2 ? std::cos(0.25 * kPi * t) : n == 3 ? t : std::sqrt(t);
+        const double other = std::sqrt(1.0 - one * one);
+        mean += 0.5 * rule.weights[i] * factor(n / 2, u * one) * factor(n - n / 2, u * other);
+      }
+      tables[n - 1].values[static_cast<std::size_t>(k)] = mean;
+    }
+  }
 }
 
 const ResponseTable& response_of(int n, Places places) {
-  static const std::array tables{response_tables(Places::independent), response_tables(Places::mirrored)};
-  return tables[static_cast<std::size_t>(places)][static_cast<std::size_t>(n - 1)];
+  static const std::array of{Responses(Places::independent), Responses(Places::mirrored)};
+  return of[static_cast<std::size_t>(places)].tables[static_cast<std::size_t>(n - 1)];
 }
 
 }  // namespace
