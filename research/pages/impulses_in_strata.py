@@ -44,7 +44,7 @@ What is taken falls as the cubes grow, from infinitely fine ones, which are too 
 excess kurtosis is 0 whatever the density. Below, kappa_4 over that of a Poisson process, in closed form (`research/papers/strata.py`, again), F0 = 1, one octave, against density^(-1/n); dashed lines are of mirrored impulses. Narrow peaks of isotropic kernels need smaller cubes.
 
 Two impulses that are mirrored are farther apart than two that are not, the square of their distance is twice as large: of mirrored ones larger cubes are balanced. Isotropic kernels take 0.83 times the impulses in 3D and 0.69 times in 4D, waves of random phase
-0.71 and 0.54 times, 0.69 times on surfaces. In two dimensions they would take 0.95 times, with tails that are too short (0.4 of a Gaussian's values past four standard deviations, or fewer), on a line more. Waves in random directions are not mirrored: fewer of them leave the values as near to Gaussian, but not their directions. Folds of single waves would be seen.
+0.71 and 0.54 times, on surfaces 0.78 and 0.71 times. In two dimensions they would take 0.95 times, with tails that are too short (0.4 of a Gaussian's values past four standard deviations, or fewer), on a line more. Waves in random directions are mirrored in four dimensions alone, where there are many: in three, 14 in place of 19 leave the values as near to Gaussian, but not their directions. Folds of single waves would be seen.
 """)
     page.picture(figure, "sides", "The fourth cumulant against the side of the cubes")
     page.write("""
@@ -65,7 +65,7 @@ The sixth cumulant adds up cube by cube, too:
     kappa_6 = density (integral of S - 15 integral of (h * Q)(h * M) + 30 integral of (h * M)^3)
 
 of independent places, of mirrored ones density x the integral of S + 15 R - 30 (h * Q)(h * M) - 90 P (h * M) + 120 (h * M)^3, R(p) the mean of Q(p - x) M(p + x).
-Over the cube of the variance, of waves in balanced cubes: 0.18, 0.64 and 1.02 times (a^n / density)^2 in 2, 3 and 4 dimensions, mirrored 0.16 and 0.62 times in 3 and 4; 3.3, 3.8 and 4.4 times of a Poisson process. By Edgeworth's series there are 1 + 9.2 kurtosis + 2.6 kappa_6 times as many values beyond four
+Over the cube of the variance, of waves in balanced cubes: 0.18, 0.64 and 1.02 times (a^n / density)^2 in 2, 3 and 4 dimensions, mirrored 0.15 and 0.62 times in 3 and 4; 3.3, 3.8 and 4.4 times of a Poisson process. By Edgeworth's series there are 1 + 9.2 kurtosis + 2.6 kappa_6 times as many values beyond four
 standard deviations as a Gaussian field has.
 
 *What gave nothing*: signs or phases that are balanced in each cube. kappa_4 is of how the sum of squared kernels differs from place to place, and squares stay what they are, while impulses of one cube would correlate and change the spectrum. Nor did four or eight impulses that are each other's images in planes or by half turns, which take more impulses, or pairs half a cube apart, which take fewer, but leave 1.5 (random directions) and 1.7 times (isotropic kernels) a Gaussian's values past four standard deviations in 3D. *What was not needed*: counts that are not whole. Any density is met by the side,

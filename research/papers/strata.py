@@ -63,8 +63,9 @@ class Overlap:
         return optimize.brentq(self.share, 0.05, 3, args=(mirrored,))
 
     def cubes(self, density):
-        """Their side, how many impulses each has, and whether these are mirrored, as isotropic kernels from three dimensions on: as near to balanced as whole numbers allow."""
-        mirrored = self.n > 2 and self.kind == 0
+        """Their side, how many impulses each has, and whether these are mirrored, as isotropic kernels from three dimensions on, waves in four: as near to balanced as whole
+        numbers allow."""
+        mirrored = self.n > 2 + self.kind
         least = 2 if mirrored else 1
         count = least * max(1, round(density * self.balanced(mirrored) ** self.n / least))
         return (count / density) ** (1 / self.n), count, mirrored

@@ -148,16 +148,18 @@ TEST(Strata, ABlockHasThoseOfItsCells) {
   });
 }
 
-// Of all impulses those in a ball, or a box, around a box, and of them the first third of the shares; in the
-// same order.
+// Of all impulses those in a ball, or a box, around a box, and of them a third of the shares, of all the
+// first, of pairs some of either; in the same order.
 template <int Dim>
-void expect_what_is_in_reach(const ImpulseProcess<Dim>& process, bool is_ball = true) {
+void expect_what_is_in_reach(const ImpulseProcess<Dim>& process, bool is_ball = true,
+                             bool are_pairs = false) {
   constexpr double kRadius = 1.7;
   ImpulseReach<Dim> reach{Index<Dim>(-2), Index<Dim>(3)};
   reach.lower.fill(2.3f);
   reach.upper.fill(3.1f);
   reach.scale.fill(1.0f / kRadius);
-  reach.most_share = kShareMask / 3;
+  reach.least_share = are_pairs ? kShareMask / 3 : 0;
+  reach.most_share = reach.least_share + kShareMask / 3;
   reach.is_ball = is_ball;
   std::vector<std::uint64_t> found;
   std::map<std::uint64_t, Index<Dim>> places;  // by mark, from the first cell in reach
@@ -167,6 +169,7 @@ void expect_what_is_in_reach(const ImpulseProcess<Dim>& process, bool is_ball = 
   });
   std::vector<std::uint64_t> expected;
   std::size_t near_the_edge = 0;
+  std::array<int, 2> of_half{};  // of the shares: of places, and of their images
   Index<Dim> stratum(-3);
   do {
     process.generate(stratum, [&](const Impulse<Dim>& impulse) {
@@ -177,7 +180,9 @@ void expect_what_is_in_reach(const ImpulseProcess<Dim>& process, bool is_ball = 
         const double along = std::pow(std::max({2.3 - at, at - 3.1, 0.0}) / kRadius, 2);
         square = is_ball ? square + along : std::max(square, along);
       }
-      if ((impulse.mark & kShareMask) > reach.most_share) return;
+      const std::uint64_t share = impulse.mark & kShareMask;
+      if (share < reach.least_share || share > reach.most_share) return;
+      of_half[share > kShareMask / 2] += square <= 1.0 ? 1 : 0;
       for (int axis = 0; axis < Dim && places.contains(impulse.mark); ++axis) {
         EXPECT_EQ(places[impulse.mark][axis],
                   (stratum[axis] - reach.first[axis]) * CellAxis::kQuantaPerCell + impulse.position[axis]);
@@ -186,7 +191,8 @@ void expect_what_is_in_reach(const ImpulseProcess<Dim>& process, bool is_ball = 
       if (square <= 1.0) expected.push_back(impulse.mark);
     });
   } while (next_cell<Dim>(stratum, Index<Dim>(-3), Index<Dim>(3)));
-  EXPECT_GT(expected.size(), 0u);
+  EXPECT_GT(of_half[0], 0);
+  EXPECT_TRUE(!are_pairs || of_half[1] > 0);
   EXPECT_LE(found.size(), expected.size() + near_the_edge);
   EXPECT_TRUE(std::includes(
       found.begin(), found.end(), expected.begin(), expected.end(), [&](std::uint64_t a, std::uint64_t b) {
@@ -203,10 +209,10 @@ TEST(Strata, WhatIsOutOfReachIsLeftOut) {
     expect_what_is_in_reach(ImpulseProcess<Dim>(make_strata<Dim>(1, 11, 9).axes(), {2.5, false}, 3));
     expect_what_is_in_reach(make_pieces<Dim>(1, 11, 9));
     if (Dim < 4) expect_what_is_in_reach(make_pieces<Dim>(2, 11, 9));
-    expect_what_is_in_reach(make_mirrored<Dim>(1, 0, 11));
-    expect_what_is_in_reach(make_mirrored<Dim>(1, 0, 11, 9), false);
-    expect_what_is_in_reach(make_mirrored<Dim>(3, 0, 11, 9));
-    expect_what_is_in_reach(make_mirrored<Dim>(1, 1, 11, 9));
+    expect_what_is_in_reach(make_mirrored<Dim>(1, 0, 11), true, true);
+    expect_what_is_in_reach(make_mirrored<Dim>(1, 0, 11, 9), false, true);
+    expect_what_is_in_reach(make_mirrored<Dim>(3, 0, 11, 9), true, true);
+    expect_what_is_in_reach(make_mirrored<Dim>(1, 1, 11, 9), true, true);
   });
 }
 

@@ -5,7 +5,7 @@ import pytest
 from papers.data import mean_of
 from papers.gabor import a_of
 from papers.impulses_in_strata import closed_at_place, fourth_moments, measure_windows
-from papers.strata import Cumulants, Overlap, beyond, library
+from papers.strata import Cumulants, Overlap, beyond, kernel_of, library
 from papers.strata_ensembles import measure_elsewhere, measure_ensemble, measure_spectra
 
 
@@ -54,8 +54,8 @@ def test_the_sixth_cumulant_is_that_of_the_closed_form():
 
 
 @pytest.mark.parametrize("n, kind, mirrored, ratio, sixth, tail", [(2, 1, False, 1, 0.18, None), (3, 1, False, 1, 0.64, 1.25), (4, 1, False, 1, 1.02, None),
-                                                                   (3, 1, True, 0.71, 0.16, None), (4, 1, True, 0.54, 0.62, None), (3, 0, True, 0.83, None, 0.93),
-                                                                   (4, 0, True, 0.69, None, 1.30)])
+                                                                   (3, 1, True, 0.71, 0.15, None), (4, 1, True, 0.54, 0.62, 1.11), (3, 0, True, 0.83, None, 0.93),
+                                                                   (4, 0, True, 0.69, None, 1.31)])
 def test_cumulants_of_balanced_cubes(n, kind, mirrored, ratio, sixth, tail):
     """With one impulse or one pair in each, the figures of src/solidnoise/noise/kernel/impulse_strata.h: the density over that of independent impulses, of the cube of the
     variance times (a^n / density)^2, and past four standard deviations."""
@@ -65,7 +65,22 @@ def test_cumulants_of_balanced_cubes(n, kind, mirrored, ratio, sixth, tail):
     found = Cumulants(n, kind)(side, count, mirrored)
     assert abs(found[0]) < 2e-3
     assert sixth is None or abs(found[1] * (count / (a * side) ** n) ** 2 - sixth) < 0.01
-    assert tail is None or abs(beyond(4, *found) - tail) < 0.015
+    assert tail is None or abs(beyond(4, *found) - tail) < 0.01
+
+
+def test_the_cumulants_of_mirrored_impulses_are_those_of_the_closed_form():
+    """Of noise by its definition on a line, far from Gaussian: 2 400 000 values, five standard errors. Independent impulses have others."""
+    kernel, side, random = kernel_of(1, 0), 1.0, np.random.default_rng(7)
+    batches = []
+    for _ in range(240):
+        shift, places = random.uniform(0, 1, (10000, 1)), random.uniform(0, 1, (10000, 14))
+        cubes = np.arange(-7, 7)
+        values = sum(random.choice((-1, 1), places.shape) * kernel.value(np.abs(side * (cubes + shift + at))) for at in (places, 1 - places)).sum(1)
+        values /= np.sqrt(2 / side * kernel.energy)
+        batches.append([np.mean(values**4) - 3, np.mean(values**6 - 15 * values**4) + 30])
+    found, error = mean_of(np.array(batches))
+    closed, others = Cumulants(1, 0)(side, 2, True), Cumulants(1, 0)(side, 2)
+    assert (np.abs(found - closed) < 5 * error).all() and (np.abs(found - others) > 10 * error).all()
 
 
 def test_tails_are_those_of_a_gaussian_without_cumulants_and_grow_with_them():

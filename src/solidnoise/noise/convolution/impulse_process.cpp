@@ -44,7 +44,7 @@ ImpulseProcess<Dim>::ImpulseProcess(const std::array<CellAxis, Dim>& axes, const
                                     std::uint64_t key)
     : axes_(axes), count_(count), key_(key) {
   if (count.is_fixed) {
-    places_ = static_cast<int>(count.mirrored ? count.mean / 2.0 : count.mean);
+    places_ = static_cast<int>(count.mean) / count.at_place();
     return;
   }
   cumulative_ = cumulative_poisson(count.mean);
@@ -142,7 +142,7 @@ struct ImpulseProcess<Dim>::Search {
   std::int64_t add_row(std::uint64_t hash, std::int64_t at, std::int64_t wanted) {
     if (candidates.full()) take();
     const std::size_t begin = candidates.count;
-    const std::size_t each = process.count_.mirrored ? 2 : 1;
+    const auto each = static_cast<std::size_t>(process.count_.at_place());
     const auto room = static_cast<std::int64_t>((ImpulseCandidates::kMost - begin) / each);
     const auto strata = static_cast<std::size_t>(std::min(wanted, room));
     for (std::size_t i = 0; i < strata; ++i) {

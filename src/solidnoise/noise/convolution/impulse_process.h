@@ -55,8 +55,9 @@ struct ImpulseCount {
   // stratum, or of the piece, which then has both.
   bool mirrored = false;
 
-  // A stratum is one impulse, or one and its mirror image.
-  bool is_single() const { return is_fixed && halvings == 0 && mean == (mirrored ? 2.0 : 1.0); }
+  int at_place() const { return mirrored ? 2 : 1; }  // an impulse, or it and its mirror image
+  // A stratum has one place.
+  bool is_single() const { return is_fixed && mean == at_place(); }
 };
 
 // In which of a stratum's 2^bits pieces, 0 to 12 bits, each impulse lies: impulse i, whose share is in part

@@ -77,7 +77,7 @@ double seconds_of_brick(const WaveMixture<3>& waves, const Vec<3>& step, double 
 // Of all impulses in the cells that a brick alone sees, and of those among them that reach it: measured with
 // 1e4 to 1e5 in a kernel, at steps of .2 to .9 radii.
 double bytes_of_brick(const WaveMixture<3>& waves, const Vec<3>& step, double side) {
-  constexpr double kLongest = 5.3;  // radii
+  constexpr double kLongest = 7.2;  // radii
   constexpr double kBytes = 100.0;
   constexpr double kPerStep = 1.3;
   constexpr double kAround = 2.9;

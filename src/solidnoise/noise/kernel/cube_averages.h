@@ -11,6 +11,8 @@ namespace solidnoise {
 struct Cubes {
   double side = 0.0;  // world units
   bool mirrored = false;
+
+  int least() const { return mirrored ? 2 : 1; }  // impulses that a cube has
 };
 
 // Of two impulses of a cube.

@@ -43,8 +43,7 @@ WeightMoments turning(const WeightMoments& weights);
 struct KernelMoments {
   double second = 0.0;  // of g^2: energy()
   double fourth = 0.0;  // of g^4: fourth_moment()
-  // Of impulses in strata, (h * E g^2)^2, see CubeAverages: how much less random they are; 0 for a Poisson
-  // process.
+  // Of impulses in strata, CubeAverages::overlap(): how much less random they are; 0 for a Poisson process.
   double overlap = 0.0;
 };
 

@@ -51,7 +51,8 @@ StrataChoice radial_choice(int dimensions, const Kernel& kernel, const WeightMom
 
 // Of independent impulses, or a pair of mirrored ones.
 Strata one_in_each(double side, bool mirrored) {
-  return {{side, mirrored}, mirrored ? 2 : 1};
+  const Cubes cubes{side, mirrored};
+  return {cubes, cubes.least()};
 }
 
 }  // namespace
@@ -72,8 +73,13 @@ StrataChoice strata_choice(const RandomPhaseGaborKernel<Dim>& kernel) {
   auto averages = std::make_shared<ProductAverages>(
       Dim, [a = kernel.a()](double d) { return std::exp(-2.0 * std::numbers::pi * a * a * d * d); },
       kReach / kernel.a(), factor);
-  return {
-      Dim, {kernel.energy(), kernel.fourth_moment()}, {}, averages, kernel.radius_for_error(kNominalError)};
+  constexpr int kLeastMirrored = 4;
+  return {.dimensions = Dim,
+          .moments = {kernel.energy(), kernel.fourth_moment()},
+          .weights = {},
+          .averages = averages,
+          .radius = kernel.radius_for_error(kNominalError),
+          .mirrors = Dim >= kLeastMirrored};
 }
 
 template <typename Kernel>
@@ -95,7 +101,7 @@ StrataChoice layer_strata_choice(const Kernel& in_plane, double half_thickness,
 
 double kurtosis_given_place(double density, const KernelMoments& kernel, const CubeAverages& averages,
                             const Cubes& cubes) {
-  const int harmonics = cubes.mirrored ? 4 : 2;  // further ones are a thousandth of these
+  const int harmonics = cubes.mirrored ? 4 : 2;
   double sum = 0.0;
   for (int k = 1; k <= harmonics; ++k) sum += 2.0 * std::abs(averages.harmonic(cubes, k));
   return 3.0 * sum / (density * kernel.second * kernel.second);
@@ -161,7 +167,7 @@ double StrataChoice::side_of(double density, int count) const {
 
 Strata StrataChoice::fewest_balanced(bool mirrored) const {
   Strata strata = balanced(mirrored);
-  const int least = strata.count;
+  const int least = strata.least();
   strata.count *= std::max(1, static_cast<int>(std::ceil(given_place(strata) / kPlaceKurtosis)));
   const double poisson = poisson_density();
   if (density_of(strata) <= kPlentyOverPoisson * poisson) return of_density(density_of(strata), mirrored);
@@ -178,8 +184,7 @@ Strata StrataChoice::fewest(bool mirrored) const {
   if (kurtosis <= kMeanKurtosis) return best;
   constexpr int kMostInCube = 8;
   const int most = std::min(kMostInCube, 2 * best.count);
-  const int least = one_in_each(1.0, mirrored).count;
-  for (int count = least; count <= most; count += least) {
+  for (int count = best.least(); count <= most; count += best.least()) {
     const auto over = [&](double side) {
       const Strata strata{{side, mirrored}, count};
       return std::max(excess_kurtosis(strata) - kurtosis, given_place(strata) - kPlaceKurtosis);
@@ -195,11 +200,18 @@ Strata StrataChoice::fewest() const {
   const Strata independent = fewest(false);
   if (!mirrors) return independent;
   const Strata pairs = fewest(true);
-  return density_of(pairs) < density_of(independent) ? pairs : independent;
+  const double ratio = density_of(pairs) / density_of(independent);
+  constexpr double kEqual = 1e-6;  // as where both are as many as there may be, but for rounding
+  if (std::abs(ratio - 1.0) < kEqual) return nearer_to_gaussian(independent, pairs);
+  return ratio < 1.0 ? pairs : independent;
+}
+
+Strata StrataChoice::nearer_to_gaussian(const Strata& independent, const Strata& pairs) const {
+  return std::abs(excess_kurtosis(pairs)) < std::abs(excess_kurtosis(independent)) ? pairs : independent;
 }
 
 int StrataChoice::halvings(const Strata& strata) const {
-  if (strata.count > one_in_each(strata.side, strata.mirrored).count) return 0;
+  if (strata.count > strata.least()) return 0;
   int halvings = 0;
   while (halvings < kMostHalvings && std::ldexp(strata.side, halvings) < smallest_cell()) ++halvings;
   return halvings;
@@ -214,12 +226,13 @@ bool StrataChoice::fits(const Strata& strata) const {
 }
 
 Strata StrataChoice::of_density(double density) const {
-  return of_density(density, balanced().mirrored);
+  const Strata independent = of_density(density, false);
+  return mirrors ? nearer_to_gaussian(independent, of_density(density, true)) : independent;
 }
 
 Strata StrataChoice::of_density(double density, bool mirrored) const {
   const Strata balanced_one = balanced(mirrored);
-  const int least = balanced_one.count;
+  const int least = balanced_one.least();
   const auto in_cubes = [&](double side) { return density * std::pow(side, dimensions) / least; };
   const auto of_count = [&](double count) {
     const int impulses = least * static_cast<int>(std::clamp(count, 1.0, 1e9 / least));

@@ -26,9 +26,9 @@ namespace solidnoise {
 // the side grows; where the two terms cancel, the side is balanced. The squared distance of two impulses that
 // are mirrored is twice that of two that are not, so that larger cubes with two are balanced: of isotropic
 // kernels of an octave of 0.83 times the density in 3D and 0.69 times in 4D, of waves of random phase 0.71
-// and 0.54 times, and 0.69 times in the layers of surfaces. In 2D it would be 0.95 times, with tails that are
-// too short, in 1D more. Waves of random directions are not mirrored: so few of them would be seen one by
-// one, as folds that cross, though the values are Gaussian.
+// and 0.54 times, in the layers of surfaces 0.78 and, of waves of phase 0, 0.71 times. In 2D it would be 0.95
+// times, with tails that are too short, in 1D more. Waves of random phase are not mirrored in 3D: so few of
+// random directions would be seen one by one, as folds that cross, though the values are Gaussian.
 //
 // Impulses in the cubes of a wave of random phase, g = E(x) cos: kappa_4 is 1 - 2 T of the Poisson process',
 // T the share of the integral of E^4 that the overlap is of E^2. Of a wave of phase 0 the square of the wave
@@ -40,10 +40,10 @@ namespace solidnoise {
 // of mirrored ones, with R the mean of Q(p - x) M(p + x),
 //   kappa_6 = density (integral of S + 15 R - 30 (h * Q) (h * M) - 90 P (h * M) + 120 (h * M)^3).
 // Over the cube of the variance, of waves under exp(-pi a^2 r^2) in balanced cubes, 0.18, 0.64 and 1.02 times
-// (a^n / density)^2 in 2, 3 and 4 dimensions, mirrored 0.16 and 0.62 times in 3 and 4; 3.3, 3.8 and 4.4 times
+// (a^n / density)^2 in 2, 3 and 4 dimensions, mirrored 0.15 and 0.62 times in 3 and 4; 3.3, 3.8 and 4.4 times
 // of a Poisson process. By Edgeworth's series there are 1 + 9.2 kurtosis + 2.6 kappa_6 times as many such
 // values as a Gaussian field has: in 3D 1.25 of waves, one in each cube, and 0.93 of isotropic kernels of an
-// octave, a pair in each, in 4D 1.30 of these.
+// octave, a pair in each, in 4D 1.11 and 1.31, pairs both.
 //
 // Weights whose signs, or phases, are balanced in each cube would gain nothing: kappa_4 is of how the power,
 // the sum of squared kernels, differs from place to place, and squares stay what they are; but impulses of
@@ -74,8 +74,8 @@ struct StrataChoice {
   // kMeanKurtosis, at most kMostOverPoisson times.
   Strata fewest() const;
 
-  // Cubes as near to balanced ones as whole numbers allow, of this density; mirrored if those are that have
-  // the fewest impulses.
+  // Cubes as near to balanced ones as whole numbers allow, of this density; of independent and mirrored
+  // impulses those whose excess kurtosis is nearer to 0.
   Strata of_density(double density) const;
 
   // One impulse, or a pair, in each of the cubes in which the excess kurtosis is 0, whatever the density; of
@@ -107,6 +107,7 @@ struct StrataChoice {
   Strata fewest_balanced(bool mirrored) const;
   Strata fewest(bool mirrored) const;
   Strata of_density(double density, bool mirrored) const;
+  Strata nearer_to_gaussian(const Strata& independent, const Strata& pairs) const;
   bool fits(const Strata& strata) const;
   double side_of(double density, int count) const;
   double excess_kurtosis(const Strata& strata) const;
@@ -130,8 +131,9 @@ StrataChoice layer_strata_choice(const Kernel& in_plane, double half_thickness,
 // that is above 0 there, `most` if it is below.
 double balanced_side(const std::function<double(double side)>& cumulant, double least, double most);
 
-// How far the excess kurtosis at a place in the planes of cubes may be from its mean, a bound: twice the
-// harmonics' sum. Of waves of phase 0 it is that of all directions together.
+// How far the excess kurtosis at a place in the planes of cubes may be from its mean: at most twice the
+// harmonics' sum, of which the first are taken, to a hundredth of it, of waves of phase 0 to a twentieth.
+// Of these it is that of all directions together.
 double kurtosis_given_place(double density, const KernelMoments& kernel, const CubeAverages& averages,
                             const Cubes& cubes);
 
