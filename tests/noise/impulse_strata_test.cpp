@@ -224,7 +224,8 @@ TEST(StrataChoice, OfADensityHasIt) {
   }
 }
 
-// Of isotropic kernels and of waves of phase 0 from three dimensions on, of others from four, and on surfaces.
+// Of isotropic kernels and of waves of phase 0 from three dimensions on, of others from four, and on
+// surfaces.
 TEST(StrataChoice, MirroredImpulsesBalanceLargerCubes) {
   const auto saved = [](const StrataChoice& choice) {
     const Strata strata = choice.balanced();
@@ -252,10 +253,9 @@ TEST(StrataChoice, OfItsOwnDensityIsTheFewest) {
     for (const double bandwidth : {0.1, 0.3, 0.5, 1.0, 1.5, 2.0, 3.0}) {
       const double a = gaussian_parameter(1.0, bandwidth);
       const auto isotropic = IsotropicGaborKernel<Dim>::with_unit_peak(1.0, a);
-      for (const StrataChoice& choice :
-           {strata_choice(isotropic, {}), strata_choice(isotropic, turning({})),
-            strata_choice(RandomPhaseGaborKernel<Dim>(1.0, a, Vec<Dim>(0.0))),
-            strata_choice(EvenGaborKernel<Dim>(a, 1.0))}) {
+      for (const StrataChoice& choice : {strata_choice(isotropic, {}), strata_choice(isotropic, turning({})),
+                                         strata_choice(RandomPhaseGaborKernel<Dim>(1.0, a, Vec<Dim>(0.0))),
+                                         strata_choice(EvenGaborKernel<Dim>(a, 1.0))}) {
         SCOPED_TRACE(testing::Message() << Dim << "D, bandwidth " << bandwidth);
         const Strata fewest = choice.fewest();
         const Strata again = choice.of_density(choice.density_of(fewest));
