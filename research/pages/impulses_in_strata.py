@@ -96,8 +96,8 @@ error of 2 %.
 """)
     page.write(table(["noise", "process", "impulses", "c a", "mean, 10^-4", "variance", "excess kurtosis, closed form", "measured"], rows))
     page.write(f"""
-The variance is 1 by the closed form. The share of values beyond 3 and 4 standard deviations over a Gaussian's, {BEYOND[3]:.3g} and {BEYOND[4]:.3g}; what is not 1 is mostly the sixth
-cumulant's, in 4D random directions the fourth's. The closed form is Edgeworth's series of both cumulants, where they are small:
+The variance is 1 by the closed form. The share of values beyond 3 and 4 standard deviations over a Gaussian's, {BEYOND[3]:.3g} and {BEYOND[4]:.3g}; what is not 1 is the sixth
+cumulant's. The closed form is Edgeworth's series of both cumulants, where they are small:
 """)
     page.write(table(["noise", "process", "beyond 3, closed form", "measured", "beyond 4, closed form", "measured"], tails))
 
