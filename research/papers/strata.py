@@ -12,9 +12,9 @@ from papers.gabor import Isotropic, Oriented, a_of, mean_cosine, nodes
 KERNELS, MAKERS = (Isotropic, Oriented), (solidnoise.gabor, solidnoise.gabor_oriented)
 
 
-def kernel_of(n, kind):
+def kernel_of(n, kind, octaves=1.0):
     """With weights of 1 or -1, where it has weights."""
-    return KERNELS[kind](n, 1.0, a_of(1.0))
+    return KERNELS[kind](n, 1.0, a_of(1.0, octaves))
 
 
 def mean_square(kernel, r):
@@ -34,8 +34,8 @@ class Overlap:
     is radial, as is its transform; of impulses that are mirrored in pairs twice that, less the mean of M's autocorrelation over the distances of two such impulses, which
     are uniform in a cube twice as large."""
 
-    def __init__(self, n, kind):
-        self.n, self.kind, self.kernel = n, kind, kernel_of(n, kind)
+    def __init__(self, n, kind, octaves=1.0):
+        self.n, self.kind, self.kernel = n, kind, kernel_of(n, kind, octaves)
         (r, weights), (f, of_f) = nodes(n, 0, 4 / self.kernel.a), nodes(n, 0, 8.0)
         waves = mean_cosine(n, 2 * np.pi * np.multiply.outer(f, r))
         transform = waves @ (weights * mean_square(self.kernel, r))
@@ -75,8 +75,8 @@ class Cumulants:
     """The fourth and the sixth of strata, over powers of the variance: the integrals by sums over a lattice, on which cubes are smoothed with by their transforms, and
     mirrored places are summed over by Gauss's rule; kernels are radial, so that a part of the places does for all."""
 
-    def __init__(self, n, kind):
-        self.n, kernel = n, kernel_of(n, kind)
+    def __init__(self, n, kind, octaves=1.0):
+        self.n, kernel = n, kernel_of(n, kind, octaves)
         self.count = {1: 2048, 2: 256, 3: 96, 4: 40}[n]
         self.step = 3 / kernel.a / self.count
         self.axis = (np.arange(self.count) - self.count // 2) * self.step

@@ -29,7 +29,8 @@ TEST(CheapestGenerator, ImpulsesForTheSameLikenessToAGaussianField) {
   expect_impulses<4>(1.0, 204.2, 49.4);
   expect_impulses<3>(0.3, 974, 19);
   expect_impulses<4>(0.3, 9669, 49.4);
-  expect_impulses<3>(4.0, 6, 19);
+  expect_impulses<3>(2.0, 33.3, 19);
+  expect_impulses<3>(4.0, 9.9, 19);
 }
 
 TEST(CheapestGenerator, IsRandomDirectionsInNarrowBandsAndKernelsInWideOnes) {

@@ -229,7 +229,7 @@ TEST(StrataChoice, OfADensityHasIt) {
 TEST(StrataChoice, MirroredImpulsesBalanceLargerCubes) {
   const auto saved = [](const StrataChoice& choice) {
     const Strata strata = choice.balanced();
-    EXPECT_EQ(strata.mirrored, choice.mirrors);
+    EXPECT_EQ(strata.mirrored, choice.mirrored);
     return choice.density_of(strata) * std::pow(choice.balanced_side(), choice.dimensions);
   };
   const double a = gaussian_parameter(1.0, 1.0);

@@ -68,6 +68,15 @@ def test_cumulants_of_balanced_cubes(n, kind, mirrored, ratio, sixth, tail):
     assert tail is None or abs(beyond(4, *found) - tail) < 0.01
 
 
+@pytest.mark.parametrize("n, octaves, count, tail", [(2, 0.5, 1, 0.72), (2, 2, 3, 0.975), (3, 0.5, 2, 0.87), (3, 1.4, 2, 1.115), (3, 2, 4, 1.055), (4, 2, 2, 1.43)])
+def test_tails_of_other_bands(n, octaves, count, tail):
+    """Past four standard deviations, in the cubes that isotropic kernels have."""
+    noise = library(n, 0, bandwidth=octaves)
+    side, mirrored = Overlap(n, 0, octaves).balanced(n > 2), n > 2
+    assert abs(noise.description["impulse_density"] * side**n / count - 1) < 0.02
+    assert abs(beyond(4, *Cumulants(n, 0, octaves)(side, count, mirrored)) - tail) < 0.01
+
+
 def test_the_cumulants_of_mirrored_impulses_are_those_of_the_closed_form():
     """Of noise by its definition on a line, far from Gaussian: 2 400 000 values, five standard errors. Independent impulses have others."""
     kernel, side, random = kernel_of(1, 0), 1.0, np.random.default_rng(7)

@@ -46,7 +46,7 @@ StrataChoice radial_choice(int dimensions, const Kernel& kernel, const WeightMom
           .weights = weights,
           .averages = std::make_shared<RadialAverages>(radial_averages(kernel)),
           .radius = kernel.radius_for_error(kNominalError),
-          .mirrors = dimensions >= kLeastMirrored};
+          .mirrored = dimensions >= kLeastMirrored};
 }
 
 // Of independent impulses, or a pair of mirrored ones.
@@ -79,7 +79,7 @@ StrataChoice strata_choice(const RandomPhaseGaborKernel<Dim>& kernel) {
           .weights = {},
           .averages = averages,
           .radius = kernel.radius_for_error(kNominalError),
-          .mirrors = Dim >= kLeastMirrored};
+          .mirrored = Dim >= kLeastMirrored};
 }
 
 template <typename Kernel>
@@ -96,7 +96,7 @@ StrataChoice layer_strata_choice(const Kernel& in_plane, double half_thickness,
           .weights = {},
           .averages = averages,
           .radius = in_plane.radius_for_error(kNominalError),
-          .mirrors = !std::is_same_v<Kernel, RandomPhaseGaborKernel<2>>};
+          .mirrored = !std::is_same_v<Kernel, RandomPhaseGaborKernel<2>>};
 }
 
 double kurtosis_given_place(double density, const KernelMoments& kernel, const CubeAverages& averages,
@@ -130,21 +130,13 @@ double balanced_side(const std::function<double(double side)>& cumulant, double 
   return 0.5 * (least + most);
 }
 
-Strata StrataChoice::balanced(bool mirrored) const {
-  if (known && known->mirrored == mirrored) return *known;
+Strata StrataChoice::balanced(bool in_pairs) const {
+  if (known && known->mirrored == in_pairs) return *known;
   const auto cumulant = [&](double side) {
     return weights.fourth * moments.fourth -
-           3.0 * weights.second * weights.second * averages->overlap({side, mirrored});
+           3.0 * weights.second * weights.second * averages->overlap({side, in_pairs});
   };
-  return one_in_each(solidnoise::balanced_side(cumulant, 0.02 * radius, 4.0 * radius), mirrored);
-}
-
-Strata StrataChoice::balanced() const {
-  if (known) return *known;
-  const Strata independent = balanced(false);
-  if (!mirrors) return independent;
-  const Strata pairs = balanced(true);
-  return density_of(pairs) < density_of(independent) ? pairs : independent;
+  return one_in_each(solidnoise::balanced_side(cumulant, 0.02 * radius, 4.0 * radius), in_pairs);
 }
 
 double StrataChoice::excess_kurtosis(const Strata& strata) const {
@@ -165,22 +157,22 @@ double StrataChoice::side_of(double density, int count) const {
   return std::pow(count / density, 1.0 / dimensions);
 }
 
-Strata StrataChoice::fewest_balanced(bool mirrored) const {
-  Strata strata = balanced(mirrored);
+Strata StrataChoice::fewest_balanced() const {
+  Strata strata = balanced();
   const int least = strata.least();
   strata.count *= std::max(1, static_cast<int>(std::ceil(given_place(strata) / kPlaceKurtosis)));
   const double poisson = poisson_density();
-  if (density_of(strata) <= kPlentyOverPoisson * poisson) return of_density(density_of(strata), mirrored);
+  if (density_of(strata) <= kPlentyOverPoisson * poisson) return of_density(density_of(strata));
   const auto over_mean = [&](double side) {
     return excess_kurtosis(one_in_each(side, mirrored)) - kMeanKurtosis;
   };
   const double enough = solidnoise::balanced_side(over_mean, side_of(kMostOverPoisson * poisson, least),
                                                   side_of(kPlentyOverPoisson * poisson, least));
-  return of_density(density_of(one_in_each(enough, mirrored)), mirrored);
+  return of_density(density_of(one_in_each(enough, mirrored)));
 }
 
-Strata StrataChoice::fewest(bool mirrored) const {
-  Strata best = fewest_balanced(mirrored);
+Strata StrataChoice::fewest() const {
+  Strata best = fewest_balanced();
   if (kurtosis <= kMeanKurtosis) return best;
   constexpr int kMostInCube = 8;
   const int most = std::min(kMostInCube, 2 * best.count);
@@ -194,20 +186,6 @@ Strata StrataChoice::fewest(bool mirrored) const {
     if (larger.side > as_many && fits(larger) && excess_kurtosis(larger) >= -kurtosis) best = larger;
   }
   return best;
-}
-
-Strata StrataChoice::fewest() const {
-  const Strata independent = fewest(false);
-  if (!mirrors) return independent;
-  const Strata pairs = fewest(true);
-  const double ratio = density_of(pairs) / density_of(independent);
-  constexpr double kEqual = 1e-6;  // as where both are as many as there may be, but for rounding
-  if (std::abs(ratio - 1.0) < kEqual) return nearer_to_gaussian(independent, pairs);
-  return ratio < 1.0 ? pairs : independent;
-}
-
-Strata StrataChoice::nearer_to_gaussian(const Strata& independent, const Strata& pairs) const {
-  return std::abs(excess_kurtosis(pairs)) < std::abs(excess_kurtosis(independent)) ? pairs : independent;
 }
 
 int StrataChoice::halvings(const Strata& strata) const {
@@ -226,12 +204,7 @@ bool StrataChoice::fits(const Strata& strata) const {
 }
 
 Strata StrataChoice::of_density(double density) const {
-  const Strata independent = of_density(density, false);
-  return mirrors ? nearer_to_gaussian(independent, of_density(density, true)) : independent;
-}
-
-Strata StrataChoice::of_density(double density, bool mirrored) const {
-  const Strata balanced_one = balanced(mirrored);
+  const Strata balanced_one = balanced();
   const int least = balanced_one.least();
   const auto in_cubes = [&](double side) { return density * std::pow(side, dimensions) / least; };
   const auto of_count = [&](double count) {

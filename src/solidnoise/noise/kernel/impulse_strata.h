@@ -43,7 +43,9 @@ namespace solidnoise {
 // (a^n / density)^2 in 2, 3 and 4 dimensions, mirrored 0.15 and 0.62 times in 3 and 4; 3.3, 3.8 and 4.4 times
 // of a Poisson process. By Edgeworth's series there are 1 + 9.2 kurtosis + 2.6 kappa_6 times as many such
 // values as a Gaussian field has: in 3D 1.25 of waves, one in each cube, and 0.93 of isotropic kernels of an
-// octave, a pair in each, in 4D 1.11 and 1.31, pairs both.
+// octave, a pair in each, in 4D 1.11 and 1.31, pairs both. Of these kernels of half an octave to four it is
+// 0.7 to 1.2 in 2D and 3D, where bands of more than 1.4 octaves have two pairs in each cube, for the place's
+// sake, and up to 1.43 in 4D; one independent impulse in each would leave 1.84 of two octaves in 3D.
 //
 // Weights whose signs, or phases, are balanced in each cube would gain nothing: kappa_4 is of how the power,
 // the sum of squared kernels, differs from place to place, and squares stay what they are; but impulses of
@@ -62,25 +64,23 @@ struct StrataChoice {
   WeightMoments weights;
   std::shared_ptr<const CubeAverages> averages;
   double radius = 0.0;               // that holds nearly all of a kernel, world units
-  bool mirrors = false;              // impulses, where that takes fewer
+  bool mirrored = false;             // impulses, in pairs
   std::optional<Strata> known = {};  // balanced(), where it has been found
   double kurtosis = kMeanKurtosis;   // that the mean over all places may have
 
-  // Balanced cubes, of independent or mirrored impulses, with the fewest impulses for which the excess
-  // kurtosis given the place is within kPlaceKurtosis; or, where the mean may be more than kMeanKurtosis, the
-  // fewest for which both are within. The peaks of narrow bands of isotropic kernels, most of all, only cubes
-  // far smaller than a wave would balance: where that takes more than kPlentyOverPoisson times the impulses
-  // of poisson_density(), as many, or one, or a pair, in each of the largest cubes of a mean within
-  // kMeanKurtosis, at most kMostOverPoisson times.
+  // Balanced cubes with the fewest impulses for which the excess kurtosis given the place is within
+  // kPlaceKurtosis; or, where the mean may be more than kMeanKurtosis, the fewest for which both are within.
+  // The peaks of narrow bands of isotropic kernels, most of all, only cubes far smaller than a wave would
+  // balance: where that takes more than kPlentyOverPoisson times the impulses of poisson_density(), as many,
+  // or one, or a pair, in each of the largest cubes of a mean within kMeanKurtosis, at most kMostOverPoisson
+  // times.
   Strata fewest() const;
 
-  // Cubes as near to balanced ones as whole numbers allow, of this density; of independent and mirrored
-  // impulses those whose excess kurtosis is nearer to 0.
+  // Cubes as near to balanced ones as whole numbers allow, of this density.
   Strata of_density(double density) const;
 
-  // One impulse, or a pair, in each of the cubes in which the excess kurtosis is 0, whatever the density; of
-  // independent and mirrored ones those with fewer impulses.
-  Strata balanced() const;
+  // One impulse, or a pair, in each of the cubes in which the excess kurtosis is 0, whatever the density.
+  Strata balanced() const { return balanced(mirrored); }
 
   // How often cells have to be cut in halves along each axis to be these strata, which are one each or pieces
   // with one impulse, or one pair, each (ImpulseCount): so that cells are not smaller than smallest_cell().
@@ -103,11 +103,8 @@ struct StrataChoice {
   double balanced_side() const { return balanced(false).side; }
 
  private:
-  Strata balanced(bool mirrored) const;
-  Strata fewest_balanced(bool mirrored) const;
-  Strata fewest(bool mirrored) const;
-  Strata of_density(double density, bool mirrored) const;
-  Strata nearer_to_gaussian(const Strata& independent, const Strata& pairs) const;
+  Strata balanced(bool in_pairs) const;
+  Strata fewest_balanced() const;
   bool fits(const Strata& strata) const;
   double side_of(double density, int count) const;
   double excess_kurtosis(const Strata& strata) const;

@@ -91,8 +91,8 @@ std::unique_ptr<Noise<Dim>> make_quadrature(const NoiseRecipe& recipe);
 //   dimensions        1         2           3             4
 //   0.3 octaves     5,  5    45,  9     974, 19     9669, 49
 //   1 octave        5,  5    23,  9      53, 19      204, 49
-//   2 octaves       4,  5    17,  9      20, 19       46, 49
-//   4 octaves       5,  5    12,  9       6, 19       15, 49
+//   2 octaves       4,  5    17,  9      33, 19       46, 49
+//   4 octaves       5,  5    12,  9      10, 19       15, 49
 //
 // There is a choice for isotropic Gabor noise, but for weights in [-1, 1], which random phases have no use
 // for, and for oriented Gabor noise without anisotropy.
