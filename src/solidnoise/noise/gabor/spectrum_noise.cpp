@@ -71,9 +71,8 @@ std::shared_ptr<const BandSetting> setting_of(const SpectrumBand& band, const Sp
   const double slope = options.bounds_gradient ? rms_frequency(band) : 0.0;
   thread_local Memo<std::tuple<double, double, double>, BandSetting> known;
   return known.get({band.a, options.error, slope}, [&] {
-    StrataChoice choice = strata_choice(RandomPhaseGaborKernel<Dim>(1.0, band.a, Vec<Dim>(0.0)));
-    choice.known = choice.balanced();
-    return BandSetting{envelope_of<Dim>(band, options, options.error), choice};
+    return BandSetting{envelope_of<Dim>(band, options, options.error),
+                       strata_choice(RandomPhaseGaborKernel<Dim>(1.0, band.a, Vec<Dim>(0.0))).found()};
   });
 }
 

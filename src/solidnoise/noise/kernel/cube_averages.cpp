@@ -181,24 +181,26 @@ struct AxisMeans {
     const int per_side = std::max(8, static_cast<int>(std::ceil(kLeast * side / reach)));
     step = side / per_side;
     const int half = static_cast<int>(std::ceil(reach / step));
-    std::vector<double> values;  // at the midpoints of steps
+    const auto beside = static_cast<std::size_t>(per_side);  // zeros on either side
+    // At the midpoints of steps.
+    std::vector<double> values(2 * (beside + static_cast<std::size_t>(half)), 0.0);
     for (int k = -half; k < half; ++k) {
       const double x = std::abs((k + 0.5) * step);
-      values.push_back(x < reach ? mean_square(x) : 0.0);
+      if (x < reach) values[beside + static_cast<std::size_t>(half + k)] = mean_square(x);
     }
-    const auto value = [&](int k) {
-      return k < 0 || k >= 2 * half ? 0.0 : values[static_cast<std::size_t>(k)];
-    };
-    double sum = 0.0;  // of the values of a side
-    for (int k = 0; k <= 2 * half + per_side; ++k) {
-      double mean = 0.0;
-      if (places == Places::independent) {
-        mean = squared(sum / per_side);
-        sum += value(k) - value(k - per_side);
-      } else {
-        for (int i = 1; i <= per_side; ++i) mean += value(k - i) * value(k - per_side + i - 1) / per_side;
+    means.resize(values.size() - beside + 1, 0.0);
+    if (places == Places::independent) {
+      double sum = 0.0;  // of the values of a side
+      for (std::size_t k = 0; k < means.size(); ++k) {
+        means[k] = step * squared(sum / per_side);
+        if (k + 1 < means.size()) sum += values[k + beside] - values[k];
       }
-      means.push_back(step * mean);
+      return;
+    }
+    for (std::size_t k = 0; 2 * k < means.size(); ++k) {
+      double mean = 0.0;
+      for (std::size_t i = 0; i < beside; ++i) mean += values[k + beside - 1 - i] * values[k + i] / per_side;
+      means[k] = means[means.size() - 1 - k] = step * mean;
     }
   }
 

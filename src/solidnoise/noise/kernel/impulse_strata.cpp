@@ -139,6 +139,12 @@ Strata StrataChoice::balanced(bool in_pairs) const {
   return one_in_each(solidnoise::balanced_side(cumulant, 0.02 * radius, 4.0 * radius), in_pairs);
 }
 
+StrataChoice StrataChoice::found() const {
+  StrataChoice result = *this;
+  result.known = balanced();
+  return result;
+}
+
 double StrataChoice::excess_kurtosis(const Strata& strata) const {
   KernelMoments kept = moments;
   kept.overlap = averages->overlap(strata);

@@ -82,6 +82,9 @@ struct StrataChoice {
   // One impulse, or a pair, in each of the cubes in which the excess kurtosis is 0, whatever the density.
   Strata balanced() const { return balanced(mirrored); }
 
+  // The same, with balanced() known.
+  StrataChoice found() const;
+
   // How often cells have to be cut in halves along each axis to be these strata, which are one each or pieces
   // with one impulse, or one pair, each (ImpulseCount): so that cells are not smaller than smallest_cell().
   int halvings(const Strata& strata) const;
