@@ -69,9 +69,17 @@ Over the cube of the variance, of waves in balanced cubes: 0.18, 0.64 and 1.02 t
 standard deviations as a Gaussian field has.
 
 *What gave nothing*: signs or phases that are balanced in each cube. kappa_4 is of how the sum of squared kernels differs from place to place, and squares stay what they are, while impulses of one cube would correlate and change the spectrum. Nor did four or eight impulses that are each other's images in planes or by half turns, which take more impulses, or pairs half a cube apart, which take fewer, but leave 1.5 (random directions) and 1.7 times (isotropic kernels) a Gaussian's values past four standard deviations in 3D. *What was not needed*: counts that are not whole. Any density is met by the side,
-(count / density)^(1/n) with the count rounded, off from balanced by half an impulse in a cube at most. *Where it ends*: narrow bands of isotropic kernels, most in 4D, would need cubes far smaller than a wave. Where balanced cubes would take more than twice the impulses of a Poisson process of excess kurtosis 1/2, four times where parameters vary, there are as many as leave
-0.02, but at most ten times, which is enough in three dimensions from 0.1 octaves on, where parameters vary from 0.2, and leaves 0.05 at most. What is left is told as the noise's excess kurtosis.
+(count / density)^(1/n) with the count rounded, off from balanced by half an impulse in a cube at most.
+
+## Where it ends
+Narrow bands of isotropic kernels, most in 4D, would need cubes far smaller than a wave. Where balanced cubes would take more impulses than a Poisson process of excess kurtosis 1/2, as random directions in 4D do, too, or four times as many where parameters vary, there are as few as leave
+0.02, but at most ten times, which is enough in three dimensions from 0.1 octaves on, where parameters vary from 0.2, and leaves 0.05 at most. What is left is told as the noise's excess kurtosis. In wide bands cubes have more than balanced ones need, for the place's sake (below). Isotropic kernels,
+impulses over those of a Poisson process of excess kurtosis 1/2:
 """)
+    bands = data["strata_bands"]
+    page.write(table(("dimensions", "octaves", "balanced cubes", "ours", "our excess kurtosis"),
+                     [(f"{n:.0f}", f"{octaves:.1f}", f"{balanced:.2f}", f"{ours:.2f}", f"{kurtosis:.3f}")
+                      for n, octaves, balanced, ours, kurtosis in zip(*bands.values())]))
 
 
 def write_ensembles(data, page):

@@ -21,6 +21,20 @@ def sides():
     return {"strata_sides": table}
 
 
+def bands():
+    """Impulses of isotropic kernels, over those of a Poisson process of excess kurtosis 1/2: of balanced cubes and of the library."""
+    rows = []
+    for n in (2, 3, 4):
+        for octaves in (0.2, 0.3, 0.5, 1.0, 2.0):
+            overlap = Overlap(n, 0, octaves)
+            mirrored = n > 2
+            balanced = (2 if mirrored else 1) * overlap.balanced(mirrored) ** -n
+            ours = library(n, 0, bandwidth=octaves)
+            poisson = overlap.kernel.fourth / (0.5 * overlap.kernel.energy**2)
+            rows.append((n, octaves, balanced / poisson, ours.description["impulse_density"] / poisson, ours.excess_kurtosis))
+    return {"strata_bands": columns(("n", "octaves", "balanced", "ours", "kurtosis"), rows)}
+
+
 def closed_at_place(kind, density, side, place):
     """The excess kurtosis at a place between two planes of cubes, in two dimensions: (h * M)^2 summed over the planes, on a lattice."""
     kernel = kernel_of(2, kind)
@@ -108,5 +122,5 @@ def drafts():
     return {"strata_drafts": columns(("n", "kind", "error", "difference", "correlation"), rows)}
 
 
-ITEMS = {"strata_sides": sides, "strata_ensembles": ensembles, "strata_elsewhere": elsewhere, "strata_spectra": spectra,
+ITEMS = {"strata_sides": sides, "strata_bands": bands, "strata_ensembles": ensembles, "strata_elsewhere": elsewhere, "strata_spectra": spectra,
          "strata_places": places, "strata_windows": windows, "strata_drafts": drafts}

@@ -26,9 +26,9 @@ TEST(CheapestGenerator, ImpulsesForTheSameLikenessToAGaussianField) {
   expect_impulses<1>(1.0, 5, 5);
   expect_impulses<2>(1.0, 23, 9);
   expect_impulses<3>(1.0, 53.2, 19);
-  expect_impulses<4>(1.0, 204.2, 49.4);
-  expect_impulses<3>(0.3, 974, 19);
-  expect_impulses<4>(0.3, 9669, 49.4);
+  expect_impulses<4>(1.0, 204.2, 44.4);
+  expect_impulses<3>(0.3, 982.6, 19);
+  expect_impulses<4>(0.3, 9783.4, 44.4);
   expect_impulses<3>(2.0, 33.3, 19);
   expect_impulses<3>(4.0, 9.9, 19);
 }

@@ -37,7 +37,7 @@ void expect_little_kurtosis(double bandwidth, const WeightMoments& weights) {
   const double over_poisson = layout.effective_density() / choice.poisson_density();
   const bool all = over_poisson > 0.999 * StrataChoice::kMostOverPoisson;
   EXPECT_LT(over_poisson, 1.02 * StrataChoice::kMostOverPoisson);  // whole impulses
-  EXPECT_LT(std::abs(layout.excess_kurtosis(choice, choice.moments)), all ? 0.05 : 0.0205);
+  EXPECT_LT(std::abs(layout.excess_kurtosis(choice, choice.moments)), all ? 0.05 : 0.02);
   EXPECT_GE(layout.scale, 2.0 * choice.smallest_cell());
 }
 

@@ -16,12 +16,12 @@ namespace solidnoise {
 // each with a random weight (Lagae et al. 2011, eq. 15), scaled to unit variance by the closed form.
 //
 // Differences from the paper: impulses are in strata (Strata), which leaves the spectrum as it is and takes
-// the excess kurtosis away; by default there are the fewest for which its mean is 0, and within 1/4 given the
-// place (options().impulses_process has Poisson's too); the kernel is made compact by a least-squares fit
-// (CompactKernel) in place of being cut off, so that value and gradient have no seam, and its variance and
-// spectrum are those of what is evaluated, exactly; the hash does not repeat. Impulses do not depend on
-// options().error. The variance is 1 for every number of impulses; with few of them the values are not
-// Gaussian, and excess_kurtosis() says by how much.
+// the excess kurtosis away; by default there are the fewest for which its mean is 0 (where that takes many,
+// 0.02, StrataChoice), and within 1/4 given the place (options().impulses_process has Poisson's too); the
+// kernel is made compact by a least-squares fit (CompactKernel) in place of being cut off, so that value and
+// gradient have no seam, and its variance and spectrum are those of what is evaluated, exactly; the hash does
+// not repeat. Impulses do not depend on options().error. The variance is 1 for every number of impulses; with
+// few of them the values are not Gaussian, and excess_kurtosis() says by how much.
 //
 // With options().filter it is that noise convolved with a Gaussian (gaussian_filter.h): the same impulses
 // with the filtered kernel, off by at most options().error of the unfiltered standard deviation, and 0 where

@@ -168,16 +168,17 @@ Strata StrataChoice::fewest_balanced() const {
   const int least = strata.least();
   strata.count *= std::max(1, static_cast<int>(std::ceil(given_place(strata) / kPlaceKurtosis)));
   const double poisson = poisson_density();
-  if (density_of(strata) <= kPlentyOverPoisson * poisson) return of_density(density_of(strata));
+  if (strata.count > least || density_of(strata) <= poisson) return of_density(density_of(strata));
   const auto over_mean = [&](double side) {
-    return excess_kurtosis(one_in_each(side, mirrored)) - kMeanKurtosis;
+    return excess_kurtosis(one_in_each(side, mirrored)) - kWantedMean;
   };
   const double enough = solidnoise::balanced_side(over_mean, side_of(kMostOverPoisson * poisson, least),
-                                                  side_of(kPlentyOverPoisson * poisson, least));
+                                                  side_of(poisson, least));
   return of_density(density_of(one_in_each(enough, mirrored)));
 }
 
 Strata StrataChoice::fewest() const {
+  if (!known) return found().fewest();
   Strata best = fewest_balanced();
   if (kurtosis <= kMeanKurtosis) return best;
   constexpr int kMostInCube = 8;

@@ -42,10 +42,11 @@ namespace solidnoise {
 // Over the cube of the variance, of waves under exp(-pi a^2 r^2) in balanced cubes, 0.18, 0.64 and 1.02 times
 // (a^n / density)^2 in 2, 3 and 4 dimensions, mirrored 0.15 and 0.62 times in 3 and 4; 3.3, 3.8 and 4.4 times
 // of a Poisson process. By Edgeworth's series there are 1 + 9.2 kurtosis + 2.6 kappa_6 times as many such
-// values as a Gaussian field has: in 3D 1.25 of waves, one in each cube, and 0.93 of isotropic kernels of an
-// octave, a pair in each, in 4D 1.11 and 1.31, pairs both. Of these kernels of half an octave to four it is
-// 0.7 to 1.2 in 2D and 3D, where bands of more than 1.4 octaves have two pairs in each cube, for the place's
-// sake, and up to 1.43 in 4D; one independent impulse in each would leave 1.84 of two octaves in 3D.
+// values as a Gaussian field has: in 3D 1.25 of waves, one in each cube, in 4D 1.11 with a pair in each, or
+// 1.27 with a kurtosis of 0.02; of isotropic kernels of an octave, a pair in each, 0.93 and 1.31, of half an
+// octave to four 0.7 to 1.2 in 2D and 3D, where bands of more than 1.4 octaves have two pairs in each cube,
+// for the place's sake, and up to 1.43 in 4D; one independent impulse in each would leave 1.84 of two octaves
+// in 3D.
 //
 // Weights whose signs, or phases, are balanced in each cube would gain nothing: kappa_4 is of how the power,
 // the sum of squared kernels, differs from place to place, and squares stay what they are; but impulses of
@@ -70,10 +71,9 @@ struct StrataChoice {
 
   // Balanced cubes with the fewest impulses for which the excess kurtosis given the place is within
   // kPlaceKurtosis; or, where the mean may be more than kMeanKurtosis, the fewest for which both are within.
-  // The peaks of narrow bands of isotropic kernels, most of all, only cubes far smaller than a wave would
-  // balance: where that takes more than kPlentyOverPoisson times the impulses of poisson_density(), as many,
-  // or one, or a pair, in each of the largest cubes of a mean within kMeanKurtosis, at most kMostOverPoisson
-  // times.
+  // Where the mean alone takes more impulses than poisson_density(), as random directions in four dimensions
+  // and the peaks of narrow bands of isotropic kernels do, as many, or one, or a pair, in each of the largest
+  // cubes of a mean within kMeanKurtosis, at most kMostOverPoisson times.
   Strata fewest() const;
 
   // Cubes as near to balanced ones as whole numbers allow, of this density.
@@ -93,8 +93,8 @@ struct StrataChoice {
   double smallest_cell() const { return radius / 6.0; }
 
   static constexpr int kMostHalvings = 3;
+  static constexpr double kWantedMean = 0.95 * kMeanKurtosis;  // compact kernels have up to a twentieth more
   static constexpr double kPlaceKurtosis = 0.25;
-  static constexpr double kPlentyOverPoisson = 2.0;
   static constexpr double kMostOverPoisson = 10.0;
 
   double density_of(const Strata& strata) const;

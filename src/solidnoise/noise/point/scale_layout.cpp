@@ -64,10 +64,9 @@ double scale_of_density(const ScaleLayout& layout, double effective) {
 
 // With the fewest impulses.
 double default_scale(const StrataChoice& choice, ScaleLayout layout) {
-  constexpr double kPlentyOverStationary = 2.0;
+  constexpr double kPlentyOverPoisson = 4.0;
   const double poisson = choice.poisson_density();
-  const double plenty =
-      scale_of_density(layout, kPlentyOverStationary * StrataChoice::kPlentyOverPoisson * poisson);
+  const double plenty = scale_of_density(layout, kPlentyOverPoisson * poisson);
   const auto scale_of_kurtosis = [&](double kurtosis, double least, double most) {
     return balanced_side(
         [&](double scale) {
@@ -76,10 +75,10 @@ double default_scale(const StrataChoice& choice, ScaleLayout layout) {
         },
         least, most);
   };
-  const double wanted = choice.kurtosis > kMeanKurtosis ? choice.kurtosis : 0.0;
-  const double balanced = scale_of_kurtosis(wanted, plenty, 8.0 * choice.radius);
+  const bool in_mean = choice.kurtosis <= kMeanKurtosis;
+  const double balanced = scale_of_kurtosis(in_mean ? 0.0 : choice.kurtosis, plenty, 8.0 * choice.radius);
   if (balanced > plenty) return balanced;
-  return scale_of_kurtosis(choice.kurtosis,
+  return scale_of_kurtosis(in_mean ? StrataChoice::kWantedMean : choice.kurtosis,
                            scale_of_density(layout, StrataChoice::kMostOverPoisson * poisson), plenty);
 }
 

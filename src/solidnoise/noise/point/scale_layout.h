@@ -42,8 +42,8 @@ struct ScaleLayout {
 
 // Of this density of effective impulses (of a Poisson process of as many the excess kurtosis is the same),
 // world units^-n; 0: in strata the fewest for which the excess kurtosis is 0, or the choice's where that is
-// more than kMeanKurtosis, or, where these are many, kMeanKurtosis, as of StrataChoice::fewest(), with many
-// being twice what they are there; of a Poisson process those of kDefaultKurtosis.
+// more than kMeanKurtosis, or, where these are more than four times those of a Poisson process of
+// kDefaultKurtosis, kMeanKurtosis, as of StrataChoice::fewest(); of a Poisson process those.
 ScaleLayout scale_layout(const StrataChoice& choice, double density, ImpulseSpread spread);
 
 }  // namespace solidnoise

@@ -33,7 +33,7 @@ std::uint64_t seed_of(const NoiseRecipe& recipe);
 Vec<4> period_of(const NoiseRecipe& recipe);
 
 // Changes whenever any noise's values do, for the same recipe; stored in every file that is written.
-inline constexpr int kAlgorithmVersion = 20;
+inline constexpr int kAlgorithmVersion = 21;
 
 // The error that a recipe allows against the noise of kernels of infinite support, relative to its standard
 // deviation: the `error` of its options, which ErrorBudget splits; 0 for noises without kernels to truncate.
@@ -87,12 +87,12 @@ std::unique_ptr<Noise<Dim>> make_quadrature(const NoiseRecipe& recipe);
 // I_nu(2 x) for the other, times Gaussians). An isotropic kernel gathers its energy in a central spike, the
 // more so the more dimensions there are and the narrower the band, and needs more impulses for the same
 // likeness to a Gaussian field. By default, without excess kurtosis (0.02 in the first line from three
-// dimensions on), isotropic kernels and random directions:
+// dimensions on, and of random directions in four), isotropic kernels and random directions:
 //   dimensions        1         2           3             4
-//   0.3 octaves     5,  5    45,  9     974, 19     9669, 49
-//   1 octave        5,  5    23,  9      53, 19      204, 49
-//   2 octaves       4,  5    17,  9      33, 19       46, 49
-//   4 octaves       5,  5    12,  9      10, 19       15, 49
+//   0.3 octaves     5,  5    45,  9     983, 19     9783, 44
+//   1 octave        5,  5    23,  9      53, 19      204, 44
+//   2 octaves       4,  5    17,  9      33, 19       46, 44
+//   4 octaves       5,  5    12,  9      10, 19       15, 44
 //
 // There is a choice for isotropic Gabor noise, but for weights in [-1, 1], which random phases have no use
 // for, and for oriented Gabor noise without anisotropy.
