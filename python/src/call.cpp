@@ -128,6 +128,7 @@ void run(const Call& call, const std::function<void(Progress&)>& work) {
   CallProgress told;
   std::optional<py::error_already_set> raised;
   std::exception_ptr error;
+  if (!call.progress.is_none()) call.progress(0.0);
   {
     std::optional<py::gil_scoped_release> unlocked(std::in_place);
     Worker worker([&] { run_in_arena(call.threads, [&] { work(told); }); });

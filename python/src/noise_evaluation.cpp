@@ -61,7 +61,7 @@ out : array of float32, contiguous, of the shape of the values
 threads : int, 1 to 4096
     At most so many; left out, all.
 progress : function
-    Called with the fraction that is done, some 20 times a second.
+    Called with the fraction that is done: 0 before the work begins, then some 20 times a second.
 
 Returns an array (...) of float32, or with the gradient a tuple of it and an array (..., dims). A value depends on the noise and
 on the point alone: not on the other points, nor on threads. Ctrl-C stops the call.

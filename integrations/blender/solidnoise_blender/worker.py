@@ -9,6 +9,7 @@ import bpy
 
 PATIENCE = 0.4  # seconds that an operator waits, so that what is quick is there at once
 _BETWEEN = 0.1
+_BEGINS = 2.0  # at most: until work is the library's own, for Blender crashes of much Python on a thread while it goes on itself
 
 
 class Stopped(Exception):
@@ -25,16 +26,21 @@ class Job:
         self.done, self.failed, self.wanted = done, failed, wanted
         self.stops = False
         self._work = work
+        self._began = threading.Event()
         self._thread = threading.Thread(target=self._run, daemon=True)
         self._thread.start()
+        self._began.wait(_BEGINS)
 
     def _run(self) -> None:
         try:
             self.result = self._work(self.tell)
         except Exception as error:  # whatever it is, it is told by whoever waits
             self.error = error
+        finally:
+            self._began.set()
 
     def tell(self, fraction: float) -> None:
+        self._began.set()
         self.fraction = fraction
         if self.stops:
             raise Stopped

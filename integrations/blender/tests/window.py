@@ -35,11 +35,12 @@ def until_done(worker, most: float = 120, turn=lambda job: None):
 
 def long_work_goes_on_behind_the_window(worker):
     # However fast the machine is: the first that is told of the progress waits until the window has had its turn.
-    places, seen, turn, tell_fraction = set(), set(), threading.Event(), worker.Job.tell
+    places, seen, told, turn, tell_fraction = set(), set(), [], threading.Event(), worker.Job.tell
 
     def wait_once(job, fraction):
+        told.append(fraction)
         tell_fraction(job, fraction)
-        if fraction < 1.0 and not places:
+        if 0.0 < fraction < 1.0 and not places:
             places.add(fraction)
             assert turn.wait(timeout=60)
 
@@ -50,7 +51,8 @@ def long_work_goes_on_behind_the_window(worker):
 
     worker.Job.tell = wait_once
     obj = add(preset="explosion", domain_dim=160)
-    assert worker.jobs and not os.path.exists(obj.data.filepath)  # it is in the scene, its file is not there yet
+    assert worker.jobs and told[0] == 0.0  # it is the library's work by now
+    assert not os.path.exists(obj.data.filepath)  # it is in the scene, its file is not there yet
     yield from until_done(worker, turn=look)
     worker.Job.tell = tell_fraction
     assert places and places <= seen, (places, seen)  # the window had its turns, and the progress to show
