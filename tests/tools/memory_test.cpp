@@ -67,6 +67,7 @@ INSTANTIATE_TEST_SUITE_P(
         std::vector<std::string>{"--raw", "--shape", "large.vdb", "--shard", "1/4"},
         std::vector<std::string>{"--on", "values.vdb", "--combine", "add"},
         std::vector<std::string>{"--on", "surface.vdb", "--raw", "--displace", "0.02"},
+        std::vector<std::string>{"--on", "surface.vdb", "--raw", "--displace", "0.1"},
         std::vector<std::string>{"--on", "small.vdb", "--raw", "--displace", "2"},
         std::vector<std::string>{"--preset", "velocity", "--dim", "96", "--boundary", "surface.vdb"}));
 

@@ -22,6 +22,10 @@ double sigma_of(const VolumeRecipe& recipe) {
   return raw && raw->range == RawShaping::Range::raw ? 1.0 : 1.0 / kMostSigmas;
 }
 
+double frequency_of(const VolumeRecipe& recipe) {
+  return std::visit([](const auto& options) { return options.frequency; }, recipe.noise.noise);
+}
+
 // Noise that is a fraction, which is what erodes.
 VolumeRecipe in_unit_range(VolumeRecipe recipe) {
   if (is_raw(recipe)) recipe.shaping = RawShaping{RawShaping::Range::unit};
@@ -59,13 +63,11 @@ ModificationPlan plan_modification(const VolumeRecipe& recipe, Progress* progres
 }
 
 std::uint64_t estimate_memory(const VolumeRecipe& recipe, const ModificationPlan& plan) {
-  return plan.memory(kMostSigmas * sigma_of(recipe), estimate_voxels(recipe, plan));
+  return plan.memory(frequency_of(recipe), sigma_of(recipe));
 }
 
 double estimate_voxels(const VolumeRecipe& recipe, const ModificationPlan& plan) {
-  const double frequency =
-      std::visit([](const auto& options) { return options.frequency; }, recipe.noise.noise);
-  return plan.voxels(frequency, sigma_of(recipe));
+  return plan.voxels(frequency_of(recipe), sigma_of(recipe));
 }
 
 bool scales_density(const VolumeRecipe& recipe, const Modification& modification) {

@@ -28,7 +28,7 @@ namespace {
 constexpr double kSecondsPerVoxel = 15e-9;
 constexpr double kSecondsPerShapedVoxel = 30e-9;
 constexpr double kSecondsPerCloudVoxel = 150e-9;
-constexpr double kSecondsPerDisplacedVoxel = 8e-6;
+constexpr double kSecondsPerDisplacedVoxel = 4e-6;
 
 // Voxels from which on blocks are of 64^3, else of 32^3 (fill_grids()).
 constexpr double kManyVoxels = 64.0 * 512.0 * 512.0;

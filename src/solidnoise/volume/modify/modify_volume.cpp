@@ -130,15 +130,14 @@ double ModificationPlan::voxels(double frequency, double sigma) const {
   return estimate_displaced_voxels(grid(), sigma * *modification.displace, frequency);
 }
 
-std::uint64_t ModificationPlan::memory(double largest, double made_voxels) const {
+std::uint64_t ModificationPlan::memory(double frequency, double sigma) const {
   std::uint64_t bytes = 0;
   for (const GridBase::Ptr& each : file.grids) bytes += each->baseTree().memUsage();
   for (const GridBase::Ptr& each : {mask, rest}) {
     if (each) bytes += 2 * each->baseTree().memUsage();
   }
   if (modification.displace) {
-    return bytes +
-           estimate_displacement_memory(grid(), std::abs(*modification.displace) * largest, made_voxels);
+    return bytes + estimate_displacement_memory(grid(), sigma * *modification.displace, frequency);
   }
   constexpr std::uint64_t kCopies = 3;  // topology, noise and result
   return bytes + kCopies * estimate_memory(grid());

@@ -31,9 +31,8 @@ struct ModificationPlan {
   // Voxels that are made, about: of a displaced surface more than the grid has, where noise of `frequency`
   // (cycles per world unit) and standard deviation `sigma` moves it.
   double voxels(double frequency, double sigma) const;
-  // Bytes that all of it takes at most, files included, where the noise's values are within +-`largest` and
-  // so many voxels are made.
-  std::uint64_t memory(double largest, double made_voxels) const;
+  // Bytes that all of it takes at most then, files included.
+  std::uint64_t memory(double frequency, double sigma) const;
 };
 
 // Reads the files. Throws std::runtime_error naming the file: also for a grid that does not exist (those that
