@@ -1,15 +1,22 @@
 #include "solidnoise/field/derived_fields.h"
 
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <numbers>
 #include <span>
 #include <stdexcept>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "solidnoise/field/combined_field.h"
+#include "solidnoise/field/moved_field.h"
+#include "solidnoise/field/value_maps.h"
+#include "solidnoise/noise/interpolation/interpolated_noise.h"
 #include "solidnoise/noise/registry/noise_recipe.h"
 #include "support/evaluated.h"
 #include "support/spectra.h"
@@ -47,6 +54,51 @@ TEST(GradientField, HasTheNoisesValueAndDerivativesToTheBit) {
       EXPECT_EQ(values_alone[axis * size + i], expected.gradient[axis][i]);
       EXPECT_EQ(values_after[(1 + axis) * size + i], expected.gradient[axis][i]);
     }
+  }
+}
+
+// Without the values it is what it is beside them, of fields too that need them to make it.
+TEST(GradientField, IsTheSameWithoutTheValues) {
+  const auto noise = [](std::uint64_t seed) {
+    NoiseRecipe recipe;
+    recipe.noise = GaborNoiseOptions{.frequency = 1.0, .seed = seed};
+    return std::shared_ptr<const Noise<3>>(make_noise<3>(recipe));
+  };
+  NoiseRecipe oriented;
+  oriented.noise = OrientedGaborNoiseOptions{.frequency = 1.0};
+  const Lattice<3> lattice = some_lattice();
+  const LatticeFrame<3> frame{lattice.origin, lattice.step};
+  const auto combined = [&](Layer::Combine how) {
+    return combine(how, {noise(1), absolute(noise(2), 1.5), noise(3)});
+  };
+  const std::vector<std::pair<std::string, FieldPtr>> fields{
+      {"noise", noise(1)},
+      {"oriented", make_noise<3>(oriented)},
+      {"interpolated", interpolate<3>(noise(1), frame, 0.02)},
+      {"interpolated gradient", interpolate<3>(noise(1), frame, 0.02, Quantity::gradient)},
+      {"absolute", absolute(noise(1), 1.0)},
+      {"stretched", stretched(absolute(noise(1), 1.0), Vec<3>(1.0, 2.0, 3.0))},
+      {"sum", combined(Layer::Combine::sum)},
+      {"product", combined(Layer::Combine::product)},
+      {"max", combined(Layer::Combine::max)},
+      {"mix", combined(Layer::Combine::mix)},
+  };
+  const std::vector<Vec<3>> places = positions_of({&lattice, 1});
+  for (const auto& [name, field] : fields) {
+    SCOPED_TRACE(name);
+    const auto alone = gradient_of(field);
+    const auto after = value_and_gradient_of(field);
+    const std::size_t size = lattice.size();
+    const auto at_points = [&](const Field<3>& of) {
+      std::vector<float> values(static_cast<std::size_t>(of.channels()) * size);
+      of.evaluate({places}, {values});
+      return values;
+    };
+    const auto gradient_in = [&](const std::vector<float>& channels) {
+      return std::vector<float>(channels.begin() + static_cast<std::ptrdiff_t>(size), channels.end());
+    };
+    EXPECT_EQ(channels_on(*alone, lattice), gradient_in(channels_on(*after, lattice)));
+    EXPECT_EQ(at_points(*alone), gradient_in(at_points(*after)));
   }
 }
 

@@ -14,17 +14,22 @@ namespace solidnoise {
 
 // Where an evaluation writes. `values` has one float per sample for each of a field's channels, one channel
 // after the other. `gradient` is either all empty (not wanted) or has, per axis, as many floats as `values`:
-// the derivative of the value, per world unit.
+// the derivative of the value, per world unit. `gradient_alone`: nobody looks at the values, so that what is
+// costly to evaluate may leave 0 there.
 template <int Dim>
 struct Samples {
   std::span<float> values;
   std::array<std::span<float>, Dim> gradient{};
+  bool gradient_alone = false;
 
   bool wants_gradient() const { return !gradient[0].empty(); }
 
+  // The same with the values, for gradients that depend on these.
+  Samples with_values() const { return {values, gradient, false}; }
+
   // A part of them.
   Samples subspan(std::size_t first, std::size_t count) const {
-    Samples part{values.subspan(first, count), {}};
+    Samples part{values.subspan(first, count), {}, gradient_alone};
     if (wants_gradient()) {
       for (std::size_t axis = 0; axis < Dim; ++axis)
         part.gradient[axis] = gradient[axis].subspan(first, count);
@@ -56,6 +61,7 @@ class SampleBuffer {
     const std::size_t size = like.values.size();
     memory_ = std::make_unique_for_overwrite<float[]>(size * (like.wants_gradient() ? 1 + Dim : 1));
     samples_.values = {memory_.get(), size};
+    samples_.gradient_alone = like.gradient_alone;
     for (std::size_t axis = 0; like.wants_gradient() && axis < Dim; ++axis) {
       samples_.gradient[axis] = {memory_.get() + (axis + 1) * size, size};
     }

@@ -69,8 +69,9 @@ void mix(const Samples<3>& to, const Samples<3>& other, const Samples<3>& mask) 
 
 // Combines what evaluate(i, samples) writes for each of `count` fields, in order.
 template <typename Evaluate>
-void combine_samples(Layer::Combine how, std::size_t count, const Samples<3>& samples,
+void combine_samples(Layer::Combine how, std::size_t count, const Samples<3>& wanted,
                      const Evaluate& evaluate) {
+  const Samples<3> samples = how == Layer::Combine::sum ? wanted : wanted.with_values();
   evaluate(0, samples);
   if (count == 1) return;
   const SampleBuffer<3> other(samples);

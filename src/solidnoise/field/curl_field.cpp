@@ -12,13 +12,15 @@
 namespace solidnoise {
 namespace {
 
-// The potentials and their derivatives at some samples, as evaluate(c, samples) writes those of potential c.
+// The potentials and their derivatives at some samples, or the gradients alone, as evaluate(c, samples)
+// writes those of potential c.
 class Potentials {
  public:
   template <typename Evaluate>
-  Potentials(std::size_t size, const Evaluate& evaluate) : size_(size), memory_(3 * 4 * size_) {
+  Potentials(std::size_t size, bool gradient_alone, const Evaluate& evaluate)
+      : size_(size), memory_(3 * 4 * size_) {
     for (std::size_t c = 0; c < 3; ++c) {
-      evaluate(c, Samples<3>{channel(c, 0), {channel(c, 1), channel(c, 2), channel(c, 3)}});
+      evaluate(c, Samples<3>{channel(c, 0), {channel(c, 1), channel(c, 2), channel(c, 3)}, gradient_alone});
     }
   }
 
@@ -64,7 +66,7 @@ class CurlField final : public Field<3> {
   }
   void evaluate(const Points<3>& points, const Samples<3>& samples) const override {
     require_room(*this, samples, points.size());
-    const Potentials potentials(points.size(), [&](std::size_t c, const Samples<3>& jet) {
+    const Potentials potentials(points.size(), !options_.boundary, [&](std::size_t c, const Samples<3>& jet) {
       options_.potentials[c]->evaluate(points, jet);
     });
     take_curl(potentials, samples.values);
@@ -82,7 +84,8 @@ class CurlField final : public Field<3> {
     void evaluate(const Lattice<3>& lattice, const Samples<3>& samples) const override {
       require_room(field_, samples, lattice.size());
       const Potentials potentials(
-          lattice.size(), [&](std::size_t c, const Samples<3>& jet) { blocks_[c]->evaluate(lattice, jet); });
+          lattice.size(), !field_.options_.boundary,
+          [&](std::size_t c, const Samples<3>& jet) { blocks_[c]->evaluate(lattice, jet); });
       field_.take_curl(potentials, samples.values);
       if (field_.options_.boundary) field_.bend(positions_of({&lattice, 1}), potentials, samples.values);
       field_.add_drift(samples.values);

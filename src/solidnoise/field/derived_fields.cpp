@@ -121,7 +121,7 @@ class GradientField final : public Field<3> {
     std::span<float> values = samples.values;
     const std::size_t count = values.size() / (parts == Parts::gradient ? 3 : 4);
     std::vector<float> unwanted(parts == Parts::gradient ? count : 0);
-    Samples<3> jet{unwanted, {}};
+    Samples<3> jet{unwanted, {}, parts == Parts::gradient};
     if (parts == Parts::value_and_gradient) {
       jet.values = values.first(count);
       values = values.subspan(count);

@@ -51,7 +51,7 @@ class MappedField final : public Field<3> {
     return std::make_unique<Block>(source_->block(box), map_);
   }
   void evaluate(const Points<3>& points, const Samples<3>& samples) const override {
-    source_->evaluate(points, samples);
+    source_->evaluate(points, samples.with_values());
     apply(map_, samples);
   }
 
@@ -68,11 +68,11 @@ class MappedField final : public Field<3> {
     Block(std::unique_ptr<FieldBlock<3>> source, const Map& map) : source_(std::move(source)), map_(map) {}
 
     void evaluate(const Lattice<3>& lattice, const Samples<3>& samples) const override {
-      source_->evaluate(lattice, samples);
+      source_->evaluate(lattice, samples.with_values());
       apply(map_, samples);
     }
     void evaluate_all(std::span<const Lattice<3>> lattices, const Samples<3>& samples) const override {
-      source_->evaluate_all(lattices, samples);
+      source_->evaluate_all(lattices, samples.with_values());
       apply(map_, samples);
     }
 

@@ -69,7 +69,7 @@ template std::unique_ptr<Noise<4>> move_noise<4>(std::shared_ptr<const Noise<4>>
 namespace {
 
 Samples<4> with_time(const Samples<3>& samples, std::vector<float>& time_gradient) {
-  Samples<4> all{samples.values, {}};
+  Samples<4> all{samples.values, {}, samples.gradient_alone};
   if (samples.wants_gradient()) {
     time_gradient.resize(samples.values.size());
     all.gradient = {samples.gradient[0], samples.gradient[1], samples.gradient[2], time_gradient};

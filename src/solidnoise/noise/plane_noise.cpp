@@ -24,7 +24,7 @@ void evaluate_on_plane(const Noise<3>& noise, const Plane& plane, std::span<cons
     positions.push_back(plane.origin + place.x * plane.right + place.y * plane.up);
   }
   std::array<std::vector<float>, 3> gradient;
-  Samples<3> in_space{samples.values, {}};
+  Samples<3> in_space{samples.values, {}, samples.gradient_alone};
   for (std::size_t axis = 0; samples.wants_gradient() && axis < 3; ++axis) {
     gradient[axis].resize(places.size());
     in_space.gradient[axis] = gradient[axis];
@@ -98,7 +98,7 @@ class AlignedPlaneBlock final : public FieldBlock<2> {
     in_space.first = axes_.in_space<Index<3>>(lattice.first, 0);
     in_space.count = axes_.in_space<glm::ivec3>(lattice.count, 1);
     std::vector<float> across;
-    Samples<3> all{samples.values, {}};
+    Samples<3> all{samples.values, {}, samples.gradient_alone};
     if (samples.wants_gradient()) {
       across.resize(samples.values.size());
       all.gradient = axes_.in_space<std::array<std::span<float>, 3>>(samples.gradient, std::span(across));

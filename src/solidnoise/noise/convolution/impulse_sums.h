@@ -136,11 +136,13 @@ struct Sums {
 using BrickSums = Sums<SampleBrick::kSamples>;
 using ClusterSums = Sums<SampleCluster::kSamples>;
 
-enum class Derivatives { none, gradient };
+// What is wanted of a sum. `alone`: the gradient without the values, which may then be 0.
+enum class Derivatives { none, gradient, alone };
 
 template <int Dim>
 Derivatives derivatives_of(const Samples<Dim>& samples) {
-  return samples.wants_gradient() ? Derivatives::gradient : Derivatives::none;
+  if (!samples.wants_gradient()) return Derivatives::none;
+  return samples.gradient_alone ? Derivatives::alone : Derivatives::gradient;
 }
 
 // The vectorised loops of sparse convolution: culling and summation. Each function runs the code of the
@@ -155,10 +157,10 @@ void cull_impulses(const ImpulseList& impulses, const PointCull& cull, ImpulseLi
 // P of a CompactKernel in single precision: a sum is w t^k P(v) with t = 1 - s and s the squared distance in
 // radii, 0 for s >= 1.
 struct RadialPolynomial {
-  bool power = true;              // P in powers of v, of an even degree; or t^(k - 2) P in Chebyshev
-                                  // polynomials of 2 v
-  std::vector<float> value;       // coefficients, from degree 0
-  std::vector<float> derivative;  // in Chebyshev polynomials: of d(t^(k - 2) P)/dv; else not used
+  bool power = true;         // P in powers of v, of an even degree; or t^(k - 2) P in Chebyshev
+                             // polynomials of 2 v
+  std::vector<float> value;  // coefficients, from degree 0
+  std::vector<float> slope;  // likewise, of Q: the sum's derivative by t is w t^(k - 1) Q(v), or w t Q
 };
 
 // Sums of an isotropic kernel. Attribute 0 of the list is the impulse's weight.

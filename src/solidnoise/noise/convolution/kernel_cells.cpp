@@ -68,13 +68,15 @@ RadialPolynomial to_single_precision(const CompactKernel& kernel, int most_degre
   RadialPolynomial polynomial;
   polynomial.power = kernel.well_conditioned() && kernel.degree() <= most_degree;
   if (polynomial.power) {
-    polynomial.value = single(kernel.power_coefficients());
     const int even = std::max(2, (kernel.degree() + 1) / 2 * 2);
-    polynomial.value.resize(static_cast<std::size_t>(even) + 1, 0.0f);
+    polynomial.value = single(kernel.power_coefficients());
+    polynomial.slope = single(kernel.power_slope());
+    for (auto* const each : {&polynomial.value, &polynomial.slope}) {
+      each->resize(static_cast<std::size_t>(even) + 1, 0.0f);
+    }
   } else {
     polynomial.value = single(kernel.chebyshev_coefficients());
-    polynomial.derivative = single(kernel.chebyshev_slope());
-    for (float& c : polynomial.derivative) c *= 2.0f;  // u = 2 v
+    polynomial.slope = single(kernel.chebyshev_slope());
   }
   return polynomial;
 }

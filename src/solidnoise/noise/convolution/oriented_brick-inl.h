@@ -124,7 +124,7 @@ HWY_INLINE void ForEachRow(const OrientedSum& sum, const ImpulseList& list, std:
                            const float* coordinates, int samples, const Store& store) {
   const hn::CappedTag<float, 16> d;
   using V = hn::Vec<decltype(d)>;
-  const typename Polynomial::template Bound<decltype(d)> envelope(d, sum.envelope);
+  const RadialKernel<kAxisTaper, Polynomial, decltype(d)> envelope(d, sum.envelope);
   const V zero = hn::Zero(d);
   const std::size_t count = std::min(kChunk, list.size() - from);
   for (std::size_t k = 0; k < count; k += hn::Lanes(d)) {
@@ -152,7 +152,7 @@ template <Derivatives kDerivatives, class Polynomial>
 HWY_INLINE void MakeLines(const OrientedSum& sum, const ImpulseList& list, std::size_t from,
                           const float* coordinates, ChunkFactors& factors, ChunkDerivatives& derivatives) {
   const PlaneVector::Tag d;
-  const typename Polynomial::template Bound<PlaneVector::Tag> envelope(d, sum.envelope);
+  const RadialKernel<kAxisTaper, Polynomial, PlaneVector::Tag> envelope(d, sum.envelope);
   const std::size_t count = std::min(kChunk, list.size() - from);
   const auto of_impulses = [&](const float* values)
                                HWY_ATTR { return PlaneVector::spread(values, values + 1); };

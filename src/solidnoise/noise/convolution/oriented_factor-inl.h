@@ -50,15 +50,14 @@ HWY_INLINE AxisFactor<V> FactorAlongAxis(D d, const Envelope& envelope, V offset
                                          float scale) {
   const V scaled = hn::Mul(offset, hn::Set(d, scale));
   const V t = PositivePart(d, hn::NegMulAdd(scaled, scaled, hn::Set(d, 1.0f)));
-  const RadialTerm<kAxisTaper, kDerivatives, D, Envelope> term(d, envelope, t, weight);
-  const V amplitude = term.value();
+  const V amplitude = envelope.value.of(d, t, weight);
   V cosine, sine;
   CosineSine(d, hn::MulAdd(offset, wave, phase), cosine, sine);
 
   AxisFactor<V> factor{{hn::Mul(amplitude, cosine), hn::Mul(amplitude, sine)}, {hn::Zero(d), hn::Zero(d)}};
   if constexpr (kDerivatives == Derivatives::gradient) {
     // d amplitude / d scaled = -2 scaled (3 t^2 P + t^3 P'); d wave / d scaled = i 2 pi wave / scale.
-    const V amplitude_slope = hn::Mul(hn::Mul(hn::Set(d, -2.0f), scaled), term.derivative());
+    const V amplitude_slope = hn::Mul(hn::Mul(hn::Set(d, -2.0f), scaled), envelope.slope.of(d, t, weight));
     const V turning = hn::Mul(hn::Mul(amplitude, wave), hn::Set(d, 2.0f * std::numbers::pi_v<float> / scale));
     factor.derivative = {hn::NegMulAdd(turning, sine, hn::Mul(amplitude_slope, cosine)),
                          hn::MulAdd(turning, cosine, hn::Mul(amplitude_slope, sine))};

@@ -79,7 +79,7 @@ class OrientedTerms {
   const SampleCluster& cluster_;
   const ImpulseList& list_;
   int lane_;
-  typename Polynomial::template Bound<PointTag> envelope_;
+  RadialKernel<kAxisTaper, Polynomial, PointTag> envelope_;
   V value_ = hn::Zero(PointTag());
   V gradient_[kRoles];
 };

@@ -28,38 +28,26 @@ HWY_INLINE V PositivePart(D d, V x) {
   return hn::BitCast(d, hn::Max(hn::BitCast(di, x), hn::Zero(di)));
 }
 
-// A value and its derivative.
-template <class V>
-struct Jet {
-  V value, slope;
-};
-
 // A polynomial in powers of v = t - 1/2, of a degree known to the compiler: its coefficients stay in
-// registers. Whether slopes are used or not, values are the same.
+// registers.
 template <int kDegree>
 struct Horner {
+  // Of t that makes a kernel of it.
+  static constexpr int power(int taper) { return taper; }
+
   template <class D>
   class Bound {
    public:
     using V = hn::Vec<D>;
-    // The power of t that makes a kernel of it.
-    static constexpr int power(int taper) { return taper; }
 
-    HWY_INLINE Bound(D d, const RadialPolynomial& polynomial) {
-      for (int k = 0; k <= kDegree; ++k) {
-        coefficients_[k] = hn::Set(d, polynomial.value[static_cast<std::size_t>(k)]);
-      }
+    HWY_INLINE Bound(D d, const std::vector<float>& coefficients) {
+      for (std::size_t k = 0; k <= kDegree; ++k) coefficients_[k] = hn::Set(d, coefficients[k]);
     }
 
-    HWY_INLINE V value(D d, V t) const { return jet(d, t).value; }
-
-    HWY_INLINE Jet<V> jet(D d, V t) const {
+    HWY_INLINE V value(D d, V t) const {
       const V v = hn::Sub(t, hn::Set(d, 0.5f));
-      Jet<V> sum{hn::MulAdd(coefficients_[kDegree], v, coefficients_[kDegree - 1]), coefficients_[kDegree]};
-      for (int k = kDegree - 2; k >= 0; --k) {
-        sum.slope = hn::MulAdd(sum.slope, v, sum.value);
-        sum.value = hn::MulAdd(sum.value, v, coefficients_[k]);
-      }
+      V sum = hn::MulAdd(coefficients_[kDegree], v, coefficients_[kDegree - 1]);
+      for (int k = kDegree - 2; k >= 0; --k) sum = hn::MulAdd(sum, v, coefficients_[k]);
       return sum;
     }
 
@@ -70,79 +58,74 @@ struct Horner {
 
 // A sum of Chebyshev polynomials of 2 v, by Clenshaw's recurrence: stable for any degree.
 struct Clenshaw {
+  static constexpr int power(int) { return 2; }
+
   template <class D>
   class Bound {
    public:
     using V = hn::Vec<D>;
-    static constexpr int power(int) { return 2; }
 
-    HWY_INLINE Bound(D, const RadialPolynomial& polynomial) : polynomial_(polynomial) {}
+    HWY_INLINE Bound(D, const std::vector<float>& coefficients) : coefficients_(coefficients) {}
 
-    HWY_INLINE V value(D d, V t) const { return sum(d, t, polynomial_.value); }
-
-    HWY_INLINE Jet<V> jet(D d, V t) const { return {value(d, t), sum(d, t, polynomial_.derivative)}; }
-
-   private:
-    static HWY_INLINE V sum(D d, V t, const std::vector<float>& coefficients) {
+    HWY_INLINE V value(D d, V t) const {
       const V v = hn::Sub(t, hn::Set(d, 0.5f));
       const V u = hn::Add(v, v);
       const V twice_u = hn::Add(u, u);
       V next = hn::Zero(d);
       V after_next = hn::Zero(d);
-      for (std::size_t k = coefficients.size() - 1; k >= 1; --k) {
-        const V current = hn::MulAdd(twice_u, next, hn::Sub(hn::Set(d, coefficients[k]), after_next));
+      for (std::size_t k = coefficients_.size() - 1; k >= 1; --k) {
+        const V current = hn::MulAdd(twice_u, next, hn::Sub(hn::Set(d, coefficients_[k]), after_next));
         after_next = next;
         next = current;
       }
-      return hn::MulAdd(u, next, hn::Sub(hn::Set(d, coefficients[0]), after_next));
+      return hn::MulAdd(u, next, hn::Sub(hn::Set(d, coefficients_[0]), after_next));
     }
 
-    const RadialPolynomial& polynomial_;
+   private:
+    const std::vector<float>& coefficients_;
   };
 };
 
-// w t^k and w t^(k - 1).
+// w t^k
 template <int kPower, class V>
-struct Taper {
-  HWY_INLINE Taper(V weight, V t) : lower(weight) {
-    if constexpr (kPower == 4) {
-      const V square = hn::Mul(t, t);
-      const V weighted = hn::Mul(weight, square);
-      lower = hn::Mul(weighted, t);
-      value = hn::Mul(weighted, square);
-    } else {
-      for (int k = 1; k < kPower; ++k) lower = hn::Mul(lower, t);
-      value = hn::Mul(lower, t);
-    }
+HWY_INLINE V TimesPower(V weight, V t) {
+  if constexpr (kPower == 4) {
+    const V square = hn::Mul(t, t);
+    return hn::Mul(hn::Mul(weight, square), square);
   }
-  V lower, value;
-};
+  for (int k = 0; k < kPower; ++k) weight = hn::Mul(weight, t);
+  return weight;
+}
 
-// The kernel w t^k P(v) and, where wanted, its derivative by t, of one vector of samples and one impulse.
-template <int kTaper, Derivatives kDerivatives, class D, class Polynomial, class V = hn::Vec<D>>
-class RadialTerm {
-  static constexpr int kPower = Polynomial::power(kTaper);
-
+// w t^k P(v), for vectors of samples.
+template <int kPower, class Polynomial, class D>
+class TaperedPolynomial {
  public:
-  HWY_INLINE RadialTerm(D d, const Polynomial& polynomial, V t, V weight) : taper_(weight, t) {
-    if constexpr (kDerivatives == Derivatives::none) {
-      factor_ = {polynomial.value(d, t), hn::Zero(d)};
-    } else {
-      factor_ = polynomial.jet(d, t);
-    }
+  using V = hn::Vec<D>;
+
+  HWY_INLINE TaperedPolynomial(D d, const std::vector<float>& coefficients) : polynomial_(d, coefficients) {}
+
+  HWY_INLINE V of(D d, V t, V weight) const {
+    return hn::Mul(TimesPower<kPower>(weight, t), polynomial_.value(d, t));
   }
-
-  HWY_INLINE V value() const { return hn::Mul(taper_.value, factor_.value); }
-  HWY_INLINE V add_to(V sum) const { return hn::MulAdd(taper_.value, factor_.value, sum); }
-
-  HWY_INLINE V derivative() const {
-    const V power = hn::Set(D(), static_cast<float>(kPower));
-    return hn::MulAdd(taper_.value, factor_.slope, hn::Mul(hn::Mul(taper_.lower, power), factor_.value));
+  HWY_INLINE V add_to(V sum, D d, V t, V weight) const {
+    return hn::MulAdd(TimesPower<kPower>(weight, t), polynomial_.value(d, t), sum);
   }
 
  private:
-  Taper<kPower, V> taper_;
-  Jet<V> factor_;
+  typename Polynomial::template Bound<D> polynomial_;
+};
+
+// A kernel and its derivative by t: w t^k P(v) and w t^(k - 1) Q(v).
+template <int kTaper, class Polynomial, class D>
+struct RadialKernel {
+  static constexpr int kPower = Polynomial::power(kTaper);
+
+  HWY_INLINE RadialKernel(D d, const RadialPolynomial& polynomial)
+      : value(d, polynomial.value), slope(d, polynomial.slope) {}
+
+  TaperedPolynomial<kPower, Polynomial, D> value;
+  TaperedPolynomial<kPower - 1, Polynomial, D> slope;
 };
 
 // Calls the evaluator compiled for the polynomial, whose degree in powers is even and at most that.

@@ -161,7 +161,7 @@ inline void PreparedImpulses::enter_column(int y, int z) {
         const V squared = hn::MulAdd(z_offset, z_offset, hn::Mul(y_offset, y_offset));
         const std::size_t at = i * Column::kSamples + static_cast<std::size_t>(piece);
         hn::StoreU(hn::Sub(hn::Set(d, rest_in_time_[i]), squared), d, rest_ + at);
-        if (derivatives_ == Derivatives::gradient) {
+        if (derivatives_ != Derivatives::none) {
           hn::StoreU(y_offset, d, y_offset_ + at);
           hn::StoreU(z_offset, d, z_offset_ + at);
         }
@@ -216,15 +216,15 @@ class VectorSum {
         x_offset_(prepared.x_offset(x)),
         piece_(piece) {}
 
-  template <class Bound>
-  HWY_INLINE void add(const Bound& polynomial, std::size_t i) {
+  template <class Kernel>
+  HWY_INLINE void add(const Kernel& kernel, std::size_t i) {
     const D d;
     const V rest = hn::LoadU(d, prepared_.rest(i) + piece_);
     const V t = PositivePart(d, hn::Sub(rest, hn::Set(d, x_squared_[i])));
-    const RadialTerm<kRadialTaper, kDerivatives, D, Bound> term(d, polynomial, t, hn::Set(d, weight_[i]));
-    value_ = term.add_to(value_);
-    if constexpr (kDerivatives == Derivatives::gradient) {
-      const V slope = term.derivative();
+    const V weight = hn::Set(d, weight_[i]);
+    if constexpr (kDerivatives != Derivatives::alone) value_ = kernel.value.add_to(value_, d, t, weight);
+    if constexpr (kDerivatives != Derivatives::none) {
+      const V slope = kernel.slope.of(d, t, weight);
       gx_ = hn::MulAdd(slope, hn::Set(d, x_offset_[i]), gx_);
       gy_ = hn::MulAdd(slope, hn::LoadU(d, prepared_.y_offset(i) + piece_), gy_);
       gz_ = hn::MulAdd(slope, hn::LoadU(d, prepared_.z_offset(i) + piece_), gz_);
@@ -236,7 +236,7 @@ class VectorSum {
   HWY_INLINE void store(const Unit& start, BrickSums& sums) const {
     const D d;
     store_in(value_, start, sums.value);
-    if constexpr (kDerivatives == Derivatives::gradient) {
+    if constexpr (kDerivatives != Derivatives::none) {
       const V chain = hn::Set(d, -2.0f);  // d t / d offset = -2 offset
       store_in(hn::Mul(chain, gx_), start, sums.gradient[kX]);
       store_in(hn::Mul(chain, gy_), start, sums.gradient[kY]);
@@ -272,14 +272,14 @@ class VectorSum {
 // Sums a pair of planes of the entered column: lanes are samples, impulses are the loop. Where a plane is
 // more than one vector, two of its vectors are summed at once, so that they share the loop.
 template <class Polynomial, Derivatives kDerivatives>
-HWY_INLINE void SumUnit(const RadialPolynomial& kernel, const PreparedImpulses& prepared, const Unit& unit,
-                        BrickSums& sums) {
+HWY_INLINE void SumUnit(const RadialPolynomial& polynomial, const PreparedImpulses& prepared,
+                        const Unit& unit, BrickSums& sums) {
   using Tag = hn::CappedTag<float, Column::kSamples>;
   using Sum = VectorSum<Tag, kDerivatives>;
   constexpr int kLanes = static_cast<int>(hn::MaxLanes(Tag()));
   // Gradients take all registers that there are.
   constexpr bool kTwo = 2 * kLanes <= Column::kSamples && kDerivatives == Derivatives::none;
-  const typename Polynomial::template Bound<Tag> polynomial(Tag(), kernel);
+  const RadialKernel<kRadialTaper, Polynomial, Tag> kernel(Tag(), polynomial);
   const Unit next{unit.x + 1, unit.y, unit.z};
   for (int piece = 0; piece < Column::kSamples; piece += kTwo ? 2 * kLanes : kLanes) {
     Sum low0(prepared, unit.x, piece), low1(prepared, next.x, piece);
@@ -287,11 +287,11 @@ HWY_INLINE void SumUnit(const RadialPolynomial& kernel, const PreparedImpulses& 
     for (std::size_t from = 0; from < prepared.size(); from += 64) {
       for (std::uint64_t bits = prepared.reaching_pair(from, unit.x / kPair); bits != 0; bits &= bits - 1) {
         const std::size_t i = from + static_cast<std::size_t>(std::countr_zero(bits));
-        low0.add(polynomial, i);
-        low1.add(polynomial, i);
+        low0.add(kernel, i);
+        low1.add(kernel, i);
         if constexpr (kTwo) {
-          high0.add(polynomial, i);
-          high1.add(polynomial, i);
+          high0.add(kernel, i);
+          high1.add(kernel, i);
         }
       }
     }

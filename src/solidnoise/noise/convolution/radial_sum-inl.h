@@ -29,7 +29,7 @@ class RadialTerms {
 
   HWY_INLINE RadialTerms(const RadialSum& sum, const SampleCluster& cluster, const ImpulseList& list,
                          int lane)
-      : list_(list), polynomial_(PointTag(), sum.kernel) {
+      : list_(list), kernel_(PointTag(), sum.kernel) {
     const PointTag d;
     for (int role = 0; role < kRoles; ++role) {
       at_[role] = hn::Load(d, cluster.coordinate[role] + lane);
@@ -48,10 +48,9 @@ class RadialTerms {
     const V rest = hn::Sub(hn::Sub(hn::Set(d, 1.0f), hn::Mul(offset[kT], offset[kT])), plane_squared);
     const V t = PositivePart(d, hn::Sub(rest, hn::Mul(offset[kX], offset[kX])));
     const V weight = hn::Set(d, list_.attribute(0)[i]);
-    const RadialTerm<kRadialTaper, kDerivatives, PointTag, Bound> term(d, polynomial_, t, weight);
-    value_ = term.add_to(value_);
-    if constexpr (kDerivatives == Derivatives::gradient) {
-      const V slope = term.derivative();
+    if constexpr (kDerivatives != Derivatives::alone) value_ = kernel_.value.add_to(value_, d, t, weight);
+    if constexpr (kDerivatives != Derivatives::none) {
+      const V slope = kernel_.slope.of(d, t, weight);
       for (int role = 0; role < kRoles; ++role) {
         gradient_[role] = hn::MulAdd(slope, offset[role], gradient_[role]);
       }
@@ -61,7 +60,7 @@ class RadialTerms {
   HWY_INLINE void store(int lane, ClusterSums& sums) const {
     const PointTag d;
     hn::Store(value_, d, sums.value + lane);
-    if constexpr (kDerivatives == Derivatives::gradient) {
+    if constexpr (kDerivatives != Derivatives::none) {
       const V chain = hn::Set(d, -2.0f);  // d t / d offset = -2 offset
       for (int role = 0; role < kRoles; ++role) {
         hn::Store(hn::Mul(chain, gradient_[role]), d, sums.gradient[role] + lane);
@@ -71,37 +70,41 @@ class RadialTerms {
 
  private:
   using V = PointVector;
-  using Bound = typename Polynomial::template Bound<PointTag>;
-
   const ImpulseList& list_;
-  Bound polynomial_;
+  RadialKernel<kRadialTaper, Polynomial, PointTag> kernel_;
   V at_[kRoles];
   V scale_[kRoles];
   V value_ = hn::Zero(PointTag());
   V gradient_[kRoles];
 };
 
+// Calls the sum that is compiled for the polynomial and for what is wanted.
+template <class Sum>
+HWY_INLINE void WithDerivatives(const RadialPolynomial& kernel, Derivatives derivatives, const Sum& sum) {
+  WithPolynomial<RadialSum::kMostDegree>(kernel, [&](const auto& polynomial) {
+    using Polynomial = std::decay_t<decltype(polynomial)>;
+    switch (derivatives) {
+      case Derivatives::none:
+        return sum.template operator()<Polynomial, Derivatives::none>();
+      case Derivatives::gradient:
+        return sum.template operator()<Polynomial, Derivatives::gradient>();
+      case Derivatives::alone:
+        return sum.template operator()<Polynomial, Derivatives::alone>();
+    }
+  });
+}
+
 inline void SumRadial(const RadialSum& sum, const ImpulseList& list, const SampleBrick& brick,
                       Derivatives derivatives, BrickSums& sums) {
-  WithPolynomial<RadialSum::kMostDegree>(sum.kernel, [&](const auto& polynomial) {
-    using Polynomial = std::decay_t<decltype(polynomial)>;
-    if (derivatives == Derivatives::none) {
-      SumRadialBrick<Polynomial, Derivatives::none>(sum, list, brick, sums);
-    } else {
-      SumRadialBrick<Polynomial, Derivatives::gradient>(sum, list, brick, sums);
-    }
+  WithDerivatives(sum.kernel, derivatives, [&]<class Polynomial, Derivatives kDerivatives>() {
+    SumRadialBrick<Polynomial, kDerivatives>(sum, list, brick, sums);
   });
 }
 
 inline void SumRadialScattered(const RadialSum& sum, const ImpulseList& list, const SampleCluster& cluster,
                                Derivatives derivatives, ClusterSums& sums) {
-  WithPolynomial<RadialSum::kMostDegree>(sum.kernel, [&](const auto& polynomial) {
-    using Polynomial = std::decay_t<decltype(polynomial)>;
-    if (derivatives == Derivatives::none) {
-      SumTerms<RadialTerms<Polynomial, Derivatives::none>>(sum, cluster, list, sums);
-    } else {
-      SumTerms<RadialTerms<Polynomial, Derivatives::gradient>>(sum, cluster, list, sums);
-    }
+  WithDerivatives(sum.kernel, derivatives, [&]<class Polynomial, Derivatives kDerivatives>() {
+    SumTerms<RadialTerms<Polynomial, kDerivatives>>(sum, cluster, list, sums);
   });
 }
 

@@ -1,5 +1,6 @@
 #include "solidnoise/noise/interpolation/interpolated_noise.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -34,12 +35,14 @@ class InterpolatedBlock final : public FieldBlock<Dim> {
   void evaluate(const Lattice<Dim>& lattice, const Samples<Dim>& samples) const override {
     require_room(samples, lattice.size());
     const bool applies = interpolation_->applies_to(lattice);
-    const bool values = applies && interpolation_->values;
+    const bool values = applies && interpolation_->values && !samples.gradient_alone;
     const bool gradient = applies && samples.wants_gradient() && interpolation_->gradient;
     if (!gradient && samples.wants_gradient()) {
       evaluate_directly(lattice, samples);
+    } else if (samples.gradient_alone) {
+      std::ranges::fill(samples.values, 0.0f);
     } else if (!values) {
-      evaluate_directly(lattice, {samples.values, {}});
+      evaluate_directly(lattice, {samples.values});
     }
     if (values) made(values_, interpolation_->values).values(lattice, samples.values);
     if (gradient) made(gradient_, interpolation_->gradient).gradient(lattice, samples.gradient);
@@ -97,7 +100,7 @@ class NoiseAtPoints final : public SameStatistics<3> {
   void evaluate(const Points<3>& points, const Samples<3>& samples) const override {
     require_room(samples, points.size());
     if (samples.wants_gradient()) noise().evaluate(points, samples);
-    interpolation_.evaluate(points.positions, samples.values);
+    if (!samples.gradient_alone) interpolation_.evaluate(points.positions, samples.values);
   }
 
  private:

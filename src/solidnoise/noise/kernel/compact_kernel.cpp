@@ -22,15 +22,20 @@ double chebyshev_sum(const std::vector<double>& coefficients, double u) {
   return coefficients[0] + u * next - after;
 }
 
-// The derivative of a Chebyshev series, by the recurrence c'_(k-1) = c'_(k+1) + 2 k c_k, c'_0 halved.
-std::vector<double> chebyshev_derivative(const std::vector<double>& coefficients) {
+// Of a Chebyshev series S(u), d(t^2 S)/dt / t = 2 S + (1 + u) S'(u); t = (1 + u) / 2. The derivative by the
+// recurrence c'_(k-1) = c'_(k+1) + 2 k c_k, c'_0 halved, and u T_k = (T_(k+1) + T_(k-1)) / 2, u T_0 = T_1.
+std::vector<double> chebyshev_tapered_slope(const std::vector<double>& coefficients) {
   const std::size_t count = coefficients.size();
-  std::vector<double> slope(count + 1, 0.0);
+  std::vector<double> derivative(count + 1, 0.0);
   for (std::size_t k = count - 1; k > 0; --k) {
-    slope[k - 1] = slope[k + 1] + 2.0 * static_cast<double>(k) * coefficients[k];
+    derivative[k - 1] = derivative[k + 1] + 2.0 * static_cast<double>(k) * coefficients[k];
   }
-  slope[0] *= 0.5;
-  slope.resize(count > 1 ? count - 1 : 1);
+  derivative[0] *= 0.5;
+  std::vector<double> slope(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const double below = k > 0 ? (k == 1 ? 1.0 : 0.5) * derivative[k - 1] : 0.0;
+    slope[k] = 2.0 * coefficients[k] + derivative[k] + below + 0.5 * derivative[k + 1];
+  }
   return slope;
 }
 
@@ -71,7 +76,7 @@ CompactKernel::CompactKernel(int dimensions, double radius, std::vector<double> 
       radius_(radius),
       taper_(taper),
       chebyshev_(std::move(chebyshev)),
-      slope_(chebyshev_derivative(chebyshev_)),
+      slope_(chebyshev_tapered_slope(chebyshev_)),
       power_(powers_of_half_argument(chebyshev_)),
       relative_error_(relative_error) {
   for (int k = 2; k < taper_; ++k) power_ = divided_by_t(power_);
@@ -96,9 +101,17 @@ double CompactKernel::derivative(double r) const {
   const double s = (r / radius_) * (r / radius_);
   if (s >= 1.0) return 0.0;
   const double t = 1.0 - s;
-  const double u = 1.0 - 2.0 * s;
-  const double by_t = 2.0 * t * chebyshev_sum(chebyshev_, u) + 2.0 * t * t * chebyshev_sum(slope_, u);
-  return by_t * (-2.0 * r / (radius_ * radius_));
+  return t * chebyshev_sum(slope_, 1.0 - 2.0 * s) * (-2.0 * r / (radius_ * radius_));
+}
+
+std::vector<double> CompactKernel::power_slope() const {
+  // k P + (v + 1/2) P'
+  std::vector<double> slope(power_.size());
+  for (std::size_t i = 0; i < power_.size(); ++i) {
+    slope[i] = (taper_ + static_cast<double>(i)) * power_[i];
+    if (i > 0) slope[i - 1] += 0.5 * static_cast<double>(i) * power_[i];
+  }
+  return slope;
 }
 
 double CompactKernel::gradient_energy() const {

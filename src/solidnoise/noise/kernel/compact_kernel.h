@@ -32,13 +32,14 @@ class CompactKernel {
   int taper() const { return taper_; }                                             // k
   int degree() const { return static_cast<int>(chebyshev_.size()) + 1 - taper_; }  // of P
 
-  // P in powers of v, from degree 0: for Horner's rule.
+  // P in powers of v, from degree 0: for Horner's rule. And Q of d(t^k P)/dt = t^(k - 1) Q, likewise.
   std::span<const double> power_coefficients() const { return power_; }
+  std::vector<double> power_slope() const;
   // t^(k - 2) P in Chebyshev polynomials of u = 2 v, from degree 0: for Clenshaw's rule. (P itself is as
   // large at R as the kernel is flat, and in narrow bands its middle would be lost beside that. With all of
   // t^k in the series the gradient would not end at exactly 0.)
   std::span<const double> chebyshev_coefficients() const { return chebyshev_; }
-  // Its derivative by u, likewise.
+  // t^(k - 2) Q, likewise.
   std::span<const double> chebyshev_slope() const { return slope_; }
 
   // Whether Horner's rule in single precision adds an RMS error, relative to the kernel, of at most a
@@ -74,7 +75,7 @@ class CompactKernel {
   double radius_;
   int taper_;
   std::vector<double> chebyshev_;
-  std::vector<double> slope_;  // of that by u, in Chebyshev polynomials of u
+  std::vector<double> slope_;
   std::vector<double> power_;
   Shells shells_;
   double energy_ = 0.0;

@@ -22,6 +22,12 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Tag = PointTag;
 using V = PointVector;
 
+// A value and its derivative.
+template <class V>
+struct Jet {
+  V value, slope;
+};
+
 // Horner's rule, coefficient by coefficient from the highest, with the derivative where it is wanted.
 template <Derivatives kDerivatives>
 class HornerSum {

@@ -103,9 +103,8 @@ class PointTerms {
     }
     v = hn::Max(hn::NegMulAdd(square, shrink_, hn::Set(d, 0.5f)), hn::Set(d, -0.5f));
     const V t = hn::Add(v, hn::Set(d, 0.5f));
-    const Taper<Polynomial::kPower, V> taper(factor, t);
-    term.lower = taper.lower;
-    factor = taper.value;
+    term.lower = TimesPower<Polynomial::kPower - 1>(factor, t);
+    factor = TimesPower<Polynomial::kPower>(factor, t);
     if constexpr (kFade) {
       const V share = fade(i);
       factor = hn::Mul(factor, share);
@@ -170,7 +169,7 @@ template <int kDim, bool kLayer>
 void SumOfDimension(const PointKernel& kernel, const PointCluster& cluster,
                     const PointPolynomials& polynomials, const ImpulseList& impulses, ClusterSums& sums) {
   const auto sum = [&]<bool kOriented, bool kFade>() {
-    if (cluster.derivatives == Derivatives::gradient) {
+    if (cluster.derivatives != Derivatives::none) {
       SumWithPolynomial<kDim, kLayer, kOriented, kFade, Derivatives::gradient>(cluster, polynomials, impulses,
                                                                                sums);
     } else {

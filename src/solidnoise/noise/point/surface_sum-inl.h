@@ -80,17 +80,12 @@ class LayerWaveTerms {
     const V weight = attribute(kWaveWeight, i);
     V cosine, sine;
     CosineSine(d, hn::MulAdd(x, wave_x, hn::Mul(y, wave_y)), cosine, sine);
-    const Taper<2, V> taper(hn::Mul(weight, layer), t);
-    const V factor = taper.value;
-    if constexpr (kDerivatives == Derivatives::none) {
-      sum_ = hn::MulAdd(hn::Mul(envelope_.value(d, t), factor), cosine, sum_);
-    } else {
-      const Jet<V> p = envelope_.jet(d, t);
-      const V envelope = hn::Mul(p.value, factor);
-      sum_ = hn::MulAdd(envelope, cosine, sum_);
-      // d (t^2 (t^2 P)) / d t, and d t / d x = -2 x / r^2; the wave turns by 2 pi in a cycle.
-      const V lower = hn::Mul(hn::Set(d, 2.0f), taper.lower);
-      const V by_t = hn::Mul(hn::MulAdd(factor, p.slope, hn::Mul(lower, p.value)), cosine);
+    const V weighted = hn::Mul(weight, layer);
+    const V envelope = envelope_.value.of(d, t, weighted);
+    sum_ = hn::MulAdd(envelope, cosine, sum_);
+    if constexpr (kDerivatives == Derivatives::gradient) {
+      // d t / d x = -2 x / r^2; the wave turns by 2 pi in a cycle.
+      const V by_t = hn::Mul(envelope_.slope.of(d, t, weighted), cosine);
       const V by_square = hn::Mul(by_t, hn::Mul(hn::Set(d, -2.0f), frame_.shrink));
       const V turning = hn::Mul(hn::Mul(envelope, sine), hn::Set(d, 2.0f * std::numbers::pi_v<float>));
       slope_along_ = hn::MulAdd(by_square, x, hn::NegMulAdd(turning, wave_x, slope_along_));
@@ -113,7 +108,7 @@ class LayerWaveTerms {
   }
 
   const ImpulseList& impulses_;
-  Clenshaw::Bound<Tag> envelope_;
+  RadialKernel<kRadialTaper, Clenshaw, Tag> envelope_;
   Frame frame_;
   V along_[3];
   V across_[3];
@@ -187,7 +182,7 @@ class ProjectedTerms {
 inline void SumLayerWaves(const LayerWaveKernel& kernel, const PointCluster& cluster,
                           const ImpulseList& impulses, ClusterSums& sums) {
   using surface_sum::LayerWaveTerms;
-  if (cluster.derivatives == Derivatives::gradient) {
+  if (cluster.derivatives != Derivatives::none) {
     SumTerms<LayerWaveTerms<Derivatives::gradient>>(kernel, cluster, impulses, sums);
   } else {
     SumTerms<LayerWaveTerms<Derivatives::none>>(kernel, cluster, impulses, sums);
@@ -197,7 +192,7 @@ inline void SumLayerWaves(const LayerWaveKernel& kernel, const PointCluster& clu
 inline void SumProjected(const ProjectedKernel& kernel, const PointCluster& cluster,
                          const ImpulseList& impulses, ClusterSums& sums) {
   using surface_sum::ProjectedTerms;
-  if (cluster.derivatives == Derivatives::gradient) {
+  if (cluster.derivatives != Derivatives::none) {
     SumTerms<ProjectedTerms<Derivatives::gradient>>(kernel, cluster, impulses, sums);
   } else {
     SumTerms<ProjectedTerms<Derivatives::none>>(kernel, cluster, impulses, sums);

@@ -33,7 +33,7 @@ std::uint64_t seed_of(const NoiseRecipe& recipe);
 Vec<4> period_of(const NoiseRecipe& recipe);
 
 // Changes whenever any noise's values do, for the same recipe; stored in every file that is written.
-inline constexpr int kAlgorithmVersion = 21;
+inline constexpr int kAlgorithmVersion = 22;
 
 // The error that a recipe allows against the noise of kernels of infinite support, relative to its standard
 // deviation: the `error` of its options, which ErrorBudget splits; 0 for noises without kernels to truncate.
