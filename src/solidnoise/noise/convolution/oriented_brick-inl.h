@@ -329,9 +329,10 @@ HWY_INLINE void AddProducts(const ReachingTiles& reaching, const SampleBrick& br
   }
 }
 
+// The gradient is made alone where that is `wanted`.
 template <class Polynomial, Derivatives kDerivatives>
 void SumOrientedBrick(const OrientedSum& sum, const ImpulseList& list, const SampleBrick& brick,
-                      BrickSums& sums) {
+                      Derivatives wanted, BrickSums& sums) {
   constexpr bool kGradient = kDerivatives == Derivatives::gradient;
   std::fill_n(sums.value, SampleBrick::kSamples, 0.0f);
   if constexpr (kGradient) {
@@ -344,7 +345,7 @@ void SumOrientedBrick(const OrientedSum& sum, const ImpulseList& list, const Sam
     MakeFactors<kDerivatives, Polynomial>(sum, list, from, brick, factors, derivatives);
     const auto add = [&](const FactorRows& x, const FactorRows& y, const FactorLines& z, float* to)
                          HWY_ATTR { AddProducts(reaching, brick, x, y, z, to); };
-    add(factors.x, factors.y, factors.z, sums.value);
+    if (wanted != Derivatives::alone) add(factors.x, factors.y, factors.z, sums.value);
     if constexpr (kGradient) {
       add(derivatives.x, factors.y, factors.z, sums.gradient[kX]);
       add(factors.x, derivatives.y, factors.z, sums.gradient[kY]);

@@ -91,8 +91,8 @@ HWY_INLINE void SumOriented(const OrientedSum& sum, const ImpulseList& list, con
     using Polynomial = std::decay_t<decltype(polynomial)>;
     if constexpr (std::is_same_v<Samples, SampleBrick>) {
       derivatives == Derivatives::none
-          ? SumOrientedBrick<Polynomial, Derivatives::none>(sum, list, samples, sums)
-          : SumOrientedBrick<Polynomial, Derivatives::gradient>(sum, list, samples, sums);
+          ? SumOrientedBrick<Polynomial, Derivatives::none>(sum, list, samples, derivatives, sums)
+          : SumOrientedBrick<Polynomial, Derivatives::gradient>(sum, list, samples, derivatives, sums);
     } else {
       derivatives == Derivatives::none
           ? SumTerms<OrientedTerms<Polynomial, Derivatives::none>>(sum, samples, list, sums)

@@ -50,7 +50,8 @@ double cost_per_sample(const WaveMixture<Dim>& waves, const Vec<Dim>& step,
                        const std::array<AxisStep, Dim>& axes, Quantity quantity) {
   constexpr double kLeaf = 8.0;  // samples along a leaf's side, which needs coarse samples around it, too
   constexpr double kPerTap = 0.04;
-  constexpr double kDirectGradient = 2.2;  // times the cost of a value
+  // Times the cost of a value; alone 1.4 to 2.5 times, with the values 1.8 to 2.9.
+  constexpr double kDirectGradient = 2.2;
   const bool gradient = quantity == Quantity::gradient;
   double evaluated = 1.0;
   Vec<Dim> coarse = step;
