@@ -77,16 +77,16 @@ TEST(CompactKernel, AtAGivenRadiusHasTheLowestDegreeWithinTheError) {
     const CompactKernel cheapest = compact_kernel(kernel, setting.error);
     // Where the cheapest one reaches the error exactly, any margin lets the same degree pass.
     const double radius = cheapest.radius();
-    const CompactKernel same = compact_kernel(kernel, radius, setting.error * (1.0 + 1e-6));
+    const CompactKernel same = compact_kernel_at(kernel, radius, setting.error * (1.0 + 1e-6));
     EXPECT_EQ(same.degree(), cheapest.degree());
     EXPECT_EQ(same.radius(), radius);
-    EXPECT_LE(compact_kernel(kernel, 1.1 * radius, setting.error).relative_error(), setting.error);
+    EXPECT_LE(compact_kernel_at(kernel, 1.1 * radius, setting.error).relative_error(), setting.error);
   });
 }
 
 TEST(CompactKernel, RefusesARadiusThatLeavesTooMuchOutside) {
   const auto kernel = IsotropicGaborKernel<2>::with_unit_peak(1.0, 0.7);
-  EXPECT_THROW(compact_kernel(kernel, 0.5 * kernel.radius_for_error(0.02), 0.02), std::invalid_argument);
+  EXPECT_THROW(compact_kernel_at(kernel, 0.5 * kernel.radius_for_error(0.02), 0.02), std::invalid_argument);
 }
 
 TEST(CompactGaussian, HasTheRequestedErrorAgainstTheRadialGaussian) {

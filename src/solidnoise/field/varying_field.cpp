@@ -149,6 +149,7 @@ VaryingGaborOptions varying_options(const NoiseRecipe& octave, const KernelField
     varying.frequency = options.frequency;
     if (!fields.bandwidth) varying.bandwidth = options.bandwidth;
     varying.error = ErrorBudget(options.error).truncation;
+    varying.bounds_gradient = options.bounds_gradient;
     varying.impulses = options.impulses;
     varying.impulses_process = options.impulses_process;
     varying.kurtosis = options.kurtosis;

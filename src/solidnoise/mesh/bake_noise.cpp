@@ -188,7 +188,9 @@ class VertexLayers {
     if (!use.noise) return own_layer_noise(recipe_, kernel_, stretch, use.turn);
     const double filter = kernel_.filter / std::cbrt(stretch.x * stretch.y * stretch.z);
     return layer_noise(noise_of_layer(use.noise, own_), [this, stretch, filter](const NoiseRecipe& solid) {
-      return stretched(solid_noise_of(recipe_, solid, filter), stretch);
+      return stretched(
+          solid_noise_of(recipe_, kernel_.bounds_gradient ? bounding_gradient(solid) : solid, filter),
+          stretch);
     });
   }
 
@@ -252,7 +254,7 @@ std::vector<Vec<3>> slopes_of(const Field<3>& field, const Points<3>& points, do
   if (step == 0.0) {
     Components gradient;
     for (auto& derivative : gradient) derivative.resize(count);
-    field.evaluate(points, {values, {gradient[0], gradient[1], gradient[2]}});
+    field.evaluate(points, {values, {gradient[0], gradient[1], gradient[2]}, true});
     for (std::size_t i = 0; i < count; ++i) {
       const Vec<3> normal = glm::normalize(points.normals[i]);
       const Vec<3> slope(gradient[0][i], gradient[1][i], gradient[2][i]);
@@ -327,7 +329,8 @@ std::vector<Vec<3>> bake_slopes(const SurfaceNoiseRecipe& recipe, const SurfaceL
                                 const BakeVertices& vertices, Progress* progress) {
   validate(recipe, vertices);
   const Components directions = components_of(vertices.directions);
-  const SurfaceKernel kernel = kernel_of(recipe, vertices, directions);
+  SurfaceKernel kernel = kernel_of(recipe, vertices, directions);
+  kernel.bounds_gradient = true;
   VertexLayers made(recipe, layers, kernel, vertices);
   FieldPtr field = magnified(
       layers.layers.empty() ? make_surface_field(recipe, kernel) : made.make(layers.layers), vertices);

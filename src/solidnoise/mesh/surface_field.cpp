@@ -110,9 +110,9 @@ FieldPtr tangent_field(Noise noise, const KernelFields& fields) {
 
 // The options that all noises by example or of Gabor kernels have.
 template <typename Options>
-Options common_options(const SurfaceNoiseRecipe& recipe, double frequency) {
+Options common_options(const SurfaceNoiseRecipe& recipe, const SurfaceKernel& kernel) {
   Options options;
-  options.frequency = frequency;
+  options.frequency = kernel.frequency;
   options.seed = recipe.seed;
   if constexpr (requires { options.error; }) {
     options.error = recipe.error;
@@ -120,6 +120,7 @@ Options common_options(const SurfaceNoiseRecipe& recipe, double frequency) {
     options.impulses_process = recipe.impulses_process;
   }
   if constexpr (requires { options.kurtosis; }) options.kurtosis = recipe.kurtosis;
+  if constexpr (requires { options.bounds_gradient; }) options.bounds_gradient = kernel.bounds_gradient;
   if constexpr (requires { options.evolution; }) {
     if (recipe.dims == 3) options.evolution = recipe.evolution();
   }
@@ -133,16 +134,16 @@ Options common_options(const SurfaceNoiseRecipe& recipe, double frequency) {
 std::optional<NoiseRecipe> solid_recipe(const SurfaceNoiseRecipe& recipe, const SurfaceKernel& kernel) {
   switch (recipe.kind) {
     case SurfaceNoiseKind::solid: {
-      auto options = common_options<GaborNoiseOptions>(recipe, kernel.frequency);
+      auto options = common_options<GaborNoiseOptions>(recipe, kernel);
       options.bandwidth = kernel.bandwidth;
       if (may_filter(recipe)) options.filter = kernel.filter;
       return NoiseRecipe{options, recipe.fractal};
     }
     case SurfaceNoiseKind::kensler_solid:
-      return NoiseRecipe{common_options<GradientNoiseOptions>(recipe, kernel.frequency), recipe.fractal};
+      return NoiseRecipe{common_options<GradientNoiseOptions>(recipe, kernel), recipe.fractal};
     case SurfaceNoiseKind::spectrum: {
       if (has_direction(recipe)) return std::nullopt;
-      auto options = common_options<SpectrumNoiseOptions>(recipe, kernel.frequency);
+      auto options = common_options<SpectrumNoiseOptions>(recipe, kernel);
       options.model = recipe.exemplar;
       options.channel = recipe.channel;
       if (may_filter(recipe)) options.filter = kernel.filter;
@@ -160,17 +161,17 @@ std::optional<NoiseRecipe> solid_recipe(const SurfaceNoiseRecipe& recipe, const 
 template <typename Use>
 auto with_tangent_noise(const SurfaceNoiseRecipe& recipe, const SurfaceKernel& kernel, const Use& use) {
   if (recipe.kind == SurfaceNoiseKind::kensler) {
-    return use(ProjectedGradientNoise(common_options<ProjectedGradientOptions>(recipe, kernel.frequency)),
+    return use(ProjectedGradientNoise(common_options<ProjectedGradientOptions>(recipe, kernel)),
                KernelFields{});
   }
   if (recipe.kind == SurfaceNoiseKind::spectrum) {
-    auto options = common_options<SpectrumNoiseOptions>(recipe, kernel.frequency);
+    auto options = common_options<SpectrumNoiseOptions>(recipe, kernel);
     options.model = recipe.exemplar;
     options.channel = recipe.channel;
     options.filter = kernel.filter;
     return use(SurfaceSpectrumNoise(with_truncation_share(options), recipe.layer), kernel.fields);
   }
-  auto options = common_options<SurfaceGaborOptions>(recipe, kernel.frequency);
+  auto options = common_options<SurfaceGaborOptions>(recipe, kernel);
   options.bandwidth = kernel.bandwidth;
   options.layer = recipe.layer;
   options.unit = kernel.fields.unit;

@@ -38,6 +38,7 @@ struct SurfaceKernel {
   double bandwidth = 1.0;  // octaves
   KernelFields fields{};   // the direction is needed where has_direction(); of the others those that vary
   double filter = 0.0;     // BakeVertices::filter
+  bool bounds_gradient = false;  // as NoiseRecipes may: bounding_gradient()
 };
 
 // The noise of a recipe as a field of points of a surface: of unit variance, or that of the octaves where

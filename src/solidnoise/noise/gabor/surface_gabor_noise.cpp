@@ -56,7 +56,8 @@ StrataChoice surface_choice(const SurfaceGaborOptions& options, double half_thic
 
 SurfaceGaborNoise::SurfaceGaborNoise(const SurfaceGaborOptions& options)
     : options_(validated(options)),
-      family_(std::make_shared<KernelFamily>(2, options.waves, options.bandwidth, options.error)),
+      family_(std::make_shared<KernelFamily>(2, options.waves, options.bandwidth, options.error,
+                                             options.bounds_gradient)),
       kernel_(family_->at(options.bandwidth)) {
   if (options.filter > 0.0)
     filtered_ = family_->filtered(options.frequency, options.bandwidth, options.filter);

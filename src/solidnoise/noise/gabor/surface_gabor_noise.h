@@ -19,10 +19,11 @@ namespace solidnoise {
 
 // Parameters of Gabor noise on surfaces.
 struct SurfaceGaborOptions {
-  double frequency = 8.0;  // principal frequency F0, cycles per world unit; > 0
-  double bandwidth = 1.0;  // width of the band at half amplitude, octaves; 0.1 to 4
-  double error = 0.02;     // relative RMS error against the kernel of infinite support; 1e-4 to 0.5
-  double impulses = 0.0;   // mean impulses under one kernel, N; 0: the fewest that look Gaussian
+  double frequency = 8.0;        // principal frequency F0, cycles per world unit; > 0
+  double bandwidth = 1.0;        // width of the band at half amplitude, octaves; 0.1 to 4
+  double error = 0.02;           // relative RMS error against the kernel of infinite support; 1e-4 to 0.5
+  bool bounds_gradient = false;  // whether the gradient's error is within `error`, too, relative to itself
+  double impulses = 0.0;         // mean impulses under one kernel, N; 0: the fewest that look Gaussian
   ImpulseSpread impulses_process = ImpulseSpread::strata;
   // Mean excess kurtosis that strata may leave, where their number of impulses is chosen; 0.02 to 0.5.
   double kurtosis = kMeanKurtosis;

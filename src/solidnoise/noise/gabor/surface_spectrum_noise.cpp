@@ -17,6 +17,7 @@
 #include "solidnoise/noise/convolution/kernel_cells.h"
 #include "solidnoise/noise/gabor/spectrum_bands.h"
 #include "solidnoise/noise/gabor/wave_filter.h"
+#include "solidnoise/noise/kernel/compact_gradient.h"
 #include "solidnoise/noise/kernel/compact_kernel.h"
 #include "solidnoise/noise/kernel/gabor_parameters.h"
 #include "solidnoise/noise/point/point_convolution.h"
@@ -126,6 +127,10 @@ SurfaceSpectrumNoise::SurfaceSpectrumNoise(const SpectrumNoiseOptions& options, 
   const ImpulseBudget budget = share_impulses(shares_, options.impulses, options.impulses_process);
   if (options.impulses_process == ImpulseSpread::strata) densities_ = budget.densities;
   impulses_ = budget.impulses;
+  const auto gaussian_of = [&](const SpectrumBand& band, double error) {
+    return options.bounds_gradient ? compact_gaussian_with_gradient(band.a, rms_frequency(band), 2, error)
+                                   : compact_gaussian(band.a, 2, error);
+  };
   // Impulses, what they draw and the amplitude are those of the noise before it is filtered.
   const GaborSpectrum unfiltered = spectrum_;
   spectrum_.bands.clear();
@@ -133,7 +138,7 @@ SurfaceSpectrumNoise::SurfaceSpectrumNoise(const SpectrumNoiseOptions& options, 
     const auto& [variance, support, choice] = shares_[b];
     const SpectrumBand& band = unfiltered.bands[b];
     const double half_thickness = layer * choice.radius;
-    CompactKernel envelope = compact_gaussian(band.a, 2, options.error);
+    CompactKernel envelope = gaussian_of(band, options.error);
     KernelMoments moments = layer_moments(envelope, half_thickness);
     const auto layout =
         make_layout<3>(choice, budget.densities[b], options.impulses_process, envelope.radius(), Vec<4>(0.0));
@@ -156,7 +161,7 @@ SurfaceSpectrumNoise::SurfaceSpectrumNoise(const SpectrumNoiseOptions& options, 
         return after(filter.narrower * filter.narrower * square) / before(square);
       });
       weights = {weights.second * passed.second, weights.fourth * passed.fourth};
-      envelope = compact_gaussian(left.a, 2, share.error(options.error));
+      envelope = gaussian_of(left, share.error(options.error));
       moments = layer_moments(envelope, half_thickness);
       amplitude *= filter.amplitude(2);
       spectrum_.bands.push_back(left);

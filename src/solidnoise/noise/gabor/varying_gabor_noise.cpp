@@ -65,7 +65,8 @@ StrataChoice varying_choice(const VaryingGaborOptions& options) {
 template <int Dim>
 VaryingGaborNoise<Dim>::VaryingGaborNoise(const VaryingGaborOptions& options)
     : options_(validated(options)),
-      family_(std::make_shared<KernelFamily>(Dim, options.waves, options.bandwidth, options.error)),
+      family_(std::make_shared<KernelFamily>(Dim, options.waves, options.bandwidth, options.error,
+                                             options.bounds_gradient)),
       kernel_(family_->at(options.bandwidth)) {
   if (options.filter > 0.0)
     filtered_ = family_->filtered(options.frequency, options.bandwidth, options.filter);

@@ -28,6 +28,15 @@ double gradient_error(const IsotropicGaborKernel<Dim>& kernel, const CompactKern
   return std::sqrt(unit_sphere_area(Dim) * shells / kernel.gradient_energy());
 }
 
+template <int Dim>
+double gradient_beyond(const IsotropicGaborKernel<Dim>& kernel, double radius) {
+  const double end = std::max(radius, kNegligibleFrom / kernel.a());
+  const auto missing = [&](double r) { return std::pow(kernel.derivative(r), 2) * std::pow(r, Dim - 1); };
+  const int panels = 4 + static_cast<int>(kernel.frequency() * (end - radius));
+  return std::sqrt(unit_sphere_area(Dim) * integrate(missing, radius, end, panels) /
+                   kernel.gradient_energy());
+}
+
 double gradient_error(double a, double frequency, int dimensions, const CompactKernel& envelope) {
   // Along one axis: of the Gaussian's square and of its slope's, and of their products with the envelope's.
   // The envelope's square is what it has of the Gaussian, for it is the best one.
@@ -51,24 +60,61 @@ double gradient_error(double a, double frequency, int dimensions, const CompactK
   return std::sqrt(missing / whole);
 }
 
-CompactKernel compact_envelope_with_gradient(double a, double frequency, int dimensions, double error) {
+double gradient_error(double a, double frequency, const CompactKernel& gaussian) {
+  const int n = gaussian.dimensions();
+  const double energy = std::pow(std::numbers::sqrt2 * a, -n);
+  const double slope_energy = n * kPi * a * a * energy;
+  const double slope_common = unit_sphere_area(n) * integrate(
+                                                        [&](double r) {
+                                                          return -2.0 * kPi * a * a * r *
+                                                                 std::exp(-kPi * a * a * r * r) *
+                                                                 gaussian.derivative(r) * std::pow(r, n - 1);
+                                                        },
+                                                        0.0, gaussian.radius(), 4);
+  const double wave = std::pow(2.0 * kPi * frequency, 2);
+  const double missing =
+      slope_energy - 2.0 * slope_common + gaussian.gradient_energy() + wave * (energy - gaussian.energy());
+  return std::sqrt(missing / (slope_energy + wave * energy));
+}
+
+namespace {
+
+// What make(e) makes within an error e of values, e such that of_gradient() of it is within `error`.
+template <typename Make, typename OfGradient>
+CompactKernel within_gradient(double error, const Make& make, const OfGradient& of_gradient) {
   constexpr double kLeast = 1e-5;  // that envelopes can be made with
   constexpr double kMargin = 0.99;
-  const auto of_gradient = [&](const CompactKernel& envelope) {
-    return gradient_error(a, frequency, dimensions, envelope);
-  };
   double own = error;
-  CompactKernel envelope = compact_envelope(a, dimensions, own);
+  CompactKernel envelope = make(own);
   for (double found = of_gradient(envelope); found > error && own > kLeast; found = of_gradient(envelope)) {
     own = std::max(kLeast, own * kMargin * error / found);
-    envelope = compact_envelope(a, dimensions, own);
+    envelope = make(own);
   }
   return envelope;
+}
+
+}  // namespace
+
+CompactKernel compact_envelope_with_gradient(double a, double frequency, int dimensions, double error) {
+  return within_gradient(
+      error, [&](double own) { return compact_envelope(a, dimensions, own); },
+      [&](const CompactKernel& envelope) { return gradient_error(a, frequency, dimensions, envelope); });
+}
+
+CompactKernel compact_gaussian_with_gradient(double a, double frequency, int dimensions, double error) {
+  return within_gradient(
+      error, [&](double own) { return compact_gaussian(a, dimensions, own); },
+      [&](const CompactKernel& gaussian) { return gradient_error(a, frequency, gaussian); });
 }
 
 template double gradient_error(const IsotropicGaborKernel<1>&, const CompactKernel&);
 template double gradient_error(const IsotropicGaborKernel<2>&, const CompactKernel&);
 template double gradient_error(const IsotropicGaborKernel<3>&, const CompactKernel&);
 template double gradient_error(const IsotropicGaborKernel<4>&, const CompactKernel&);
+
+template double gradient_beyond(const IsotropicGaborKernel<1>&, double);
+template double gradient_beyond(const IsotropicGaborKernel<2>&, double);
+template double gradient_beyond(const IsotropicGaborKernel<3>&, double);
+template double gradient_beyond(const IsotropicGaborKernel<4>&, double);
 
 }  // namespace solidnoise

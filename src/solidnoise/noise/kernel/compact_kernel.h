@@ -114,6 +114,7 @@ CompactKernel compact_gaussian(double a, int dimensions, double error);
 // parameters, compact on similar radii, are then alike, which the cheapest ones above need not be. Throws
 // std::invalid_argument if the kernel has too much of its energy outside of the radius.
 template <int Dim>
-CompactKernel compact_kernel(const IsotropicGaborKernel<Dim>& kernel, double radius, double error);
+CompactKernel compact_kernel_at(const IsotropicGaborKernel<Dim>& kernel, double radius, double error,
+                                bool bounds_gradient = false);
 
 }  // namespace solidnoise

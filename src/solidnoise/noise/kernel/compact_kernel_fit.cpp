@@ -129,12 +129,9 @@ CompactKernel best_compact(const RadialFunction& function, const ImpulseCost& co
 CompactKernel compact_at(const RadialFunction& function, double radius, double error) {
   for (int degree = 16 + static_cast<int>(2.0 * kPi * function.frequency * radius);; degree *= 2) {
     const auto basis = tapered_basis(function, degree);
-    const Eigen::VectorXd coefficients = basis->project(function.value, radius);
-    double left = function.energy / std::pow(radius, function.dimensions);
-    const double allowed = error * error * left;
-    for (int k = 0; k <= degree; ++k) {
-      left -= coefficients[k] * coefficients[k];
-      if (k >= 1 && left <= allowed) return assemble(function, *basis, {k, radius});
+    const RadialFit fit(function, *basis, radius);
+    for (int k = 1; k <= degree; ++k) {
+      if (fit.error(k) <= error * error) return assemble(function, *basis, {k, radius});
     }
     if (degree > kMostDegree) {
       throw std::invalid_argument(fmt::format(
@@ -143,22 +140,25 @@ CompactKernel compact_at(const RadialFunction& function, double radius, double e
   }
 }
 
+template <int Dim>
+RadialFunction function_of(const IsotropicGaborKernel<Dim>& kernel, double tail_radius,
+                           bool bounds_gradient) {
+  RadialFunction function{
+      Dim, [&](double r) { return kernel.value(r); }, kernel.energy(), tail_radius, kernel.frequency(), {}};
+  if (bounds_gradient) {
+    function.slope = [&](double r) { return kernel.derivative(r); };
+    function.slope_energy = kernel.gradient_energy();
+  }
+  return function;
+}
+
 }  // namespace
 
 template <int Dim>
 CompactKernel compact_kernel(const IsotropicGaborKernel<Dim>& kernel, double error, bool bounds_gradient) {
   require_in_range("error", error, 1e-5, 0.9, "relative RMS error");
-  RadialFunction function{Dim,
-                          [&](double r) { return kernel.value(r); },
-                          kernel.energy(),
-                          kernel.radius_for_error(error),
-                          kernel.frequency(),
-                          {}};
-  if (bounds_gradient) {
-    function.slope = [&](double r) { return kernel.derivative(r); };
-    function.slope_energy = kernel.gradient_energy();
-  }
-  return best_compact(function, ImpulseCost{5, Dim}, error);
+  return best_compact(function_of(kernel, kernel.radius_for_error(error), bounds_gradient),
+                      ImpulseCost{5, Dim}, error);
 }
 
 CompactKernel compact_envelope(double a, int dimensions, double error) {
@@ -176,11 +176,10 @@ CompactKernel compact_envelope(double a, int dimensions, double error) {
 }
 
 template <int Dim>
-CompactKernel compact_kernel(const IsotropicGaborKernel<Dim>& kernel, double radius, double error) {
+CompactKernel compact_kernel_at(const IsotropicGaborKernel<Dim>& kernel, double radius, double error,
+                                bool bounds_gradient) {
   require_in_range("error", error, 1e-5, 0.9, "relative RMS error");
-  return compact_at(
-      {Dim, [&](double r) { return kernel.value(r); }, kernel.energy(), radius, kernel.frequency(), {}},
-      radius, error);
+  return compact_at(function_of(kernel, radius, bounds_gradient), radius, error);
 }
 
 CompactKernel compact_gaussian(double a, int dimensions, double error) {
@@ -200,9 +199,9 @@ template CompactKernel compact_kernel(const IsotropicGaborKernel<1>&, double, bo
 template CompactKernel compact_kernel(const IsotropicGaborKernel<2>&, double, bool);
 template CompactKernel compact_kernel(const IsotropicGaborKernel<3>&, double, bool);
 template CompactKernel compact_kernel(const IsotropicGaborKernel<4>&, double, bool);
-template CompactKernel compact_kernel(const IsotropicGaborKernel<1>&, double, double);
-template CompactKernel compact_kernel(const IsotropicGaborKernel<2>&, double, double);
-template CompactKernel compact_kernel(const IsotropicGaborKernel<3>&, double, double);
-template CompactKernel compact_kernel(const IsotropicGaborKernel<4>&, double, double);
+template CompactKernel compact_kernel_at(const IsotropicGaborKernel<1>&, double, double, bool);
+template CompactKernel compact_kernel_at(const IsotropicGaborKernel<2>&, double, double, bool);
+template CompactKernel compact_kernel_at(const IsotropicGaborKernel<3>&, double, double, bool);
+template CompactKernel compact_kernel_at(const IsotropicGaborKernel<4>&, double, double, bool);
 
 }  // namespace solidnoise

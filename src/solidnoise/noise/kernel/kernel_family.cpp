@@ -7,6 +7,7 @@
 #include "solidnoise/core/check.h"
 #include "solidnoise/core/numerics.h"
 #include "solidnoise/core/special_functions.h"
+#include "solidnoise/noise/kernel/compact_gradient.h"
 #include "solidnoise/noise/kernel/gabor_kernel.h"
 #include "solidnoise/noise/kernel/gabor_parameters.h"
 #include "solidnoise/noise/kernel/isotropic_gabor_kernel.h"
@@ -41,24 +42,25 @@ CompactKernel on_unit_ball(const CompactKernel& kernel) {
 
 // Of frequency 1, so that radii are in cycles; at a given radius, or, if that is 0, at the cheapest one.
 template <int Dim>
-CompactKernel fit_isotropic(double a, double radius, double error) {
+CompactKernel fit_isotropic(double a, double radius, double error, bool bounds_gradient) {
   const auto kernel = IsotropicGaborKernel<Dim>::with_unit_peak(1.0, a);
-  if (radius == 0.0) return compact_kernel(kernel, error);
+  if (radius == 0.0) return compact_kernel(kernel, error, bounds_gradient);
   // At a given a R the truncation error depends on the bandwidth a little; what it leaves is for the fit.
-  return compact_kernel(kernel, radius,
-                        std::fmin(0.9, std::fmax(error, 1.5 * kernel.relative_error(radius))));
+  double beyond = kernel.relative_error(radius);
+  if (bounds_gradient) beyond = std::fmax(beyond, gradient_beyond(kernel, radius));
+  return compact_kernel_at(kernel, radius, std::fmin(0.9, std::fmax(error, 1.5 * beyond)), bounds_gradient);
 }
 
-CompactKernel fit_isotropic(int dimensions, double a, double radius, double error) {
+CompactKernel fit_isotropic(int dimensions, double a, double radius, double error, bool bounds_gradient) {
   switch (dimensions) {
     case 1:
-      return fit_isotropic<1>(a, radius, error);
+      return fit_isotropic<1>(a, radius, error, bounds_gradient);
     case 2:
-      return fit_isotropic<2>(a, radius, error);
+      return fit_isotropic<2>(a, radius, error, bounds_gradient);
     case 3:
-      return fit_isotropic<3>(a, radius, error);
+      return fit_isotropic<3>(a, radius, error, bounds_gradient);
     default:
-      return fit_isotropic<4>(a, radius, error);
+      return fit_isotropic<4>(a, radius, error, bounds_gradient);
   }
 }
 
@@ -91,16 +93,23 @@ int KernelFamily::Member::degree() const {
   return static_cast<int>(size) - 1;
 }
 
-KernelFamily::KernelFamily(int dimensions, GaborWaves waves, double bandwidth, double error)
-    : dimensions_(dimensions), waves_(waves), bandwidth_(bandwidth), error_(error) {
+KernelFamily::KernelFamily(int dimensions, GaborWaves waves, double bandwidth, double error,
+                           bool bounds_gradient)
+    : dimensions_(dimensions),
+      waves_(waves),
+      bandwidth_(bandwidth),
+      error_(error),
+      bounds_gradient_(bounds_gradient) {
   require_in_range("bandwidth", bandwidth, kLeastBandwidth, kMostBandwidth, "octaves");
   const double a = gaussian_parameter(1.0, bandwidth);
   if (waves == GaborWaves::oriented) {
-    const CompactKernel envelope = compact_gaussian(1.0, dimensions, error);
+    const CompactKernel envelope = bounds_gradient
+                                       ? compact_gaussian_with_gradient(1.0, 1.0 / a, dimensions, error)
+                                       : compact_gaussian(1.0, dimensions, error);
     radius_times_a_ = envelope.radius();
     reference_.emplace(on_unit_ball(envelope));
   } else {
-    const CompactKernel kernel = fit_isotropic(dimensions, a, 0.0, error);
+    const CompactKernel kernel = fit_isotropic(dimensions, a, 0.0, error, bounds_gradient);
     radius_times_a_ = kernel.radius() * a;
     reference_.emplace(on_unit_ball(kernel));
   }
@@ -124,9 +133,9 @@ std::unique_ptr<const KernelFamily::Tabulated> KernelFamily::make(int step) cons
   const double cycles = reference_cycles_ + step * kStep;
   // Gaussians of the same a R are the same.
   const bool reference = step == 0 || waves_ == GaborWaves::oriented;
-  CompactKernel kernel =
-      reference ? *reference_
-                : on_unit_ball(fit_isotropic(dimensions_, radius_times_a_ / cycles, cycles, error_));
+  CompactKernel kernel = reference ? *reference_
+                                   : on_unit_ball(fit_isotropic(dimensions_, radius_times_a_ / cycles, cycles,
+                                                                error_, bounds_gradient_));
   const bool power = kernel.well_conditioned() && kernel.degree() <= kMostHornerDegree;
   auto made = std::make_unique<Tabulated>(Tabulated{std::move(kernel), cycles, power, {}, {}});
   for (const double c : made->kernel.power_coefficients())

@@ -36,9 +36,10 @@ class KernelFamily {
   static constexpr double kStep = 0.05;         // between tabulated kernels, in cycles
   static constexpr int kMostHornerDegree = 12;  // that Horner's rule is compiled for
 
-  // `bandwidth`: the reference, in octaves; `error`: relative RMS error of its compact kernel. Others may
-  // have an error up to three times that.
-  KernelFamily(int dimensions, GaborWaves waves, double bandwidth, double error);
+  // `bandwidth`: the reference, in octaves; `error`: relative RMS error of its compact kernel, of values, or
+  // of values and gradient. Others may have an error up to three times that.
+  KernelFamily(int dimensions, GaborWaves waves, double bandwidth, double error,
+               bool bounds_gradient = false);
 
   int dimensions() const { return dimensions_; }
   GaborWaves waves() const { return waves_; }
@@ -107,6 +108,7 @@ class KernelFamily {
   GaborWaves waves_;
   double bandwidth_;
   double error_;
+  bool bounds_gradient_;
   double radius_times_a_ = 0.0;
   double nominal_share_ = 1.0;
   double reference_cycles_ = 0.0;
