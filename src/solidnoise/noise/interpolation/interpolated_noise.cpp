@@ -40,7 +40,7 @@ class InterpolatedBlock final : public FieldBlock<Dim> {
     if (!gradient && samples.wants_gradient()) {
       evaluate_directly(lattice, samples);
     } else if (samples.gradient_alone) {
-      std::ranges::fill(samples.values, 0.0f);
+      std::fill(samples.values.begin(), samples.values.end(), 0.0f);
     } else if (!values) {
       evaluate_directly(lattice, {samples.values});
     }
