@@ -47,29 +47,38 @@ class HornerSum {
 
 // The polynomials of one vector of points; of two impulses at once, which share the loading of the
 // coefficients.
+// Of a degree that is known to the compiler, or of any.
+inline constexpr int kAnyDegree = 0;
 template <int kDegree>
 struct PointHorner {
   static constexpr int kPower = kRadialTaper;  // of t that makes a kernel of it
 
   HWY_INLINE PointHorner(const PointPolynomials& polynomials, int lane)
-      : coefficients(polynomials.coefficients + lane) {}
+      : coefficients(polynomials.coefficients + lane),
+        degree(kDegree == kAnyDegree ? polynomials.degree : kDegree) {}
 
   template <Derivatives kDerivatives>
   HWY_INLINE void sum(V v0, V v1, Jet<V>& p0, Jet<V>& p1) const {
     const Tag d;
-    const V highest = hn::Load(d, coefficients + kDegree * PointCluster::kSamples);
+    const V highest = hn::Load(d, coefficients + degree * PointCluster::kSamples);
     HornerSum<kDerivatives> sum0(v0, highest), sum1(v1, highest);
-    HWY_UNROLL(12)
-    for (int k = kDegree - 1; k >= 0; --k) {
+    const auto add = [&](int k) HWY_ATTR {
       const V c = hn::Load(d, coefficients + k * PointCluster::kSamples);
       sum0.add(c);
       sum1.add(c);
+    };
+    if constexpr (kDegree == kAnyDegree) {
+      for (int k = degree - 1; k >= 0; --k) add(k);
+    } else {
+      HWY_UNROLL(12)
+      for (int k = kDegree - 1; k >= 0; --k) add(k);
     }
     p0 = sum0.jet();
     p1 = sum1.jet();
   }
 
   const float* coefficients;
+  int degree;
 };
 
 // Clenshaw's recurrence in Chebyshev polynomials of 2 v, and its derivative by v.

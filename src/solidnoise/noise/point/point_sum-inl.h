@@ -160,6 +160,8 @@ void SumWithPolynomial(const PointCluster& cluster, const PointPolynomials& poly
     SumTerms<Terms>(polynomials, cluster, impulses, sums);
   };
   if (!polynomials.power) return sum.template operator()<PointClenshaw>();
+  // Half of the code would be for gradients, which few want: in a loop they take as long.
+  if constexpr (kDerivatives != Derivatives::none) return sum.template operator()<PointHorner<kAnyDegree>>();
   if (polynomials.degree <= 4) return sum.template operator()<PointHorner<4>>();
   if (polynomials.degree <= 8) return sum.template operator()<PointHorner<8>>();
   sum.template operator()<PointHorner<12>>();
