@@ -8,8 +8,6 @@
 #include <benchmark/benchmark.h>
 
 #include "blocks.h"
-#include "solidnoise/noise/interpolation/axis_weights.h"
-
 namespace solidnoise::bench {
 
 // A different block for each iteration, in the order in which a volume's blocks are filled.
@@ -22,13 +20,16 @@ Index<Dim> block_corner(std::int64_t iteration, int thread, int side = kBlock) {
   return corner;
 }
 
+// What of a noise is evaluated.
+enum class Evaluated { values, values_and_gradient, gradient };
+
 template <int Dim>
 void evaluate_blocks(benchmark::State& state, const Noise<Dim>& noise, int side = kBlock,
-                     Quantity quantity = Quantity::values) {
+                     Evaluated evaluated = Evaluated::values) {
   constexpr std::size_t kVoxels = kLeaf * kLeaf * kLeaf;
   std::vector<float> memory((1 + Dim) * kVoxels);
-  Samples<Dim> samples{std::span(memory).first(kVoxels), {}};
-  for (std::size_t axis = 0; quantity == Quantity::gradient && axis < Dim; ++axis) {
+  Samples<Dim> samples{std::span(memory).first(kVoxels), {}, evaluated == Evaluated::gradient};
+  for (std::size_t axis = 0; evaluated != Evaluated::values && axis < Dim; ++axis) {
     samples.gradient[axis] = std::span(memory).subspan((1 + axis) * kVoxels, kVoxels);
   }
   std::int64_t iteration = 0;
