@@ -68,6 +68,10 @@ INSTANTIATE_TEST_SUITE_P(
         std::vector<std::string>{"--on", "values.vdb", "--combine", "add"},
         std::vector<std::string>{"--on", "surface.vdb", "--raw", "--displace", "0.02"},
         std::vector<std::string>{"--on", "surface.vdb", "--raw", "--displace", "0.1"},
+        std::vector<std::string>{"--on", "surface.vdb", "--raw", "--octaves", "5", "--gain", "0.9",
+                                 "--displace", "0.05"},
+        std::vector<std::string>{"--on", "surface.vdb", "--raw", "--range", "signed", "--displace", "0.5"},
+        std::vector<std::string>{"--on", "surface.vdb", "--raw", "--range", "unit", "--displace", "0.2"},
         std::vector<std::string>{"--on", "small.vdb", "--raw", "--displace", "2"},
         std::vector<std::string>{"--preset", "velocity", "--dim", "96", "--boundary", "surface.vdb"}));
 

@@ -316,5 +316,24 @@ TEST(DisplaceLevelSet, SteepSpikesDoNotTear) {
   EXPECT_EQ(parts_of(*moved), 1u);
 }
 
+// What estimate_displaced_voxels() says, over what there are.
+TEST(DisplaceLevelSet, EstimatesTheVoxelsOfTheMovedBand) {
+  for (const double half_width : {3.0, 9.0}) {
+    const FloatGrid::Ptr ball = sphere(half_width);
+    for (const double frequency : {1.0, 6.0}) {
+      NoiseRecipe recipe;
+      recipe.noise = GaborNoiseOptions{.frequency = frequency};
+      const auto noise = make_noise<3>(recipe);
+      for (const double amount : {0.005, 0.03, 0.1}) {
+        const FloatGrid::Ptr moved = displace_level_set(*ball, *noise, amount);
+        const double ratio = estimate_displaced_voxels(*ball, amount, frequency) /
+                             static_cast<double>(moved->activeVoxelCount());
+        EXPECT_GT(ratio, 0.8) << half_width << " voxels, " << frequency << " by " << amount;
+        EXPECT_LT(ratio, 1.7) << half_width << " voxels, " << frequency << " by " << amount;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace solidnoise::displace_level_set_test

@@ -1,5 +1,6 @@
 #include "solidnoise/volume/modified_volume.h"
 
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 #include <variant>
@@ -14,16 +15,30 @@ bool is_raw(const VolumeRecipe& recipe) {
   return std::holds_alternative<RawShaping>(recipe.shaping);
 }
 
-// Beyond so many sigmas a noise goes next to never: one value in 5e8 of a Gaussian does.
-constexpr double kMostSigmas = 6.0;
-
-double sigma_of(const VolumeRecipe& recipe) {
+// The root mean square of what displaces, which in no range but the noise's own exceeds 1.
+double size_of(const VolumeRecipe& recipe) {
   const auto* const raw = std::get_if<RawShaping>(&recipe.shaping);
-  return raw && raw->range == RawShaping::Range::raw ? 1.0 : 1.0 / kMostSigmas;
+  const auto range = raw != nullptr ? raw->range : RawShaping::Range::unit;
+  constexpr double kThird = 1.0 / 3.0;
+  if (range == RawShaping::Range::signed_values) return kThird;
+  if (range == RawShaping::Range::unit) return std::hypot(0.5, 0.5 * kThird);
+  double variance = 0.0;
+  for (const double amplitude : recipe.noise.fractal.amplitudes()) variance += amplitude * amplitude;
+  return std::sqrt(variance);
 }
 
+// That of a wave whose slope is the noise's, root mean square, cycles per world unit.
 double frequency_of(const VolumeRecipe& recipe) {
-  return std::visit([](const auto& options) { return options.frequency; }, recipe.noise.noise);
+  const FractalOptions& fractal = recipe.noise.fractal;
+  double slopes = 0.0;
+  double variance = 0.0;
+  for (int k = 0; k < fractal.octaves; ++k) {
+    const double power = std::pow(fractal.amplitude_ratio(k), 2);
+    slopes += power * std::pow(fractal.frequency_ratio(k), 2);
+    variance += power;
+  }
+  const double first = std::visit([](const auto& options) { return options.frequency; }, recipe.noise.noise);
+  return first * std::sqrt(slopes / variance);
 }
 
 // Noise that is a fraction, which is what erodes.
@@ -63,11 +78,11 @@ ModificationPlan plan_modification(const VolumeRecipe& recipe, Progress* progres
 }
 
 std::uint64_t estimate_memory(const VolumeRecipe& recipe, const ModificationPlan& plan) {
-  return plan.memory(frequency_of(recipe), sigma_of(recipe));
+  return plan.memory(frequency_of(recipe), size_of(recipe));
 }
 
 double estimate_voxels(const VolumeRecipe& recipe, const ModificationPlan& plan) {
-  return plan.voxels(frequency_of(recipe), sigma_of(recipe));
+  return plan.voxels(frequency_of(recipe), size_of(recipe));
 }
 
 bool scales_density(const VolumeRecipe& recipe, const Modification& modification) {

@@ -28,11 +28,11 @@ openvdb::FloatGrid::Ptr displace_level_set(const openvdb::FloatGrid& level_set, 
                                            double amount, Progress* progress = nullptr);
 
 // Voxels of the moved band, about, of a surface of area A that noise of unit variance and `frequency` f
-// (cycles per world unit) moves by `amount` a, > 0, a sigma. A grows with the square of 1 + 2 a / sqrt(A / 4
-// pi) and as a graph of such a noise does: by E sqrt(1 + |g|^2), about sqrt(1 + pi / 4 E|g|^2), where E|g|^2
-// = 2/3 (2 pi f a)^2 is its slope along the surface; where waves are near, their bands share the room that
-// they sweep. Measured on a torus, moved by .002 to .1 of its radii in waves of .2 to .016 of them: .9 to 1.6
-// of the voxels that are made; moved by .5: 1.4 to 2.4.
+// (cycles per world unit) moves by `amount` a a sigma, to either side. A grows with the square of 1 + 2 a /
+// sqrt(A / 4 pi) and as a graph of such a noise does: by E sqrt(1 + |g|^2), about sqrt(1 + pi / 4 E|g|^2),
+// where E|g|^2 = 2/3 (2 pi f a)^2 is its slope along the surface; where waves are near, their bands share the
+// room that they sweep. Measured on a torus, moved by .002 to .1 of its radii in waves of .2 to .016 of them:
+// .9 to 1.6 of the voxels that are made; moved by .5: 1.4 to 2.4.
 double estimate_displaced_voxels(const openvdb::FloatGrid& level_set, double amount, double frequency);
 
 // Bytes that this takes at most, beside the level set itself.

@@ -29,7 +29,7 @@ struct ModificationPlan {
   std::optional<GridFrame> frame() const;  // of the grid, where its transform is axis-aligned
 
   // Voxels that are made, about: of a displaced surface more than the grid has, where noise of `frequency`
-  // (cycles per world unit) and standard deviation `sigma` moves it.
+  // (cycles per world unit) and root mean square `sigma` moves it.
   double voxels(double frequency, double sigma) const;
   // Bytes that all of it takes at most then, files included.
   std::uint64_t memory(double frequency, double sigma) const;
