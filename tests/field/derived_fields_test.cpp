@@ -68,14 +68,22 @@ TEST(GradientField, IsTheSameWithoutTheValues) {
   oriented.noise = OrientedGaborNoiseOptions{.frequency = 1.0};
   const Lattice<3> lattice = some_lattice();
   const LatticeFrame<3> frame{lattice.origin, lattice.step};
+  const auto long_waves = [&](Quantity quantity) {
+    NoiseRecipe recipe;
+    recipe.noise = GaborNoiseOptions{.frequency = 0.25};
+    const std::shared_ptr<const Noise<3>> direct = make_noise<3>(recipe);
+    const auto interpolated = interpolate<3>(direct, frame, 0.02, quantity);
+    EXPECT_NE(interpolated, direct);
+    return interpolated;
+  };
   const auto combined = [&](Layer::Combine how) {
     return combine(how, {noise(1), absolute(noise(2), 1.5), noise(3)});
   };
   const std::vector<std::pair<std::string, FieldPtr>> fields{
       {"noise", noise(1)},
       {"oriented", make_noise<3>(oriented)},
-      {"interpolated", interpolate<3>(noise(1), frame, 0.02)},
-      {"interpolated gradient", interpolate<3>(noise(1), frame, 0.02, Quantity::gradient)},
+      {"interpolated", long_waves(Quantity::values)},
+      {"interpolated gradient", long_waves(Quantity::gradient)},
       {"absolute", absolute(noise(1), 1.0)},
       {"stretched", stretched(absolute(noise(1), 1.0), Vec<3>(1.0, 2.0, 3.0))},
       {"sum", combined(Layer::Combine::sum)},

@@ -135,11 +135,12 @@ struct BakedLayers {
 BakedLayers bake_layers(const SurfaceNoiseRecipe& recipe, const SurfaceLayers& layers,
                         const BakeVertices& vertices, Progress* progress = nullptr);
 
-// The derivatives along the surface, per world unit, within the recipe's error as values are, of what
-// bake_noise() or, of layers, bake_layers() gives, or of the first property, if there is one, with normals,
-// kernels and what steers held fixed. In closed form where all that they are made of has a gradient, else by
-// differences over a 500th of a wave to each side. Of layers and properties that are filtered by differences
-// over the filter's deviation: ramps may step within less, and have slopes there that no texel is as wide as.
+// The derivatives along the surface, per world unit, of what bake_noise() or, of layers, bake_layers() gives,
+// or of the first property, if there is one, with normals, kernels and what steers held fixed. In closed form
+// where all that they are made of has a gradient, else by differences over a 500th of a wave to each side. Of
+// layers and properties that are filtered by differences over the filter's deviation: ramps may step within
+// less, and have slopes there that no texel is as wide as. Kernels keep the recipe's error for the gradient,
+// too (bounding_gradient()), relative to its own root mean square; where they vary, up to three times that.
 std::vector<Vec<3>> bake_slopes(const SurfaceNoiseRecipe& recipe, const SurfaceLayers& layers,
                                 const BakeVertices& vertices, Progress* progress = nullptr);
 

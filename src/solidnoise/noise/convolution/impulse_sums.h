@@ -160,7 +160,7 @@ struct RadialPolynomial {
   bool power = true;         // P in powers of v, of an even degree; or t^(k - 2) P in Chebyshev
                              // polynomials of 2 v
   std::vector<float> value;  // coefficients, from degree 0
-  std::vector<float> slope;  // likewise, of Q: the sum's derivative by t is w t^(k - 1) Q(v), or w t Q
+  std::vector<float> slope;  // likewise, of Q or t^(k - 2) Q: the derivative by t is w t^(k - 1) Q(v)
 };
 
 // Sums of an isotropic kernel. Attribute 0 of the list is the impulse's weight.

@@ -64,13 +64,11 @@ double gradient_error(double a, double frequency, const CompactKernel& gaussian)
   const int n = gaussian.dimensions();
   const double energy = std::pow(std::numbers::sqrt2 * a, -n);
   const double slope_energy = n * kPi * a * a * energy;
-  const double slope_common = unit_sphere_area(n) * integrate(
-                                                        [&](double r) {
-                                                          return -2.0 * kPi * a * a * r *
-                                                                 std::exp(-kPi * a * a * r * r) *
-                                                                 gaussian.derivative(r) * std::pow(r, n - 1);
-                                                        },
-                                                        0.0, gaussian.radius(), 4);
+  const auto common = [&](double r) {
+    const double slope = -2.0 * kPi * a * a * r * std::exp(-kPi * a * a * r * r);
+    return slope * gaussian.derivative(r) * std::pow(r, n - 1);
+  };
+  const double slope_common = unit_sphere_area(n) * integrate(common, 0.0, gaussian.radius(), 4);
   const double wave = std::pow(2.0 * kPi * frequency, 2);
   const double missing =
       slope_energy - 2.0 * slope_common + gaussian.gradient_energy() + wave * (energy - gaussian.energy());

@@ -42,9 +42,9 @@ class CompactKernel {
   // t^(k - 2) Q, likewise.
   std::span<const double> chebyshev_slope() const { return slope_; }
 
-  // Whether Horner's rule in single precision adds an RMS error, relative to the kernel, of at most a
-  // hundredth of relative_error() and 3e-5; measured at construction. Nearly all kernels of half an octave or
-  // more are. Otherwise use Clenshaw's rule, which in single precision adds less than 1e-4 for bandwidths
+  // Whether Horner's rule in single precision adds an RMS error to values, relative to the kernel, of at most
+  // a hundredth of relative_error() and 3e-5; measured at construction. Nearly all kernels of half an octave
+  // or more are. Otherwise use Clenshaw's rule, which in single precision adds less than 1e-4 for bandwidths
   // from 0.1 octaves and 1e-3 at 0.05 octaves.
   bool well_conditioned() const { return well_conditioned_; }
 
@@ -110,7 +110,8 @@ CompactKernel compact_envelope(double a, int dimensions, double error);
 // (d + 17) R^dimensions, for it is multiplied by a wave.
 CompactKernel compact_gaussian(double a, int dimensions, double error);
 
-// The compact kernel of a given radius, of the lowest degree >= 1 within the error. Kernels of similar
+// The compact kernel of a given radius, of the lowest degree >= 1 within the error, of values or, with
+// `bounds_gradient`, of both. Kernels of similar
 // parameters, compact on similar radii, are then alike, which the cheapest ones above need not be. Throws
 // std::invalid_argument if the kernel has too much of its energy outside of the radius.
 template <int Dim>

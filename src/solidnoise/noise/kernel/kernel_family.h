@@ -37,7 +37,8 @@ class KernelFamily {
   static constexpr int kMostHornerDegree = 12;  // that Horner's rule is compiled for
 
   // `bandwidth`: the reference, in octaves; `error`: relative RMS error of its compact kernel, of values, or
-  // of values and gradient. Others may have an error up to three times that.
+  // of values and gradient (of waves on average over their phases). Others may have an error up to three
+  // times that.
   KernelFamily(int dimensions, GaborWaves waves, double bandwidth, double error,
                bool bounds_gradient = false);
 

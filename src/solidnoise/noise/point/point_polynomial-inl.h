@@ -45,10 +45,10 @@ class HornerSum {
   Jet<V> sum_;
 };
 
-// The polynomials of one vector of points; of two impulses at once, which share the loading of the
-// coefficients.
-// Of a degree that is known to the compiler, or of any.
 inline constexpr int kAnyDegree = 0;
+
+// The polynomials of one vector of points, of a degree that is known to the compiler, or of any; of two
+// impulses at once, which share the loading of the coefficients.
 template <int kDegree>
 struct PointHorner {
   static constexpr int kPower = kRadialTaper;  // of t that makes a kernel of it
