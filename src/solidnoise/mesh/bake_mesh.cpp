@@ -320,6 +320,7 @@ BakedMesh bake(const BakePlan& plan, const BakeRecipe& recipe, const std::vector
   wishes.slopes = std::any_of(keep.begin(), keep.end(), [](const std::string& name) {
     return find_keepable(name).needs == Needs::slopes;
   });
+  wishes.bounds_gradient = wishes.slopes;
   BakedValues values = bake_values(plan, recipe, wishes, progress);
   for (const std::string& name : keep) {
     for (VertexProperty& property : find_keepable(name).properties(plan, values))

@@ -326,11 +326,11 @@ BakedLayers bake_layers(const SurfaceNoiseRecipe& recipe, const SurfaceLayers& l
 }
 
 std::vector<Vec<3>> bake_slopes(const SurfaceNoiseRecipe& recipe, const SurfaceLayers& layers,
-                                const BakeVertices& vertices, Progress* progress) {
+                                const BakeVertices& vertices, bool bounds_gradient, Progress* progress) {
   validate(recipe, vertices);
   const Components directions = components_of(vertices.directions);
   SurfaceKernel kernel = kernel_of(recipe, vertices, directions);
-  kernel.bounds_gradient = true;
+  kernel.bounds_gradient = bounds_gradient;
   VertexLayers made(recipe, layers, kernel, vertices);
   FieldPtr field = magnified(
       layers.layers.empty() ? make_surface_field(recipe, kernel) : made.make(layers.layers), vertices);

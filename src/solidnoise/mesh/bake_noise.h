@@ -139,10 +139,12 @@ BakedLayers bake_layers(const SurfaceNoiseRecipe& recipe, const SurfaceLayers& l
 // or of the first property, if there is one, with normals, kernels and what steers held fixed. In closed form
 // where all that they are made of has a gradient, else by differences over a 500th of a wave to each side. Of
 // layers and properties that are filtered by differences over the filter's deviation: ramps may step within
-// less, and have slopes there that no texel is as wide as. Kernels keep the recipe's error for the gradient,
-// too (bounding_gradient()), relative to its own root mean square; where they vary, up to three times that.
+// less, and have slopes there that no texel is as wide as. With `bounds_gradient` kernels keep the recipe's
+// error for the gradient (bounding_gradient()), relative to its own root mean square, and where they vary up
+// to three times that; else slopes are those of the values, which are off by up to 2.7 times as much.
 std::vector<Vec<3>> bake_slopes(const SurfaceNoiseRecipe& recipe, const SurfaceLayers& layers,
-                                const BakeVertices& vertices, Progress* progress = nullptr);
+                                const BakeVertices& vertices, bool bounds_gradient,
+                                Progress* progress = nullptr);
 
 // The frequencies that hold all but a thousandth of the variance, with the first octave at this frequency.
 Band surface_band(const SurfaceNoiseRecipe& recipe, double frequency, double bandwidth);

@@ -82,11 +82,12 @@ std::vector<Color> exemplar_colors(const BakePlan& plan, const BakeRecipe& recip
   return colors;
 }
 
-std::vector<Vec<3>> height_slopes(const BakePlan& plan, const BakeRecipe& recipe, Progress* progress) {
+std::vector<Vec<3>> height_slopes(const BakePlan& plan, const BakeRecipe& recipe, bool bounds_gradient,
+                                  Progress* progress) {
   std::vector<std::string> height;
   if (recipe.properties.contains(kHeightProperty)) height.push_back(kHeightProperty);
-  std::vector<Vec<3>> slopes =
-      bake_slopes(recipe.noise, surface_layers(plan, recipe, height), vertices_of(plan, recipe), progress);
+  std::vector<Vec<3>> slopes = bake_slopes(recipe.noise, surface_layers(plan, recipe, height),
+                                           vertices_of(plan, recipe), bounds_gradient, progress);
   // The noise's plane is smoother than the surface.
   for (std::size_t i = 0; i < slopes.size(); ++i) {
     const Vec<3> normal = glm::normalize(plan.guides.normals[i]);
@@ -108,7 +109,7 @@ BakedValues bake_values(const BakePlan& plan, const BakeRecipe& recipe, const Ba
     baked.colors = recipe.has_exemplar_colors() ? exemplar_colors(plan, recipe, std::move(layers), progress)
                                                 : ramp_colors(recipe, baked.noise);
   }
-  if (wishes.slopes) baked.slopes = height_slopes(plan, recipe, progress);
+  if (wishes.slopes) baked.slopes = height_slopes(plan, recipe, wishes.bounds_gradient, progress);
   return baked;
 }
 

@@ -16,6 +16,7 @@ struct BakeWishes {
   bool colors = false;
   std::vector<std::string> properties{};  // of the recipe, by name
   bool slopes = false;
+  bool bounds_gradient = false;  // of slopes, as bake_slopes() has it
 };
 
 struct BakedValues {
