@@ -8,6 +8,7 @@
 #include <benchmark/benchmark.h>
 
 #include "blocks.h"
+
 namespace solidnoise::bench {
 
 // A different block for each iteration, in the order in which a volume's blocks are filled.

@@ -15,7 +15,7 @@ bool is_raw(const VolumeRecipe& recipe) {
   return std::holds_alternative<RawShaping>(recipe.shaping);
 }
 
-// The root mean square of what displaces, which in no range but the noise's own exceeds 1.
+// The root mean square of what displaces.
 double size_of(const VolumeRecipe& recipe) {
   const auto* const raw = std::get_if<RawShaping>(&recipe.shaping);
   const auto range = raw != nullptr ? raw->range : RawShaping::Range::unit;

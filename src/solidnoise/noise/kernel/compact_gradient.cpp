@@ -12,29 +12,27 @@ namespace {
 
 constexpr double kNegligibleFrom = 4.0;  // 1 / a: exp(-2 pi 4^2) of a Gaussian's square is beyond
 
+// Of a radial slope over a shell, relative to the kernel's over space: the root of the integrals' ratio.
+template <int Dim, typename Slope>
+double relative_slope(const IsotropicGaborKernel<Dim>& kernel, double from, double to, const Slope& slope) {
+  const auto square = [&](double r) { return std::pow(slope(r), 2) * std::pow(r, Dim - 1); };
+  const int panels = 4 + static_cast<int>(kernel.frequency() * (to - from));
+  return std::sqrt(unit_sphere_area(Dim) * integrate(square, from, to, panels) / kernel.gradient_energy());
+}
+
 }  // namespace
 
 template <int Dim>
 double gradient_error(const IsotropicGaborKernel<Dim>& kernel, const CompactKernel& compact) {
-  const auto missing = [&](double r) {
-    return std::pow(kernel.derivative(r) - compact.derivative(r), 2) * std::pow(r, Dim - 1);
-  };
-  const auto over = [&](double from, double to) {
-    return integrate(missing, from, to, 4 + static_cast<int>(kernel.frequency() * (to - from)));
-  };
-  // The compact kernel is smooth up to its radius, and beyond.
-  const double end = std::max(compact.radius(), kNegligibleFrom / kernel.a());
-  const double shells = over(0.0, compact.radius()) + over(compact.radius(), end);
-  return std::sqrt(unit_sphere_area(Dim) * shells / kernel.gradient_energy());
+  const auto missing = [&](double r) { return kernel.derivative(r) - compact.derivative(r); };
+  return std::hypot(relative_slope(kernel, 0.0, compact.radius(), missing),
+                    gradient_beyond(kernel, compact.radius()));
 }
 
 template <int Dim>
 double gradient_beyond(const IsotropicGaborKernel<Dim>& kernel, double radius) {
   const double end = std::max(radius, kNegligibleFrom / kernel.a());
-  const auto missing = [&](double r) { return std::pow(kernel.derivative(r), 2) * std::pow(r, Dim - 1); };
-  const int panels = 4 + static_cast<int>(kernel.frequency() * (end - radius));
-  return std::sqrt(unit_sphere_area(Dim) * integrate(missing, radius, end, panels) /
-                   kernel.gradient_energy());
+  return relative_slope(kernel, radius, end, [&](double r) { return kernel.derivative(r); });
 }
 
 double gradient_error(double a, double frequency, int dimensions, const CompactKernel& envelope) {

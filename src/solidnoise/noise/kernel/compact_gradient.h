@@ -14,7 +14,7 @@ template <int Dim>
 double gradient_beyond(const IsotropicGaborKernel<Dim>& kernel, double radius);
 
 // Of a Gaussian exp(-pi a^2 |x|^2) times a wave of that frequency and random phase, whose envelope is a
-// product of one compact one per axis; frequency 0 is the Gaussian.
+// product of one compact one per axis.
 double gradient_error(double a, double frequency, int dimensions, const CompactKernel& envelope);
 
 // Of one whose envelope is `gaussian`, the compact form of the radial Gaussian, in as many dimensions; on

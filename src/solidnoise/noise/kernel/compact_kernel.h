@@ -111,9 +111,9 @@ CompactKernel compact_envelope(double a, int dimensions, double error);
 CompactKernel compact_gaussian(double a, int dimensions, double error);
 
 // The compact kernel of a given radius, of the lowest degree >= 1 within the error, of values or, with
-// `bounds_gradient`, of both. Kernels of similar
-// parameters, compact on similar radii, are then alike, which the cheapest ones above need not be. Throws
-// std::invalid_argument if the kernel has too much of its energy outside of the radius.
+// `bounds_gradient`, of both. Kernels of similar parameters, compact on similar radii, are then alike, which
+// the cheapest ones above need not be. Throws std::invalid_argument if the kernel has too much of its energy
+// outside of the radius.
 template <int Dim>
 CompactKernel compact_kernel_at(const IsotropicGaborKernel<Dim>& kernel, double radius, double error,
                                 bool bounds_gradient = false);
